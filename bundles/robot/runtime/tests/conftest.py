@@ -1,4 +1,4 @@
-"""What the tests share."""
+"""Common fixtures of the tests."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def messages() -> Messages:
 
 @pytest.fixture
 def simulation(messages: Messages) -> Iterator[Simulation]:
-    """The simulation that nodes of the test live in."""
+    """Provide the simulation for the nodes of a test."""
     simulation = Simulation()
     context.enter(simulation)
     yield simulation
@@ -40,7 +40,7 @@ def simulation(messages: Messages) -> Iterator[Simulation]:
 
 @pytest.fixture
 def participants() -> Iterator[tuple[Participant, Participant]]:
-    """Two participants of a domain that is theirs alone."""
+    """Provide two participants in a domain of their own."""
     configuration = loopback_configuration(fresh_tag())
     with Participant(DOMAIN, configuration) as one, Participant(DOMAIN, configuration) as other:
         yield one, other
@@ -48,7 +48,7 @@ def participants() -> Iterator[tuple[Participant, Participant]]:
 
 @pytest.fixture
 def world() -> Iterator[World]:
-    """The other side of node files that are run by themselves."""
+    """Provide the other side of single node files."""
     world = World(DOMAIN)
     yield world
     world.close()

@@ -38,7 +38,7 @@ def random_primitive(base: str, generator: random.Random, bound: int) -> Any:
     if base.startswith("float"):
         return float(np.float32(generator.choice([generator.uniform(-1e6, 1e6), float("inf"), 0.0])))
     if base in ("byte", "char"):
-        return generator.randrange(128)  # rosbags takes a byte for an int8
+        return generator.randrange(128)  # a byte in rosbags is an int8
     bits = int(base.lstrip("uint"))
     low = 0 if base.startswith("u") else -(2 ** (bits - 1))
     return generator.randrange(low, low + 2**bits)

@@ -1,4 +1,4 @@
-"""Node files that are run by themselves, as real processes on the wire, and who talks to them."""
+"""Single node files as real processes on the wire, and their peers."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ FLOAT = "std_msgs/msg/Float32"
 
 
 class Running:
-    """A node file that runs, and the lines that it has written."""
+    """A running node file, and its output lines."""
 
     def __init__(self, world: World, *arguments: object) -> None:
         command = [sys.executable, "-m", "eventchain_ros2", *map(str, arguments)]
@@ -40,7 +40,7 @@ class Running:
         self._lines.put(None)
 
     def hears(self, start: str) -> str:
-        """The next line that starts so; everything before it is skipped."""
+        """Return the next line with this start, skipping earlier lines."""
         end = monotonic() + PATIENCE
         while True:
             try:
@@ -53,7 +53,7 @@ class Running:
                 return line
 
     def ends(self) -> int:
-        """Its exit code, once all it says is read."""
+        """Return its exit code after reading its complete output."""
         code = self.process.wait(PATIENCE)
         while (line := self._lines.get(timeout=PATIENCE)) is not None:
             self.said.append(line)
@@ -61,7 +61,7 @@ class Running:
 
 
 class Repeated:
-    """Writes the same sample again and again, until it is another one."""
+    """Writes the same sample repeatedly, until it is replaced."""
 
     def __init__(self, writer: Writer, data: bytes) -> None:
         self.data = data
@@ -80,7 +80,7 @@ class Repeated:
 
 
 class World:
-    """The other side: a participant in a domain that only the processes of one test are in."""
+    """The other side: a participant in a domain for the processes of one test only."""
 
     def __init__(self, domain: int, tag: str | None = None) -> None:
         configuration = loopback_configuration(tag or fresh_tag())
@@ -109,12 +109,12 @@ class World:
         return reader
 
     def repeat(self, writer: Writer, data: bytes) -> Repeated:
-        """Write again and again: of what is written first, a node that has not yet matched gets nothing."""
+        """Write repeatedly: a node that has not yet matched misses the first samples."""
         self._repeated.append(Repeated(writer, data))
         return self._repeated[-1]
 
     def talk(self) -> tuple[Writer, Reader]:
-        """Connect with a probe, in both directions, until it has answered."""
+        """Connect with a probe in both directions, until it has answered."""
         writer, reader = self.writer("/room/in"), self.reader("/room/out")
         end = monotonic() + PATIENCE
         for hello in range(1, 1_000_000):

@@ -31,7 +31,7 @@ class Failed(Exception):
 
 
 class HostProcess:
-    """A host, confined as in the product but for bubblewrap, talked to over real pipes."""
+    """A host confined as in the product, but without bubblewrap, driven over real pipes."""
 
     module = "eventchain_ros2.lockstep"
     preparation: dict[str, Any] | None = None
@@ -89,7 +89,7 @@ class HostProcess:
         return json.loads(self.receive(READY))
 
     def step(self, until: int, *samples: tuple[int, bytes]) -> list[tuple[int, int, bytes]]:
-        """Publish `(topic index, CDR bytes)` and let time pass; returns `(time, topic index, CDR bytes)`."""
+        """Publish `(topic index, CDR bytes)` and let time pass; return `(time, topic index, CDR bytes)`."""
         self.send(STEP, step_payload(until, *samples))
         return _samples(self.receive(STEPPED))
 
@@ -98,7 +98,7 @@ class HostProcess:
         return json.loads(self.receive(FINISHED))
 
     def close(self) -> tuple[int, str]:
-        """End the input; returns exit code and standard error."""
+        """End the input; return exit code and standard error."""
         _, errors = self.process.communicate()
         return self.process.returncode, (errors or b"").decode()
 
@@ -123,12 +123,12 @@ def _samples(payload: bytes) -> list[tuple[int, int, bytes]]:
 
 
 def float32(value: float) -> bytes:
-    """CDR bytes of a std_msgs/msg/Float32."""
+    """Return the CDR bytes of a std_msgs/msg/Float32."""
     return b"\x00\x01\x00\x00" + struct.pack("<f", value)
 
 
 def doubler(folder: Path, package: str = "chain", **component: Any) -> dict[str, Any]:
-    """The node of the fixture `chain` or `dds` in this folder, with its component."""
+    """Return the node of the fixture `chain` or `dds` in this folder, with its component."""
     described = {
         "module": f"{package}.components.Doubler",
         "class": "Doubler",

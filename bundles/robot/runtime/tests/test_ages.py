@@ -1,6 +1,6 @@
-"""Generated nodes: no command of old values goes on for ever, and messages have the time of their publication.
+"""Generated nodes: commands from stale values stop, and messages have the time of their publication.
 
-The nodes are those that the templates are expected to write (TemplateCasesTest in bundles/mde/m2t).
+The nodes are the expected output of the templates (TemplateCasesTest in bundles/mde/m2t).
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class options:
 
 
 def configuration(folder: Path, case: str, component: str, source: str, topics: dict[str, str]) -> dict[str, Any]:
-    """A generated node, copied to a folder, with its component; the first topic is what the world publishes."""
+    """Return a generated node, copied to a folder, with its component; the world publishes the first topic."""
     (package,) = (GENERATED / case / "expected").iterdir()
     copy = folder / package.name
     shutil.copytree(package, copy)
@@ -58,14 +58,14 @@ def configuration(folder: Path, case: str, component: str, source: str, topics: 
 
 @pytest.fixture
 def brake(tmp_path: Path) -> dict[str, Any]:
-    """A node that brakes below a time to collision of 1 s, 20 times a second, with a limit of 250 ms."""
+    """Return a node that brakes below a time to collision of 1 s, 20 times a second, with a limit of 250 ms."""
     topics = {"/aeb/ttc": "std_msgs/msg/Float32", "/vehicle/brake_force": "std_msgs/msg/Float32"}
     return configuration(tmp_path, "ros2-python/aeb", "Braking_Decision", BRAKE, topics)
 
 
 @pytest.fixture(params=["ros2-python", "cyclonedds-python"])
 def options(tmp_path: Path, request: pytest.FixtureRequest) -> dict[str, Any]:
-    """A node with safe values for two of its topics, 20 times a second, with a limit of 62.5 ms."""
+    """Return a node with safe values for two of its topics, 20 times a second, with a limit of 62.5 ms."""
     topics = {
         "/best": "std_msgs/msg/Float32",
         "/done": "std_msgs/msg/Bool",
@@ -76,12 +76,12 @@ def options(tmp_path: Path, request: pytest.FixtureRequest) -> dict[str, Any]:
 
 
 def commands(host: HostProcess, until: int, *samples: tuple[int, bytes]) -> list[bytes]:
-    """What was commanded until then."""
+    """Return the commands until then."""
     return [data for _, _, data in host.step(until, *samples)]
 
 
 def stamps(samples: list[tuple[int, int, bytes]], topic: int) -> list[tuple[int, int]]:
-    """The stamps of the messages on a topic of the world, seconds and nanoseconds."""
+    """Return the stamps of the messages on a topic of the world, seconds and nanoseconds."""
     return [struct.unpack_from("<iI", data, 4) for _, index, data in samples if index == topic]
 
 

@@ -1,4 +1,4 @@
-"""Who may import whom: what ArchUnit holds for the Java bundles, also under TYPE_CHECKING and within functions."""
+"""Allowed imports between modules, as ArchUnit checks for Java, also under TYPE_CHECKING and within functions."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from conftest import BUNDLE
 
 PYTHON = BUNDLE / "python"
 RUNTIME = "eventchain_ros2"
-# Each module imports only from the lines above its own, so there are no circles.
+# Each module imports only from the lines above its own, so there are no cycles.
 LAYERS = (
     {"definitions"},
     {"clock", "cyclone", "faults", "graph", "logger", "parameters"},
@@ -27,14 +27,14 @@ LAYERS = (
 )
 LAYER_OF = {module: layer for layer, modules in enumerate(LAYERS) for module in modules}
 MODULES = sorted(PYTHON.glob(f"{RUNTIME}/*.py"))
-# What talks to the library. A confined process refuses ctypes, and everything that runs in one does without.
+# Modules that use the library. A confined process refuses ctypes, so the modules that run in one do not use it.
 WIRE = {"cyclone", "dds_endpoints", "dds_entities", "dds_qos", "discovery", "type_support"}
 CONFINED = ("components", "executors", "simulation")
 FACADES = sorted([*PYTHON.glob("rclpy/**/*.py"), *PYTHON.glob("cyclonedds/**/*.py")])
 
 
 def imported(source: str, package: str) -> Iterator[str]:
-    """The modules of the package that the source names in any import, `''` for the package itself."""
+    """Return the modules of the package that the source names in any import, `''` for the package itself."""
     for statement in ast.walk(ast.parse(source)):
         names: list[str] = []
         if isinstance(statement, ast.Import):

@@ -1,4 +1,4 @@
-"""The generated codecs against an independent implementation, that of rosbags."""
+"""The generated codecs compared with rosbags, an independent implementation."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ uint64 large
 
 
 def plain(value: Any) -> Any:
-    """A value of either implementation in one form."""
+    """Return a value of either implementation in a common form."""
     if isinstance(value, bytes):
         return value[0]
     if isinstance(value, np.ndarray | array | list):

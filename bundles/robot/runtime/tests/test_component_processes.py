@@ -1,7 +1,7 @@
 """No code of a component shares memory with records, world, harness or another component.
 
-Each file of `fixtures/fakes` stands for the component of the chain and tries to change something else than its result.
-It gets nowhere if the host says the same as with the honest component, or ends it.
+Each file of `fixtures/fakes` replaces the component of the chain and tries to change more than its result. It fails if
+the host's output is the same as with the original component, or if the host ends it.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def configuration(folder: Path, **component: Any) -> dict[str, Any]:
 
 
 def scenario(host: HostProcess, folder: Path, kind: int) -> tuple[Any, list[Any], Any]:
-    """All that the host says of a scenario, without host times, which are the last."""
+    """Return the host's output for a scenario, without host times, which are the last."""
     ready = host.configure(configuration(folder), kind)
     samples = [host.step(50 * MILLISECOND * step, (0, float32(float(step)))) for step in range(1, STEPS + 1)]
     finished = host.finish()
@@ -55,14 +55,14 @@ def without_host_times(said: tuple[Any, list[Any], Any]) -> Any:
 
 @pytest.fixture
 def project(tmp_path: Path) -> Path:
-    """A copy of the chain, whose component is to be replaced."""
+    """Provide a copy of the chain, whose component is to be replaced."""
     shutil.copytree(FIXTURES / "chain", tmp_path / "chain", ignore=shutil.ignore_patterns("__pycache__"))
     return tmp_path
 
 
 @pytest.fixture(scope="module")
 def honest() -> Any:
-    """What the host says with the honest component, twice."""
+    """Provide the host's output with the original component, twice."""
     with HostProcess() as host:
         return [without_host_times(scenario(host, FIXTURES, kind)) for kind in (1, RESET)]
 

@@ -1,4 +1,4 @@
-"""The files in `messages/conformance`, against which the side in Java is tested, too."""
+"""The files in `messages/conformance`, which are also tested in Java."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def test_messages_in_idl_can_be_imported(own: Messages) -> None:
 
 
 def plain(value: Any) -> Any:
-    """A value as the file has it."""
+    """Return a value as in the file."""
     if isinstance(value, Message):
         return {name: plain(getattr(value, name)) for name in value.__slots__}
     if isinstance(value, np.ndarray | array | list):

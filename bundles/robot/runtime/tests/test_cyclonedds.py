@@ -24,7 +24,7 @@ RELIABLE = Policy.Reliability.Reliable(max_blocking_time=INFINITY)
 
 @pytest.fixture
 def types() -> Iterator[ModuleType]:
-    """The message classes of the fixture."""
+    """Provide the message classes of the fixture."""
     sys.path.insert(0, str(FIXTURES))
     from dds import messages
 
@@ -33,7 +33,7 @@ def types() -> Iterator[ModuleType]:
 
 
 def configuration(**component: Any) -> dict[str, Any]:
-    """The node that doubles numbers, every 50 ms."""
+    """Return the node that doubles numbers, every 50 ms."""
     node = doubler(FIXTURES, "dds", **component)
     return {
         "path": [str(FIXTURES)],

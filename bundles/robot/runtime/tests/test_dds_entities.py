@@ -1,4 +1,4 @@
-"""Samples on the wire, and which of them are refused or kept."""
+"""Samples on the wire, and those that are refused or kept."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What participants on the wire notice of each other, and how they wait for it."""
+"""Events of participants on the wire, and waiting for them."""
 
 from __future__ import annotations
 
@@ -106,7 +106,7 @@ def test_a_wait_ends_with_a_sample_or_with_the_time(participants: tuple[Particip
 
 
 def once_it_waits(act: Callable[[], None]) -> None:
-    """Do something while the main thread is in a wait."""
+    """Run an action while the main thread is in a wait."""
     main = threading.main_thread().ident
 
     def waits() -> bool:

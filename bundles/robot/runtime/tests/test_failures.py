@@ -1,4 +1,4 @@
-"""What the host reports when user code, messages or the other side are wrong."""
+"""Reports of the host about errors in user code, messages or the other side."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def configuration(folder: Path, **changes: Any) -> dict[str, Any]:
 
 @pytest.fixture
 def chain(tmp_path: Path) -> Path:
-    """A folder with a copy of the chain, to be broken."""
+    """Provide a copy of the chain, to be modified."""
     shutil.copytree(FIXTURES / "chain", tmp_path / "chain", ignore=shutil.ignore_patterns("__pycache__"))
     return tmp_path
 
@@ -40,7 +40,7 @@ def spoil(folder: Path, text: str, file: str = "components/Doubler.py") -> Path:
 
 
 def failure(folder: Path, **changes: Any) -> dict[str, Any]:
-    """What the host reports for one step with the number 3."""
+    """Return the host's report for one step with the number 3."""
     with HostProcess() as host:
         with pytest.raises(Failed) as caught:
             host.configure(configuration(folder, **changes))

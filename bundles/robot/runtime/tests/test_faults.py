@@ -1,4 +1,4 @@
-"""What each kind of fault does to nodes, in simulated time."""
+"""Effects of each kind of fault on nodes, in simulated time."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ END = 500 * MILLISECOND
 
 
 def fault(kind: str, target: str = "Sender", start: int = 200, end: int | None = 300, amount: int = 0) -> Fault:
-    """A fault from 200 ms until 300 ms; amounts are as in a configuration."""
+    """Return a fault from 200 ms until 300 ms; amounts are as in a configuration."""
     made = faults.of(
         {
             "kind": kind,
@@ -55,7 +55,7 @@ class Sender(Node):
 
 
 class Receiver(Node):
-    """Notes what it receives, and when, in ms."""
+    """Records received numbers and their times, in ms."""
 
     def __init__(self, depth: int = 10) -> None:
         from std_msgs.msg import Float32
@@ -82,7 +82,7 @@ class Run:
         self.received = self.receiver.received
 
     def times(self) -> list[float]:
-        """When something was received, in ms."""
+        """Return the times of received samples, in ms."""
         return [time for time, _ in self.received]
 
 

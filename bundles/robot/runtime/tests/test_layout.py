@@ -1,4 +1,4 @@
-"""A library that is laid out in another way than that of Cyclone DDS 11.0.1 is refused."""
+"""A library with a memory layout other than that of Cyclone DDS 11.0.1 is refused."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Participants = tuple[Participant, Participant]
 
 
 def change(monkeypatch: pytest.MonkeyPatch, function: str, alter: Callable[[Any, tuple[Any, ...]], None]) -> None:
-    """Let a function of the library leave something else behind than it does."""
+    """Make a function of the library leave another result in memory."""
     library = cyclone.load()
     real = getattr(library, function)
 

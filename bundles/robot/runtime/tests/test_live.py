@@ -1,4 +1,4 @@
-"""Node files that are run by themselves: samples, callbacks, time, and how they end."""
+"""Single node files: samples, callbacks, time, and termination."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the command line and the environment say to a node file that is run by itself."""
+"""Command line and environment of a single node file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a node file that is run by itself warns of."""
+"""Warnings of a single node file."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ FIXTURES = Path(__file__).with_name("fixtures")
 
 
 def chain(**node: Any) -> dict[str, Any]:
-    """A configuration with the node that doubles numbers, every 50 ms."""
+    """Return a configuration with the node that doubles numbers, every 50 ms."""
     return {
         "path": [str(FIXTURES)],
         "messages": [],

@@ -1,4 +1,4 @@
-"""Message classes and the modules they are imported from."""
+"""Message classes and their modules."""
 
 from __future__ import annotations
 

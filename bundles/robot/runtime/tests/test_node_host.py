@@ -1,4 +1,4 @@
-"""The host of one node on the wire: real pipes, real DDS, confined as in the product but for bubblewrap."""
+"""The host of one node on the wire: real pipes, real DDS, confined as in the product, but without bubblewrap."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class NodeProcess(HostProcess):
         return missing
 
     def let(self, kind: int, time: int) -> Any:
-        """Let it publish or run; what it says then."""
+        """Let it publish or run; return its report."""
         self.send(kind, struct.pack("<q", time))
         return self.idle()
 
@@ -65,7 +65,7 @@ class NodeProcess(HostProcess):
 
 
 class World:
-    """The other side: a number, what becomes of it, and the clock."""
+    """The other side: a number, its result, and the clock."""
 
     def __init__(self, participant: Participant) -> None:
         self.number: Writer = participant.writer("/number", "std_msgs/msg/Float32", QoSProfile(depth=10))
@@ -99,7 +99,7 @@ def host(tag: str, world: World) -> Iterator[NodeProcess]:
 
 
 def configuration(**node: Any) -> dict[str, Any]:
-    """The node that doubles numbers, every 50 ms."""
+    """Return the node that doubles numbers, every 50 ms."""
     times = {"execution_time_ms": 0.0, "phase_ms": 0.0}
     return {"path": [str(FIXTURES)], "messages": [], "nodes": [{**doubler(FIXTURES), **times, **node}]}
 
@@ -211,7 +211,7 @@ class Echo(Node):
 
 
 def echo(folder: Path, statement: str) -> dict[str, Any]:
-    """A node that answers each number as soon as it comes."""
+    """Return a node that answers each number on arrival."""
     (folder / "echo.py").write_text(ECHO.format(statement=statement), encoding="utf-8")
     node = {"module": "echo", "class": "Echo", "name": "Echo", "component": None}
     return {"path": [str(folder)], "messages": [], "nodes": [node]}

@@ -1,4 +1,4 @@
-"""What node code sees: timers, topics, quality of service, parameters, clocks, logs."""
+"""The runtime for node code: timers, topics, quality of service, parameters, clocks, logs."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def number(value: float) -> Any:
 
 
 class Recorder(Node):
-    """Notes when its timers fire and what it receives, in ms."""
+    """Records the times of its timers and of received samples, in ms."""
 
     def __init__(self, name: str = "recorder") -> None:
         super().__init__(name)

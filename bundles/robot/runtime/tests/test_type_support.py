@@ -1,4 +1,4 @@
-"""Type hashes against rosbags, and the graph's message against its definition."""
+"""Type hashes compared with rosbags, and the graph's message with its definition."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The facts of DDS in `messages/conformance/wire.json`, which the side in Java is tested against, too."""
+"""The facts about DDS in `messages/conformance/wire.json`, which are also tested in Java."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What tests on the wire share: a domain that nobody else is in, samples, and waiting."""
+"""Common part of tests on the wire: an isolated domain, samples, and waiting."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from typing import Any
 from eventchain_ros2.dds_entities import Participant, Reader, Received, Writer
 from eventchain_ros2.qos import HistoryPolicy, QoSProfile
 
-PATIENCE = 120  # s; only a machine that has come to a stop takes that long
-DOMAIN = 1 + os.getpid() % 100  # above 100 the ports are those that the system hands out
+PATIENCE = 120  # s; only exceeded on a stalled machine
+DOMAIN = 1 + os.getpid() % 100  # above 100 the ports are in the ephemeral range
 MILLISECOND = 1_000_000
 SECOND = 1_000 * MILLISECOND
 LATEST = (2**32 - 1) * SECOND - 1
@@ -31,17 +31,17 @@ TABLE: dict[str, Any] = json.loads((CONFORMANCE / "wire.json").read_text(encodin
 
 
 def loopback_configuration(tag: str) -> str:
-    """The configuration of a domain that stays on this machine, as the simulation hands it to nodes."""
+    """Return the configuration of a domain on this machine only, as the simulation passes it to nodes."""
     return str(TABLE["loopback"]["configuration"]).replace(TABLE["loopback"]["tag"], tag)
 
 
 def fresh_tag() -> str:
-    """A tag that no other run has."""
+    """Return a tag that no other run has."""
     return uuid.uuid4().hex
 
 
 def wait_until(condition: Callable[[], object], what: str) -> None:
-    """Wait for something that has to happen."""
+    """Wait for an event that has to happen."""
     end = monotonic() + PATIENCE
     while not condition():
         assert monotonic() < end, f"still waiting: {what}"

@@ -13,7 +13,7 @@ from rosbags.typesys import Stores, get_typestore
 TARGET = Path(__file__).parents[2] / "messages/src/main/resources/dev/eventchain/messages/humble.msgs"
 SEPARATOR = "=" * 80
 
-# The type store drops the default values of fields. Quaternion has the only ones that are not zero (common_interfaces).
+# The type store drops default values of fields. Only those of Quaternion are not zero (common_interfaces).
 DEFAULTS = {"geometry_msgs/msg/Quaternion": {"float64 w": "float64 w 1"}}
 
 

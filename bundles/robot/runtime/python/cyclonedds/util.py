@@ -11,5 +11,5 @@ def duration(
     nanoseconds: int = 0,
     infinite: bool = False,
 ) -> int:
-    """A duration in nanoseconds."""
+    """Return a duration in nanoseconds."""
     return INFINITY if infinite else int(((seconds * 1000 + milliseconds) * 1000 + microseconds) * 1000 + nanoseconds)

@@ -1,1 +1,1 @@
-"""Eventchain's runtime for nodes written against `rclpy`: an in-memory ROS graph in simulated time."""
+"""Eventchain's runtime for nodes based on `rclpy`: an in-memory ROS graph in simulated time."""

@@ -1,4 +1,4 @@
-"""Runs a node file that is written against rclpy by itself, in real time on DDS.
+"""Run a single node file based on rclpy in real time on DDS.
 
 python -m eventchain_ros2 [--messages FILE]... NODE.py [--ros-args -p [NODE:]NAME:=VALUE --params-file FILE ...]
 
@@ -26,13 +26,13 @@ USAGE = """usage: python -m eventchain_ros2 [--messages FILE]... NODE.py
 
 
 class UsageError(Exception):
-    """The command line cannot be understood."""
+    """The command line is invalid."""
 
 
 class Command(NamedTuple):
     """What the command line says: files with messages, the file, its arguments, `(node, name, value)` of parameters.
 
-    A parameter without a node is one of all nodes; the last value counts.
+    A parameter without a node applies to all nodes; the last value takes precedence.
     """
 
     messages: list[Path]
@@ -42,10 +42,10 @@ class Command(NamedTuple):
 
 
 def parse(arguments: list[str]) -> Command:
-    """Read the command line.
+    """Parse the command line.
 
     Raises:
-        UsageError: it is wrong.
+        UsageError: it is invalid.
 
     """
     rest, messages = list(arguments), []
@@ -67,7 +67,7 @@ def _parameters(arguments: list[str]) -> list[tuple[str, str, Any]]:
     rest = iter(arguments)
     for argument in rest:
         if argument != "--ros-args":
-            continue  # one of the file itself
+            continue  # an argument of the file itself
         for option in rest:
             if option == "--":
                 break
@@ -92,7 +92,7 @@ def _parameter(text: str) -> tuple[str, str, Any]:
 
 
 def _parameters_of_file(file: Path) -> list[tuple[str, str, Any]]:
-    """What is written as `NODE: {ros__parameters: {NAME: VALUE}}`, with `/**` for all nodes."""
+    """Return the parameters of a file `NODE: {ros__parameters: {NAME: VALUE}}`, with `/**` for all nodes."""
     try:
         content = _yaml(file.read_text(encoding="utf-8"), str(file))
     except (OSError, UnicodeDecodeError) as problem:
@@ -127,10 +127,10 @@ def _yaml(text: str, what: str) -> Any:
 
 
 def domain(asked: int | None) -> int:
-    """The number of the domain: the one that `rclpy.init` asks for, or that of `ROS_DOMAIN_ID`, or 0.
+    """Return the domain number: the one passed to `rclpy.init`, or that of `ROS_DOMAIN_ID`, or 0.
 
     Raises:
-        UsageError: `ROS_DOMAIN_ID` is no number.
+        UsageError: `ROS_DOMAIN_ID` is not a number.
 
     """
     text = os.environ.get("ROS_DOMAIN_ID") or "0"
@@ -177,7 +177,7 @@ def _override(name: str, value: Any) -> Parameter:
 
 
 def _root(node: Path) -> Path:
-    """The folder that imports start from: that of the file, or the one that its package is in."""
+    """Return the folder for imports: that of the file, or the one that contains its package."""
     folder = node.resolve().parent
     while (folder / "__init__.py").is_file():
         folder = folder.parent
@@ -185,7 +185,7 @@ def _root(node: Path) -> Path:
 
 
 def main() -> int:
-    """Run the command line; 2 if it, or a message definition, is wrong, 3 if there is no Cyclone DDS."""
+    """Run the command line; return 2 if it, or a message definition, is invalid, 3 if there is no Cyclone DDS."""
     from eventchain_ros2.cyclone import LibraryUnavailableError
     from eventchain_ros2.definitions import MessageDefinitionError
 

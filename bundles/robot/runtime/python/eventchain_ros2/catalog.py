@@ -1,4 +1,4 @@
-"""The catalogue of the message types that can be used."""
+"""Catalog of the available message types."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Catalog:
         return sorted(self._stated)
 
     def find(self, name: str) -> Definition | None:
-        """The definition of the type with this full name.
+        """Return the definition of the type with this full name.
 
         Raises:
             MessageDefinitionError: it is not defined as it has to be.

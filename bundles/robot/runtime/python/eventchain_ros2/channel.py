@@ -1,4 +1,4 @@
-"""Frames over a pair of streams, between a host of nodes and who drives it; this bundle's README describes them."""
+"""Frames over a pair of streams, between a host of nodes and its driver; this bundle's README describes them."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Channel:
 
     @classmethod
     def of_standard_streams(cls) -> Channel:
-        """Take standard input and output, which user code can no longer reach then: it prints to standard error."""
+        """Take over standard input and output, so that user code cannot access them: it prints to standard error."""
         source, target = os.fdopen(os.dup(0), "rb", 0), os.fdopen(os.dup(1), "wb")
         nothing = os.open(os.devnull, os.O_RDONLY)
         os.dup2(nothing, 0)
@@ -57,11 +57,11 @@ class Channel:
         return cls(source, target)
 
     def fileno(self) -> int:
-        """What to wait for: it is readable when a frame arrives."""
+        """Return the file descriptor that is readable when a frame arrives."""
         return self._source.fileno()
 
     def read(self) -> tuple[int, memoryview] | None:
-        """The next frame, or None at the end."""
+        """Return the next frame, or None at the end."""
         head = self._read(_FRAME.size)
         if not head:
             return None
@@ -75,7 +75,7 @@ class Channel:
         raise HostError("protocol.frame", "the input ended within a frame")
 
     def _read(self, length: int) -> bytearray:
-        """So many bytes, or fewer at the end."""
+        """Return this number of bytes, or fewer at the end."""
         data = bytearray(length)
         position = 0
         with memoryview(data) as view:

@@ -41,7 +41,7 @@ class Duration:
         return hash(self.nanoseconds)
 
     def to_msg(self) -> Any:
-        """As `builtin_interfaces/msg/Duration`."""
+        """Convert to `builtin_interfaces/msg/Duration`."""
         from builtin_interfaces.msg import Duration as DurationMessage  # type: ignore[import-not-found]
 
         seconds, nanoseconds = divmod(self.nanoseconds, NANOSECONDS_PER_SECOND)
@@ -49,7 +49,7 @@ class Duration:
 
     @classmethod
     def from_msg(cls, message: Any) -> Duration:
-        """From `builtin_interfaces/msg/Duration`."""
+        """Convert from `builtin_interfaces/msg/Duration`."""
         return cls(nanoseconds=message.sec * NANOSECONDS_PER_SECOND + message.nanosec)
 
 
@@ -67,7 +67,7 @@ class Time:
         self.clock_type = clock_type
 
     def seconds_nanoseconds(self) -> tuple[int, int]:
-        """Whole seconds, and the nanoseconds of the second."""
+        """Return whole seconds, and the nanoseconds of the second."""
         return divmod(self.nanoseconds, NANOSECONDS_PER_SECOND)
 
     def __repr__(self) -> str:
@@ -110,27 +110,27 @@ class Time:
             raise TypeError("Can't compare times with different clock types")
 
     def to_msg(self) -> Any:
-        """As `builtin_interfaces/msg/Time`."""
+        """Convert to `builtin_interfaces/msg/Time`."""
         import builtin_interfaces.msg  # type: ignore[import-not-found]
 
-        # `from ... import` would ask the module for submodules, each time.
+        # `from ... import` would search the module for submodules, each time.
         seconds, nanoseconds = self.seconds_nanoseconds()
         return builtin_interfaces.msg.Time(sec=seconds, nanosec=nanoseconds)
 
     @classmethod
     def from_msg(cls, message: Any, clock_type: ClockType = ClockType.ROS_TIME) -> Time:
-        """From `builtin_interfaces/msg/Time`."""
+        """Convert from `builtin_interfaces/msg/Time`."""
         nanoseconds = message.sec * NANOSECONDS_PER_SECOND + message.nanosec
         return cls(nanoseconds=nanoseconds, clock_type=clock_type)
 
 
 class Clock:
-    """A clock of a node. Whatever its kind, it shows the simulated time, so that runs can be repeated."""
+    """A clock of a node. Every kind shows the simulated time, so that runs are reproducible."""
 
     def __init__(self, now: Callable[[], int], clock_type: ClockType = ClockType.ROS_TIME) -> None:
         self._now = now
         self.clock_type = clock_type
 
     def now(self) -> Time:
-        """The simulated time; within a callback it is that of the callback's start."""
+        """Return the simulated time; within a callback it is that of the callback's start."""
         return Time(nanoseconds=self._now(), clock_type=self.clock_type)

@@ -1,12 +1,11 @@
 """Generates the constructor, CDR writer and CDR reader of a message type as Python source, once per type.
 
-The encoding is plain CDR version 1 (OMG DDS-XTypes 1.3, section 7.4.1), as ROS 2 puts it on the wire: little endian is
-written, and both byte orders are read.
-Positions count from behind the four bytes of the encapsulation header, so in a buffer that holds the header, a position
-is a multiple of 8 when the length is 4 above one.
+The encoding is plain CDR version 1 (OMG DDS-XTypes 1.3, section 7.4.1), as in ROS 2: written in little endian, read in
+both byte orders. Positions count from the end of the encapsulation header of four bytes. In a buffer with the header, a
+position is a multiple of 8 if the length is 4 more than one.
 
 Values are checked as rclpy's own classes check them, but when a message is written instead of when a field is set: the
-generated code compares exact types, and whatever differs goes to the slow functions of `validation`.
+generated code compares exact types, and other types go to the slow functions of `validation`.
 """
 
 from __future__ import annotations
@@ -32,14 +31,14 @@ class Codec(NamedTuple):
 
     initialize: Callable[..., None]  # __init__(self, **fields)
     write: Callable[[Any, bytearray], None]  # appends the message to a buffer that starts with the header
-    read: Callable[[memoryview, int], tuple[Any, int]]  # buffer behind the header, position -> message, next position
+    read: Callable[[memoryview, int], tuple[Any, int]]  # buffer after the header, position -> message, next position
     read_big_endian: Callable[
         [memoryview, int], tuple[Any, int]
-    ]  # made when it is first called: hardly anybody sends so
+    ]  # generated on first use: hardly any sender uses big endian
 
 
 class _BigEndianReader:
-    """Reads big-endian messages with a function that is generated when the first one comes."""
+    """Reads big-endian messages with a function that is generated on first use."""
 
     def __init__(self, definition: Definition, message_class: type, nested: Callable[[str], type]) -> None:
         self._arguments = definition, message_class, nested
@@ -53,7 +52,7 @@ class _BigEndianReader:
 
 
 def generate(definition: Definition, message_class: type, nested: Callable[[str], type]) -> Codec:
-    """Generate the functions of `message_class`; `nested` gives the classes of the messages it contains."""
+    """Generate the functions of `message_class`; `nested` gives the classes of its nested messages."""
     functions = _filled(_Generator(message_class, nested, "<"), definition).compile(definition.name)
     big_endian = _BigEndianReader(definition, message_class, nested)
     return Codec(functions["initialize"], functions["write"], functions["read"], big_endian)
@@ -75,7 +74,7 @@ def _filled(generator: _Generator, definition: Definition) -> _Generator:
 
 
 def _scalar_run(fields: list[Field], start: int) -> list[Field]:
-    """The fields from `start` on that are primitive numbers of one size, so that they follow without padding."""
+    """Return the fields from `start` on that are primitive numbers of one size, and therefore without padding."""
     run: list[Field] = []
     for field in fields[start:]:
         code = CODES.get(field.type.base)
@@ -94,11 +93,11 @@ class _Generator:
 
     def __init__(self, message_class: type, nested: Callable[[str], type], order: str) -> None:
         self._nested = nested
-        self._order = order  # of the bytes that are read, `<` or `>`
+        self._order = order  # byte order of the read function, `<` or `>`
         self._initialize: list[str] = []
         self._write: list[str] = []
         self._read: list[str] = []
-        self._aligned = 1  # what the current position is known to be a multiple of
+        self._aligned = 1  # known alignment of the current position
         self._names: dict[str, Any] = {
             "C": message_class,
             "new": object.__new__,
@@ -114,7 +113,7 @@ class _Generator:
         }
 
     def compile(self, name: str) -> dict[str, Any]:
-        """The functions `initialize`, `write` and `read`, among other names."""
+        """Return a namespace with the functions `initialize`, `write` and `read`."""
         source = [
             "def initialize(self, **fields):",
             *self._indent(self._initialize),
@@ -137,7 +136,7 @@ class _Generator:
         return ["  " + line for line in lines]
 
     def add_placeholder(self) -> None:
-        """A message without fields has one byte on the wire (rosidl: structure_needs_at_least_one_member)."""
+        """Add the one byte of a message without fields (rosidl: structure_needs_at_least_one_member)."""
         self._write.append("o += pad[1]")
         self._read.append("p += 1")
 
@@ -204,7 +203,7 @@ class _Generator:
         self._aligned = 1
 
     def _add_list(self, field: Field) -> None:
-        """Strings or messages."""
+        """Add a list of strings or messages."""
         if field.type.base == "string":
             default = "''"
             write = ["s = v.encode()", "o += pad[-len(o) & 3]", "o += pack_length(len(s) + 1) + s + b'\\0'"]
@@ -234,7 +233,7 @@ class _Generator:
         )
         self._add_length(field)
         size = _size(code)
-        # Without elements there is no padding either.
+        # Without elements there is no padding.
         position = len(self._write), len(self._read)
         self._align(size)
         for lines, start in zip((self._write, self._read), position, strict=True):
@@ -247,7 +246,7 @@ class _Generator:
         self._aligned = 1
 
     def _add_number_array(self, field: Field, code: str) -> None:
-        import numpy as np  # takes longer to import than everything else, and few types need it
+        import numpy as np  # slow to import, and needed for few types only
 
         count, size = field.type.size, _size(code)
         dtype = np.dtype("<" + np.dtype(code).str[1:]) if size > 1 else np.dtype(code)
@@ -311,5 +310,5 @@ def _list_default(field: Field, zero: object) -> str:
 
 
 def python_value(base: str, value: Any) -> Any:
-    """The value of a primitive as rclpy represents it: a byte is `bytes` of length 1."""
+    """Return the value of a primitive in rclpy's representation: a byte is `bytes` of length 1."""
     return bytes((value,)) if base == "byte" else value

@@ -1,6 +1,6 @@
-"""The components of nodes: each lives in its own process, and its node gets a stub.
+"""Components of nodes: each runs in its own process, and its node gets a stub.
 
-No code of a component is imported into this process, which holds the records of the scenario.
+No code of a component is imported into this process, which contains the records of the scenario.
 """
 
 from __future__ import annotations
@@ -20,15 +20,15 @@ from component_values import Objects
 
 
 class Configuration(NamedTuple):
-    """A component as the host is told of it.
+    """Configuration of a component.
 
     Args:
         module: the module from which its node imports it.
-        class_name: what the node imports.
+        class_name: the imported class.
         file: the file of that module.
         inputs: names of the arguments of `execute`; None: not known.
-        outputs: what it returns; None: not known.
-        restricted: whether the rules of generated components hold for it.
+        outputs: names of its results; None: not known.
+        restricted: whether the rules of generated components apply to it.
 
     """
 
@@ -41,7 +41,7 @@ class Configuration(NamedTuple):
 
     @classmethod
     def of(cls, json: dict[str, Any]) -> Configuration:
-        """From the entry `component` of a node in the configuration."""
+        """Read the entry `component` of a node in the configuration."""
         outputs = json.get("outputs")
         return cls(
             json["module"],
@@ -64,12 +64,12 @@ class Environment(NamedTuple):
 
 
 class Components(MetaPathFinder, Loader):
-    """The components of a scenario.
+    """Components of a scenario.
 
     Args:
-        configurations: of all of them.
-        environment: of their processes.
-        spend: is told the processor time of each call, in ns.
+        configurations: configurations of all components.
+        environment: environment of their processes.
+        spend: receives the processor time of each call, in ns.
 
     """
 
@@ -82,11 +82,11 @@ class Components(MetaPathFinder, Loader):
         self._processes: list[ComponentProcess] = []
 
     def install(self) -> None:
-        """Serve the imports of nodes, before everything else."""
+        """Serve the imports of nodes, before all other finders."""
         sys.meta_path.insert(0, self)
 
     def end(self) -> None:
-        """End the processes and serve no more."""
+        """End the processes and stop serving imports."""
         if self in sys.meta_path:
             sys.meta_path.remove(self)
         for process in self._processes:
@@ -99,7 +99,7 @@ class Components(MetaPathFinder, Loader):
         return ModuleSpec(fullname, self) if fullname in self._configurations else None
 
     def create_module(self, spec: ModuleSpec) -> ModuleType:
-        """Make a module with the stand-in's class."""
+        """Create a module with the stub's class."""
         configuration = self._configurations[spec.name]
         module = ModuleType(spec.name)
         stand_in = type(configuration.class_name, (_StandIn,), {"_start": staticmethod(self._starter(configuration))})
@@ -147,7 +147,7 @@ class Components(MetaPathFinder, Loader):
 
 
 class _StandIn:
-    """What a node has instead of its component: it can be made and executed, and that is all."""
+    """Stub of a component in its node: it can only be created and executed."""
 
     _start: Callable[[], Callable[..., Any]]
 
@@ -167,7 +167,7 @@ def _call(
 
 
 def _check_rules(configuration: Configuration) -> None:
-    """Hold a generated component to the rules of its kind, whoever has changed it since."""
+    """Check a generated component against the rules, since it may have been edited."""
     names = [output.name for output in configuration.outputs or ()]
     component = Component(configuration.class_name, configuration.inputs or [], names)
     for finding in check_file(configuration.file, component):

@@ -1,4 +1,4 @@
-"""The simulation in which this process's nodes live (`rclpy.init`, `ok`, `shutdown`)."""
+"""The simulation of this process's nodes (`rclpy.init`, `ok`, `shutdown`)."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ NO_EXECUTOR = (
 
 
 class NotInitializedException(Exception):  # noqa: N818 - rclpy's name
-    """A node is made outside `rclpy.init` and `rclpy.shutdown`."""
+    """A node is created before `rclpy.init` or after `rclpy.shutdown`."""
 
     def __init__(self) -> None:
         super().__init__("rclpy.init() has not been called")
@@ -22,7 +22,7 @@ class NotInitializedException(Exception):  # noqa: N818 - rclpy's name
 class _Context:
     def __init__(self) -> None:
         self.simulation: Simulation | None = None
-        self.initialized = False  # by user code
+        self.initialized = False  # called by user code
         self.start: Callable[[int | None], Simulation] = lambda _: Simulation()
 
 
@@ -30,18 +30,18 @@ _context = _Context()
 
 
 def enter(simulation: Simulation) -> None:
-    """Make the following nodes live in this simulation; user code may still call `init` once."""
+    """Use this simulation for new nodes; user code may still call `init` once."""
     _context.simulation = simulation
     _context.initialized = False
 
 
 def start_with(start: Callable[[int | None], Simulation]) -> None:
-    """Let `init` start this instead of a simulation; the argument is the domain that it asks for, if it does."""
+    """Make `init` start this instead of a simulation; the argument is the domain passed to `init`, if any."""
     _context.start = start
 
 
 def init(domain_id: int | None = None) -> None:
-    """Start a simulation, or what was chosen instead, unless the host has done that."""
+    """Start a simulation, or its replacement, unless the host has started one."""
     if _context.initialized and ok():
         raise RuntimeError("Context.init() must only be called once")
     if not ok():
@@ -50,20 +50,20 @@ def init(domain_id: int | None = None) -> None:
 
 
 def ok() -> bool:
-    """Whether nodes can be made and run."""
+    """Return whether nodes can be created and run."""
     return _context.simulation is not None and _context.simulation.running
 
 
 def is_simulated() -> bool:
-    """Whether time is simulated, so that nobody may wait for it."""
+    """Return whether time is simulated, so that waiting is impossible."""
     return _context.simulation is None or _context.simulation.is_simulated
 
 
 def current() -> Simulation:
-    """The simulation that runs.
+    """Return the running simulation.
 
     Raises:
-        NotInitializedException: none does.
+        NotInitializedException: none is running.
 
     """
     if _context.simulation is None or not ok():
@@ -72,11 +72,11 @@ def current() -> Simulation:
 
 
 def shutdown() -> None:
-    """End the simulation: no callback runs any more.
+    """End the simulation: no further callback runs.
 
     Raises:
         NotInitializedException: it was never started.
-        RuntimeError: it has ended already, for example by a signal (rclpy raises its RCLError, which is one).
+        RuntimeError: it has already ended, for example by a signal (rclpy raises its subclass RCLError).
 
     """
     if _context.simulation is not None and not ok():

@@ -1,7 +1,7 @@
-"""The C library of Eclipse Cyclone DDS 11.0.1 (libddsc), through ctypes: functions with argument types, and structures.
+"""Binding of the C library of Eclipse Cyclone DDS 11.0.1 (libddsc) by ctypes: typed functions, and structures.
 
-The stock Python binding announces type information, which ROS 2's own middleware does not; therefore not it but its
-library is used. What has to be known of the library's memory beyond its headers is checked wherever it is relied on
+The official Python binding announces type information, which ROS 2's own middleware does not; therefore only its
+library is used. Assumptions about the library's memory beyond its headers are checked at each use
 (`set_source_timestamp`, and the descriptors of `type_support`).
 """
 
@@ -42,12 +42,12 @@ ANY_STATE = 0x7F
 SERDATA_SAMPLE = 2
 """The kind of serialized data that is a whole sample (SDK_DATA)."""
 
-_TIMESTAMP_OFFSET = 32  # of the source timestamp in `struct ddsi_serdata`
+_TIMESTAMP_OFFSET = 32  # offset of the source timestamp in `struct ddsi_serdata`
 _UNSET_TIMESTAMP = -(2**63)
 
 
 class LibraryUnavailableError(Exception):
-    """The library cannot be used here; `hint` says what to do."""
+    """The library cannot be used here; `hint` gives a remedy."""
 
     def __init__(self, message: str, hint: str) -> None:
         super().__init__(message)
@@ -55,7 +55,7 @@ class LibraryUnavailableError(Exception):
 
 
 class DdsError(RuntimeError):
-    """Cyclone DDS refused something; `code` is its return code, below zero."""
+    """Cyclone DDS returned an error; `code` is its negative return code."""
 
     def __init__(self, what: str, code: int) -> None:
         super().__init__(f"{what}: {load().dds_strretcode(code).decode()}")
@@ -63,7 +63,7 @@ class DdsError(RuntimeError):
 
 
 class LayoutError(RuntimeError):
-    """The library is laid out in memory in another way than that of version 11.0.1."""
+    """The library's memory layout differs from that of version 11.0.1."""
 
     def __init__(self, what: str) -> None:
         super().__init__(f"this libddsc is not that of Cyclone DDS 11.0.1: {what}")
@@ -158,7 +158,7 @@ class IoVector(ctypes.Structure):
 
 
 class CountStatus(ctypes.Structure):
-    """The statuses that count events; `last` is the handle of an instance, or the id of a policy in its lower half."""
+    """Statuses that count events; `last` is the handle of an instance, or the id of a policy in its lower half."""
 
     _fields_ = (("total", c_uint32), ("change", c_int32), ("last", c_uint64))
 
@@ -188,13 +188,13 @@ class LivelinessStatus(ctypes.Structure):
 
 
 class SerializedData(ctypes.Structure):
-    """`struct ddsi_serdata`, as far as it is known here."""
+    """The known part of `struct ddsi_serdata`."""
 
     _fields_ = (("before", c_char * _TIMESTAMP_OFFSET), ("source_timestamp", c_int64))
 
 
 class Endpoint(ctypes.Structure):
-    """`dds_builtintopic_endpoint_t`: what discovery knows of a reader or writer."""
+    """`dds_builtintopic_endpoint_t`: a discovered reader or writer."""
 
     _fields_ = (
         ("guid", c_uint8 * 16),
@@ -209,7 +209,7 @@ class Endpoint(ctypes.Structure):
 _ENTITY = c_int32
 _DURATION = c_int64
 _STATUS = (c_int32, _ENTITY, POINTER(CountStatus))
-# Name -> type of the result, types of the arguments.
+# Name -> result type, argument types.
 _FUNCTIONS: dict[str, tuple[Any, ...]] = {
     "dds_strretcode": (c_char_p, c_int32),
     "dds_free": (None, pointer),
@@ -285,7 +285,7 @@ _FUNCTIONS: dict[str, tuple[Any, ...]] = {
 
 
 def library_path() -> Path:
-    """The library: what `EVENTCHAIN_LIBDDSC` names, else that of the wheel of `cyclonedds` on `sys.path`.
+    """Return the library that `EVENTCHAIN_LIBDDSC` names, else that of the wheel of `cyclonedds` on `sys.path`.
 
     Raises:
         LibraryUnavailableError: there is none.
@@ -294,7 +294,7 @@ def library_path() -> Path:
     named = os.environ.get("EVENTCHAIN_LIBDDSC")
     if named:
         return Path(named)
-    # Not by an import: in the host `cyclonedds` is the package that simulates it.
+    # Not by an import: in the host `cyclonedds` is the simulated package.
     for folder in sys.path:
         source = Path(folder) / "cyclonedds" / "__library__.py"
         spec = importlib.util.spec_from_file_location("_cyclonedds_library", source) if source.is_file() else None
@@ -310,10 +310,10 @@ def library_path() -> Path:
 
 @cache
 def load() -> ctypes.CDLL:
-    """The library, loaded once, with the types of its functions.
+    """Return the library, loaded once, with the types of its functions.
 
     Raises:
-        LibraryUnavailableError: it cannot be loaded, or it is one of another version.
+        LibraryUnavailableError: it cannot be loaded, or has another version.
 
     """
     path = library_path()
@@ -332,7 +332,7 @@ def load() -> ctypes.CDLL:
 
 
 def checked(code: int, what: str) -> int:
-    """The result of a call.
+    """Return the result of a call.
 
     Raises:
         DdsError: it is an error.
@@ -344,13 +344,13 @@ def checked(code: int, what: str) -> int:
 
 
 def set_source_timestamp(serialized: Any, timestamp: int) -> None:
-    """Set the source timestamp of serialized data that has just been made, in ns.
+    """Set the source timestamp of new serialized data, in ns.
 
     Raises:
-        LayoutError: there is something else in its place.
+        LayoutError: the field has an unexpected value.
 
     """
-    data = serialized.contents  # and no access by address, which processes that have given up their rights are refused
+    data = serialized.contents  # without access by address, which confined processes are refused
     if data.source_timestamp != _UNSET_TIMESTAMP:
         raise LayoutError("the source timestamp of a sample is elsewhere")
     data.source_timestamp = timestamp

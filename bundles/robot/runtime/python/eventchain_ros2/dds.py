@@ -1,6 +1,6 @@
-"""The entities of `cyclonedds` in simulated time: participants, topics, readers and writers, and their policies.
+"""Entities of `cyclonedds` in simulated time: participants, topics, readers and writers, and their policies.
 
-They live on the same topics as the nodes of `rclpy`: `rt/scan` here is `/scan` there, as on the wire.
+They share topics with the nodes of `rclpy`: `rt/scan` here is `/scan` there, as on the wire.
 """
 
 from __future__ import annotations
@@ -66,32 +66,32 @@ _VOLATILE, _TRANSIENT_LOCAL = _Named("Volatile"), _Named("TransientLocal")
 
 
 class Policy:
-    """The policies that simulated readers and writers know."""
+    """Policies of simulated readers and writers."""
 
     class Reliability:
-        """Whether lost samples are sent again."""
+        """Retransmission of lost samples."""
 
         BestEffort = _BEST_EFFORT
         Reliable = _Reliable
 
     class Durability:
-        """Whether readers that join late get earlier samples."""
+        """Delivery of earlier samples to late readers."""
 
         Volatile = _VOLATILE
         TransientLocal = _TRANSIENT_LOCAL
 
     class History:
-        """How many samples are kept."""
+        """Number of kept samples."""
 
         KeepAll = _KEEP_ALL
         KeepLast = _KeepLast
 
     class Liveliness:
-        """How a writer shows that it is alive."""
+        """Assertion of a writer's liveliness."""
 
         @staticmethod
         def Automatic(lease_duration: int) -> _Liveliness:  # noqa: N802 - the name in cyclonedds
-            """By itself."""
+            """Automatic, by its process."""
             return _Liveliness(LivelinessPolicy.AUTOMATIC, lease_duration)
 
         @staticmethod
@@ -105,13 +105,13 @@ class Policy:
 
 
 class Qos:
-    """A set of policies; a later one of a kind replaces an earlier one."""
+    """A set of policies; a later policy replaces an earlier one of the same kind."""
 
     def __init__(self, *policies: Any) -> None:
         self._policies = policies
 
     def profile(self, reliability: ReliabilityPolicy) -> QoSProfile:
-        """The profile that the simulation matches by; what is not stated is the default of DDS.
+        """Return the profile for matching; unset policies have the defaults of DDS.
 
         Args:
             reliability: the default, which differs between readers and writers (DDS 1.4, section 2.2.3).
@@ -124,7 +124,7 @@ class Qos:
 
 
 def _stated(policy: Any) -> dict[str, Any]:
-    """What a policy means for a profile; how samples are written and how long writing may block has no meaning here."""
+    """Return a policy's settings for a profile; representation and blocking time have no effect here."""
     if isinstance(policy, _KeepLast):
         return {"history": HistoryPolicy.KEEP_LAST, "depth": policy.depth}
     if isinstance(policy, _Deadline):
@@ -147,12 +147,12 @@ def _stated(policy: Any) -> dict[str, Any]:
 
 
 def _duration(nanoseconds: int) -> Duration:
-    """Profiles write infinity as zero."""
+    """Return a duration for a profile, where zero is infinite."""
     return Duration() if nanoseconds == INFINITY else Duration(nanoseconds=nanoseconds)
 
 
 class DomainParticipant:
-    """What the entities of a node belong to. There is one domain, whatever its number."""
+    """The participant of a node's entities. There is one domain, whatever its number."""
 
     def __init__(self, domain_id: int = 0) -> None:
         self.simulation: Simulation = context.current()
@@ -168,12 +168,12 @@ class Topic:
         self.data_type: Any = data_type
 
     def ros_name(self) -> str:
-        """What ROS 2 calls the topic, if it is one of ROS 2."""
+        """Return the ROS 2 name of the topic, if it is a ROS 2 topic."""
         return self.name.removeprefix("rt") if self.name.startswith("rt/") else self.name
 
 
 class SampleInfo(NamedTuple):
-    """What a reader says of a sample."""
+    """Sample information of a reader."""
 
     valid_data: bool
 
@@ -203,7 +203,7 @@ class DataWriter:
 
 
 class _Cache(endpoints.Subscription):
-    """Keeps what arrives until the reader takes it, the oldest first to go."""
+    """Keeps samples until the reader takes them; drops the oldest first."""
 
     def __init__(self, *arguments: Any) -> None:
         super().__init__(*arguments)
@@ -223,11 +223,11 @@ class DataReader:
         self._cache = _Cache(owner.simulation, owner.process, topic.data_type, topic.ros_name(), self.take, profile)
 
     def read(self, N: int = 1) -> list[Any]:  # noqa: N803 - the name in cyclonedds
-        """The oldest messages, at most so many; they stay."""
+        """Return the oldest messages, at most this many, without removing them."""
         return [self._message(sample) for sample, _ in zip(self._cache.samples, range(N), strict=False)]
 
     def take(self, N: int = 1) -> list[Any]:  # noqa: N803 - the name in cyclonedds
-        """The oldest messages, at most so many; they are gone then."""
+        """Remove and return the oldest messages, at most this many."""
         samples = self._cache.samples
         return [self._message(samples.popleft()) for _ in range(min(N, len(samples)))]
 

@@ -1,4 +1,4 @@
-"""Writers and readers on the wire: samples, the other side, and events."""
+"""Writers and readers on the wire: samples, matched endpoints, and events."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class ClosedError(RuntimeError):
 
 
 class Received(NamedTuple):
-    """A sample: when its writer says it was made (ns), the handle of that writer, and its CDR bytes."""
+    """A sample: its source timestamp (ns), the handle of its writer, and its CDR bytes."""
 
     source_timestamp: int
     publication: int
@@ -33,7 +33,7 @@ class Received(NamedTuple):
 
 
 class Peer(NamedTuple):
-    """A matched writer or reader: handle, GUID, name of its type on the wire, and its type hash (`""`: not told)."""
+    """A matched writer or reader: handle, GUID, DDS name of its type, and type hash (`""`: not announced)."""
 
     handle: int
     guid: bytes
@@ -42,14 +42,14 @@ class Peer(NamedTuple):
 
 
 class Announced(NamedTuple):
-    """What others are told of a writer or reader: the names of its topic and of its type on the wire."""
+    """Announcement of a writer or reader: the DDS names of its topic and of its type."""
 
     topic: str
     type_name: str
 
 
 class Lifetime:
-    """Whether a participant is open, and the lock to hold while the library works on what belongs to it."""
+    """State of a participant: whether it is open, and the lock for library calls on its entities."""
 
     def __init__(self) -> None:
         self.lock = threading.RLock()
@@ -70,7 +70,7 @@ class Lifetime:
 
 
 class _Endpoint:
-    """What writers and readers have in common."""
+    """Common part of writers and readers."""
 
     _peer_function: str
     _count_function: str
@@ -93,19 +93,19 @@ class _Endpoint:
 
     @contextmanager
     def opened(self) -> Iterator[None]:
-        """Hold the lock while the library works on this; `ClosedError` if it is closed."""
+        """Hold the lock for library calls on this; raise `ClosedError` if it is closed."""
         with self._lifetime.opened():
             if not self._is_open:
                 raise ClosedError(f"the {type(self).__name__.lower()} of {self.topic} is closed")
             yield
 
     def matched(self) -> int:
-        """The number of those on the other side that it exchanges samples with."""
+        """Return the number of matched endpoints."""
         with self.opened():
             return checked(getattr(self._library, self._count_function)(self.handle, None, 0), self.topic)
 
     def peers(self) -> list[Peer]:
-        """Those on the other side that it exchanges samples with."""
+        """Return the matched endpoints."""
         with self.opened():
             count = self.matched() + 8
             handles = (ctypes.c_uint64 * count)()
@@ -116,7 +116,7 @@ class _Endpoint:
     def _peer(self, handle: int) -> Peer | None:
         found = getattr(self._library, self._peer_function)(self.handle, handle)
         if not found:
-            return None  # gone meanwhile
+            return None  # deleted meanwhile
         endpoint = found[0]
         guid = bytes(endpoint.guid)
         name, hashed = endpoint.type_name.decode(errors="replace"), user_data(endpoint.qos).get("typehash", "")
@@ -124,7 +124,7 @@ class _Endpoint:
         return Peer(handle, guid, name, hashed)
 
     def new_peers(self) -> list[Peer]:
-        """Those on the other side that have matched since the last call and are still there."""
+        """Return the endpoints that have matched since the last call and still exist."""
         status = cyclone.MatchedStatus()
         with self.opened():
             checked(getattr(self._library, self._match_function)(self.handle, status), self.topic)
@@ -136,12 +136,12 @@ class _Endpoint:
         return new
 
     def incompatible(self) -> str | None:
-        """The policy for which the last one discovered since the last call does not match; None: there is none."""
+        """Return the policy of the last incompatible endpoint discovered since the last call; None: there is none."""
         status = self._status(self._incompatible_function)
         return policy_name(status.last & 0xFFFFFFFF) if status.change else None
 
     def missed_deadlines(self) -> int:
-        """How often the deadline passed without a sample, since the last call."""
+        """Return the number of missed deadlines since the last call."""
         return int(self._status(self._deadline_function).change)
 
     def _status(self, function: str) -> CountStatus:
@@ -151,7 +151,7 @@ class _Endpoint:
         return status
 
     def close(self) -> None:
-        """Stop. Closing twice does nothing."""
+        """Close the endpoint. Closing twice has no effect."""
         with self._lifetime.lock:
             if self._is_open and self._lifetime.is_open:
                 self._library.dds_delete(self.handle)
@@ -175,14 +175,14 @@ class Writer(_Endpoint):
         self._sertype = sertype.value
 
     def write(self, cdr_bytes: bytes | bytearray | memoryview, source_timestamp: int | None = None) -> None:
-        """Write a sample; waits while reliable readers are too slow for what has been written.
+        """Write a sample; wait while reliable readers have not acknowledged enough earlier samples.
 
         Args:
             cdr_bytes: the sample, with the header of the encapsulation.
             source_timestamp: in ns, from 0 up to 136 years; None: now.
 
         Raises:
-            ValueError: the bytes are no encoding of the type, or the timestamp is out of range.
+            ValueError: the bytes do not encode the type, or the timestamp is out of range.
             ClosedError: the writer is closed.
 
         """
@@ -192,13 +192,13 @@ class Writer(_Endpoint):
         if source_timestamp is not None and not 0 <= source_timestamp < _TIMESTAMPS:
             raise ValueError(f"{self.topic}: {source_timestamp} ns is not a source timestamp")
         padding = -len(data) & 3
-        if padding:  # RTPS sends whole words; readers see in the header what does not belong to the sample
+        if padding:  # RTPS sends whole words; the header tells readers the number of padding bytes
             data = data[:3] + bytes((padding,)) + data[_HEADER:] + bytes(padding)
         while not self._write(data, source_timestamp):
             pass
 
     def _write(self, data: bytes, source_timestamp: int | None) -> bool:
-        """Try it; whether there was room. The time that this takes is bounded, so that Python sees signals."""
+        """Try to write; return whether there was room. The time is bounded, so that Python can handle signals."""
         function = self._library.dds_writecdr
         with self.opened():
             vector = cyclone.IoVector(data, len(data))
@@ -213,21 +213,21 @@ class Writer(_Endpoint):
         return code != cyclone.TIMEOUT and checked(code, self.topic) == 0
 
     def wait_for_acknowledgments(self, timeout_ns: int) -> bool:
-        """Wait until all reliable readers have got everything; whether they have."""
+        """Wait until all reliable readers have acknowledged all samples; return whether they have."""
         return in_slices(timeout_ns, self._acknowledged)
 
     def _acknowledged(self, timeout_ns: int) -> bool:
         code = self._library.dds_wait_for_acks(self.handle, timeout_ns)
-        with self.opened():  # says it better than the code does
+        with self.opened():  # more specific than the return code
             return code != cyclone.TIMEOUT and checked(code, self.topic) == 0
 
     def assert_liveliness(self) -> None:
-        """Show that the writer is alive."""
+        """Assert the liveliness of the writer."""
         with self.opened():
             checked(self._library.dds_assert_liveliness(self.handle), self.topic)
 
     def lost_liveliness(self) -> int:
-        """How often the writer did not show in time that it is alive, since the last call."""
+        """Return how often the writer lost its liveliness since the last call."""
         return int(self._status("dds_get_liveliness_lost_status").change)
 
 
@@ -248,10 +248,10 @@ class Reader(_Endpoint):
         self._infos = (cyclone.SampleInfo * _MOST_TAKEN)()
 
     def take(self, most: int | None = None) -> list[Received]:
-        """The samples that have arrived, in the order of their arrival; they are gone then.
+        """Remove and return the samples that have arrived, in the order of their arrival.
 
         Args:
-            most: how many at most; None: all.
+            most: maximal number; None: all.
 
         """
         taken: list[Received] = []
@@ -270,13 +270,13 @@ class Reader(_Endpoint):
             size = self._library.ddsi_serdata_size(serialized)
             buffer = (ctypes.c_char * size)()
             self._library.ddsi_serdata_to_ser(serialized, 0, size, buffer)
-            padding = buffer.raw[3] & 3  # which the writer's bytes did not have
+            padding = buffer.raw[3] & 3  # which the writer's bytes did not contain
             data = buffer.raw[:2] + b"\0\0" + buffer.raw[_HEADER : size - padding]
             taken.append(Received(info.source_timestamp, info.publication_handle, data))
         self._library.ddsi_serdata_unref(serialized)
 
     def lost_writers(self) -> int:
-        """How many writers have ceased to be alive, since the last call."""
+        """Return the number of writers that have lost their liveliness since the last call."""
         status = cyclone.LivelinessStatus()
         with self.opened():
             checked(self._library.dds_get_liveliness_changed_status(self.handle, status), self.topic)
@@ -284,14 +284,14 @@ class Reader(_Endpoint):
 
 
 def guid_of(handle: int) -> bytes:
-    """The GUID of an entity, 16 bytes."""
+    """Return the GUID of an entity, 16 bytes."""
     buffer = (ctypes.c_char * GUID_SIZE)()
     checked(cyclone.load().dds_get_guid(handle, buffer), "entity")
     return bytes(buffer.raw)
 
 
 def in_slices(timeout_ns: int | None, attempt: Callable[[int], bool]) -> bool:
-    """Call `attempt` with parts of the time, short ones, until it succeeds or the time is over."""
+    """Call `attempt` with short parts of the time, until it succeeds or the time is over."""
     end = None if timeout_ns is None else monotonic_ns() + timeout_ns
     while True:
         left = LONGEST_BLOCK if end is None else max(min(end - monotonic_ns(), LONGEST_BLOCK), 0)

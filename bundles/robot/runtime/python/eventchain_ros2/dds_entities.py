@@ -1,7 +1,7 @@
 """Participants, writers, readers and wait sets on the wire, with the conventions of ROS 2.
 
-Samples are CDR of version 1 with its header of four bytes. Entities may be used from several threads. Wrong use raises
-an exception; it never reaches the library.
+Samples are CDR version 1 with a header of four bytes. Entities may be used from several threads. Wrong use raises an
+exception; it never reaches the library.
 """
 
 from __future__ import annotations
@@ -35,9 +35,9 @@ HIGHEST_DOMAIN = 232
 
 
 class _Domain:
-    """A domain of this process with a configuration of its own; participants of the same configuration share it."""
+    """A domain of this process with its configuration, shared by participants of the same configuration."""
 
-    _open: dict[int, _Domain] = {}  # noqa: RUF012 - one per process, as the library has it
+    _open: dict[int, _Domain] = {}  # noqa: RUF012 - one per process, as in the library
     _lock = threading.Lock()
 
     def __init__(self, number: int, configuration: str) -> None:
@@ -67,18 +67,18 @@ class _Domain:
 
 
 class Participant:
-    """A participant of a domain. Its sockets and threads are there when it has been made.
+    """Participant of a domain. Its sockets and threads exist once it is created.
 
     Args:
         domain: number of the domain.
         configuration_xml: Cyclone DDS configuration; if empty, that of `CYCLONEDDS_URI`.
-        catalog: the message types that can be used; the standard ones by default.
-        ignore_own: whether its readers get nothing from its own writers.
+        catalog: the available message types; the standard ones by default.
+        ignore_own: whether its readers ignore its own writers.
 
     Raises:
         LibraryUnavailableError: there is no Cyclone DDS.
         DdsError: the domain or the configuration cannot be used.
-        ValueError: this process has the domain with another configuration.
+        ValueError: this process uses the domain with another configuration.
 
     """
 
@@ -123,7 +123,7 @@ class Participant:
         self.close()
 
     def definition(self, type_name: str) -> Definition:
-        """The definition of a message type.
+        """Return the definition of a message type.
 
         Raises:
             KeyError: there is none.
@@ -135,12 +135,12 @@ class Participant:
         return found
 
     def writer(self, topic: str, type_name: str, qos_profile: QoSProfile) -> Writer:
-        """Make a writer.
+        """Create a writer.
 
         Args:
             topic: full name in ROS 2, such as `/scan`; on the wire it is `rt/scan`.
             type_name: full name of the message type, such as `sensor_msgs/msg/LaserScan`.
-            qos_profile: the policies that it offers.
+            qos_profile: the offered policies.
 
         Raises:
             KeyError: no such message type.
@@ -151,7 +151,7 @@ class Participant:
         return Writer(self.lifetime, *self._make("dds_create_writer", topic, type_name, qos_profile))
 
     def reader(self, topic: str, type_name: str, qos_profile: QoSProfile) -> Reader:
-        """Make a reader; see `writer`."""
+        """Create a reader; see `writer`."""
         return Reader(self.lifetime, *self._make("dds_create_reader", topic, type_name, qos_profile))
 
     def _make(self, function: str, topic: str, type_name: str, profile: QoSProfile) -> tuple[int, str, str, Announced]:
@@ -171,15 +171,15 @@ class Participant:
         return self._topics[name, type_name]
 
     def announced_writers(self) -> Announcements:
-        """The writers of the domain, also of this participant."""
+        """Return the writers of the domain, including those of this participant."""
         return Announcements(self.lifetime, self.handle, discovery.WRITERS)
 
     def announced_readers(self) -> Announcements:
-        """The readers of the domain, also of this participant."""
+        """Return the readers of the domain, including those of this participant."""
         return Announcements(self.lifetime, self.handle, discovery.READERS)
 
     def announce(self, node_name: str, namespace: str, writers: list[Writer], readers: list[Reader]) -> None:
-        """Tell ROS 2's graph that a node has these writers and readers, instead of what was told of it before."""
+        """Announce the writers and readers of a node in the ROS graph, replacing earlier announcements."""
         guids = tuple(each.guid for each in writers), tuple(each.guid for each in readers)
         with self.lifetime.opened():
             self._nodes[namespace, node_name] = GraphNode(node_name, namespace, self.guid, *guids)
@@ -187,7 +187,7 @@ class Participant:
             writer.write(graph.encode(self.guid, list(self._nodes.values()), self._gid_size), None)
 
     def nodes(self) -> list[GraphNode]:
-        """The nodes that other participants, as far as they are there, have announced until now."""
+        """Return the nodes announced so far by other participants that still exist."""
         with self.lifetime.opened():
             _, reader = self._graph_endpoints()
             for received in reader.take():
@@ -205,7 +205,7 @@ class Participant:
         return self._graph
 
     def close(self) -> None:
-        """Leave the domain, with everything that belongs to this participant. Closing twice does nothing."""
+        """Leave the domain, with all entities of this participant. Closing twice has no effect."""
         with self.lifetime.lock:
             if self.lifetime.is_open:
                 self.lifetime.is_open = False
@@ -218,7 +218,7 @@ class Participant:
 
 
 class WaitSet:
-    """Waits for what happens on the entities of a participant."""
+    """Waits for events of a participant's entities."""
 
     def __init__(self, participant: Participant) -> None:
         self._lifetime = participant.lifetime
@@ -230,12 +230,12 @@ class WaitSet:
             self._attach(self._guard)
 
     def attach(self, reader: Reader | Announcements) -> None:
-        """From now on, wait for what this has to read; until it is taken, waits end at once."""
+        """Add an entity with readable samples; until they are taken, waits end at once."""
         with reader.opened():
             self._attach(reader.condition)
 
     def attach_events(self, endpoint: Reader | Writer) -> None:
-        """From now on, wait for its events, until all are read: `incompatible`, deadlines, liveliness, `new_peers`."""
+        """Add the events of an endpoint, until all are read: `incompatible`, deadlines, liveliness, `new_peers`."""
         with endpoint.opened():
             checked(self._library.dds_set_status_mask(endpoint.handle, endpoint.event_mask), endpoint.topic)
             self._attach(endpoint.handle)
@@ -244,7 +244,7 @@ class WaitSet:
         checked(self._library.dds_waitset_attach(self._handle, handle, handle), "wait set")
 
     def wait(self, timeout_ns: int | None) -> bool:
-        """Wait until something happens, at most for this time (None: for ever); whether something has happened.
+        """Wait for an event, at most for this time (None: unlimited); return whether there was one.
 
         Raises:
             ClosedError: the participant is closed, or was meanwhile.
@@ -261,9 +261,9 @@ class WaitSet:
         return is_woken or checked(code, "wait set") > 0
 
     def wake(self) -> None:
-        """End a wait, also from another thread: the one that goes on, or else the next one."""
+        """End the current wait, or else the next one; usable from another thread."""
         with self._lifetime.opened():
-            self._is_woken = True  # tells also those who look between two parts of a wait, such as signal handlers
+            self._is_woken = True  # also reaches callers between two parts of a wait, such as signal handlers
             checked(self._library.dds_set_guardcondition(self._guard, True), "guard condition")
 
 

@@ -1,4 +1,4 @@
-"""Profiles of ROS 2 as the policies of DDS, mapped as ROS 2's middleware maps them."""
+"""Conversion of ROS 2 profiles to DDS policies, as in ROS 2's middleware."""
 
 from __future__ import annotations
 
@@ -34,18 +34,18 @@ _POLICIES = {
 
 
 def policy_name(identifier: int) -> str:
-    """The name of a policy that did not match."""
+    """Return the name of a policy that did not match."""
     return _POLICIES.get(identifier, f"policy {identifier}")
 
 
 @contextmanager
 def dds_qos(profile: QoSProfile, user_data: bytes, *, ignore_own: bool = False) -> Iterator[int]:
-    """The `dds_qos_t` of a writer or reader with this profile, for the length of the block.
+    """Provide the `dds_qos_t` of a writer or reader with this profile, for the length of the block.
 
     Args:
         profile: the policies.
-        user_data: what others are told besides.
-        ignore_own: whether a reader gets nothing from writers of its own participant.
+        user_data: user data for other participants.
+        ignore_own: whether a reader ignores writers of its own participant.
 
     """
     library = cyclone.load()
@@ -79,17 +79,17 @@ def _history(profile: QoSProfile) -> tuple[int, int]:
 
 
 def _nanoseconds(duration: Duration) -> int:
-    """Profiles write infinity as zero."""
+    """Return a duration, which is infinite for zero."""
     return min(duration.nanoseconds, INFINITY) or INFINITY
 
 
 def user_data(qos: int) -> dict[str, str]:
-    """The `key=value;` pairs that ROS 2 puts into the user data of its entities."""
+    """Return the `key=value;` pairs that ROS 2 puts into the user data of its entities."""
     library = cyclone.load()
     value, size = ctypes.POINTER(ctypes.c_char)(), ctypes.c_size_t()
     if not library.dds_qget_userdata(qos, value, size) or not value:
         return {}
-    content: Any = value[: size.value]  # bytes, since the elements are characters
+    content: Any = value[: size.value]  # bytes, since the elements are of type char
     text = content.decode(errors="replace")
     library.dds_free(value)
     pairs = (part.partition("=") for part in text.split(";"))

@@ -20,7 +20,7 @@ Value = bool | int | float | str
 
 
 def message_name(type_name: str) -> str:
-    """The name under which ROS 2 knows a type of the wire, `std_msgs/msg/Bool`; the same if it is none of ROS 2."""
+    """Return the ROS 2 name of a DDS type, `std_msgs/msg/Bool`; unchanged if it is not a ROS 2 type."""
     match = _WIRE_NAME.match(type_name)
     return "/".join(match.groups()) if match else type_name
 
@@ -75,7 +75,7 @@ def resolved(name: str, stated: Mapping[str, Any]) -> Definition:
 
     Args:
         name: full name of the message type.
-        stated: `fields`, each a list of its name, its type and its default, if there is one; `constants`, likewise.
+        stated: `fields`, each a list of its name, its type and an optional default; `constants`, likewise.
 
     Raises:
         MessageDefinitionError: it is none.

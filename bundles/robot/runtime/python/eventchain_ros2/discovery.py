@@ -1,4 +1,4 @@
-"""The writers and readers of a domain, as DDS announces them: also those that match none of ours."""
+"""Announced writers and readers of a domain, including those without a match."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ _MOST_TAKEN = 64
 
 
 class Announcements:
-    """The writers, or the readers, that are there. Closed with their participant.
+    """The existing writers, or readers. Closed with their participant.
 
     Args:
-        lifetime: that of the participant.
-        participant: its handle.
+        lifetime: lifetime of the participant.
+        participant: handle of the participant.
         topic: `WRITERS` or `READERS`.
 
     """
@@ -37,12 +37,12 @@ class Announcements:
 
     @contextmanager
     def opened(self) -> Iterator[None]:
-        """Hold the lock while the library works on this; `ClosedError` if the participant is closed."""
+        """Hold the lock for library calls on this; raise `ClosedError` if the participant is closed."""
         with self._lifetime.opened():
             yield
 
     def there(self) -> set[Announced]:
-        """What is announced now."""
+        """Return the current announcements."""
         samples = (ctypes.c_void_p * _MOST_TAKEN)()
         infos = (cyclone.SampleInfo * _MOST_TAKEN)()
         with self.opened():

@@ -31,7 +31,7 @@ class Publisher:
 
     @property
     def topic_name(self) -> str:
-        """The full name of the topic."""
+        """Return the full name of the topic."""
         return self.topic.name
 
     def publish(self, message: Any) -> None:
@@ -50,14 +50,14 @@ class Publisher:
             raise TypeError(f"Expected {self.msg_type}, got {type(message)}")
 
     def decodes(self, data: bytes | bytearray | memoryview) -> bool:
-        """Whether these bytes are a message of its type, in the only form that it has."""
+        """Return whether these bytes are the canonical encoding of a message of its type."""
         try:
             return to_cdr(from_cdr(self.msg_type, data)) == bytes(data)
         except (ValueError, AssertionError, TypeError, OverflowError):
             return False
 
     def get_subscription_count(self) -> int:
-        """The number of subscriptions that receive what is published."""
+        """Return the number of matched subscriptions."""
         return sum(getattr(each, "count", 1) for each in self.matched)
 
     def destroy(self) -> None:
@@ -69,7 +69,7 @@ class Publisher:
 
 
 class Subscription:
-    """Calls back for each sample on a topic."""
+    """Runs a callback for each sample on a topic."""
 
     def __init__(
         self,
@@ -94,11 +94,11 @@ class Subscription:
 
     @property
     def topic_name(self) -> str:
-        """The full name of the topic."""
+        """Return the full name of the topic."""
         return self.topic.name
 
     def receive(self, sample: Sample) -> None:
-        """Call back. Every subscription decodes for itself: callbacks may change what they get."""
+        """Run the callback. Each subscription decodes its own copy, since callbacks may change messages."""
         self.callback(bytes(sample.data) if self.raw else from_cdr(self.msg_type, sample.data))
 
     def destroy(self) -> None:
@@ -113,7 +113,7 @@ class Subscription:
 
 
 class Timer:
-    """Calls back periodically. Periods that have passed meanwhile are skipped, as rcl does; there is no burst."""
+    """Runs a callback periodically. Missed periods are skipped as in rcl, without a burst."""
 
     def __init__(self, simulation: Simulation, process: Process, period: int, callback: Callable[[], object]) -> None:
         self._simulation = simulation
@@ -128,14 +128,14 @@ class Timer:
         simulation.add_timer(self)
 
     def advance(self, now: int) -> None:
-        """Move on to the next period that has not passed (rcl_timer_call)."""
+        """Advance to the next period that has not passed (rcl_timer_call)."""
         self.due += self.timer_period_ns
         if self.due < now:
             behind = now - self.due
             self.due += -(-behind // self.timer_period_ns) * self.timer_period_ns
 
     def run(self, _: None) -> None:
-        """Call back."""
+        """Run the callback."""
         self.callback()
 
     def cancel(self) -> None:
@@ -144,24 +144,24 @@ class Timer:
         self.token += 1
 
     def reset(self) -> None:
-        """Start the period again, now."""
+        """Restart the period now."""
         self._canceled = False
         self.token += 1
         self.due = self._simulation.now + self.timer_period_ns
         self._simulation.add_timer(self)
 
     def is_canceled(self) -> bool:
-        """Whether the timer is stopped."""
+        """Return whether the timer is stopped."""
         return self._canceled
 
     def is_ready(self) -> bool:
-        """Whether the timer is due."""
+        """Return whether the timer is due."""
         return not self._canceled and self.due <= self._simulation.now
 
     def time_until_next_call(self) -> int | None:
-        """Nanoseconds until the timer is due; None when it is stopped."""
+        """Return the nanoseconds until the timer is due; None when it is stopped."""
         return None if self._canceled else self.due - self._simulation.now
 
     def destroy(self) -> None:
-        """Stop for good."""
+        """Stop permanently."""
         self.cancel()

@@ -1,4 +1,4 @@
-"""Executors in simulated time, as far as `rclpy.executors` has them for one callback after the other."""
+"""Executors in simulated time: the part of `rclpy.executors` for sequential callbacks."""
 
 from __future__ import annotations
 
@@ -14,36 +14,36 @@ class ExternalShutdownException(Exception):  # noqa: N818 - rclpy's name
 
 
 class Executor:
-    """Runs the callbacks of its nodes, one after the other. In simulated time no timeout waits for anybody."""
+    """Runs the callbacks of its nodes sequentially. In simulated time no timeout takes wall time."""
 
     def __init__(self, *, context: Any = None) -> None:
         self._nodes: list[Node] = []
         self._is_shutdown = False
 
     def add_node(self, node: Node) -> bool:
-        """Run the callbacks of this node, too; whether it is a new one."""
+        """Run the callbacks of this node, too; return whether it is new."""
         if node in self._nodes:
             return False
         self._nodes.append(node)
         return True
 
     def remove_node(self, node: Node) -> None:
-        """Run the callbacks of this node no more."""
+        """Stop running the callbacks of this node."""
         if node in self._nodes:
             self._nodes.remove(node)
 
     def get_nodes(self) -> list[Node]:
-        """The nodes whose callbacks are run."""
+        """Return the nodes of this executor."""
         return list(self._nodes)
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
-        """Let time pass until a callback has run, or for this many seconds.
+        """Let time pass until a callback has run, or for this number of seconds.
 
-        If several nodes get the same sample, or waiting ones, all of their callbacks run.
+        If several nodes receive the same sample, or have waiting samples, all of their callbacks run.
 
         Raises:
             ExternalShutdownException: the context or this executor was shut down.
-            RuntimeError: there is no limit, and nothing will ever happen.
+            RuntimeError: there is no limit, and no further event.
 
         """
         if self._is_shutdown or not context.ok():
@@ -54,10 +54,10 @@ class Executor:
             raise ExternalShutdownException
 
     def spin(self) -> None:
-        """Run callbacks until a callback ends that.
+        """Run callbacks until one of them stops this.
 
         Raises:
-            ExternalShutdownException: something else has ended it, such as a signal.
+            ExternalShutdownException: something else has stopped it, such as a signal.
             NotImplementedError: time is simulated, and would run without end.
 
         """
@@ -67,7 +67,7 @@ class Executor:
             self.spin_once()
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
-        """Run no callback any more."""
+        """Stop running callbacks."""
         self._is_shutdown = True
         self._nodes.clear()
         return True
@@ -78,7 +78,7 @@ class SingleThreadedExecutor(Executor):
 
 
 class MultiThreadedExecutor(Executor):
-    """One callback at a time, too: in simulated time there is nothing to be won by threads."""
+    """One callback at a time, too: in simulated time threads have no benefit."""
 
     def __init__(self, num_threads: int | None = None, *, context: Any = None) -> None:
         super().__init__(context=context)

@@ -1,4 +1,4 @@
-"""What went wrong in user code, and where: the content of the protocol's FAILED frame."""
+"""Errors in user code and their places: the content of the protocol's FAILED frame."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from eventchain_ros2.simulation import LimitError
 
 
 class HostError(Exception):
-    """A failure with an identifier of its own, and the place in a file if there is one (1-based; 0 unknown)."""
+    """A failure with its own identifier, and the place in a file if there is one (1-based; 0 unknown)."""
 
     def __init__(self, identifier: str, message: str, file: str = "", line: int = 0, column: int = 0) -> None:
         super().__init__(message)
@@ -29,14 +29,14 @@ class HostError(Exception):
 
 
 class StepTimeout(BaseException):
-    """A node takes too long. Not an `Exception`, so that code which catches those does not catch this."""
+    """A node takes too long. Not an `Exception`, so that user code does not catch it."""
 
 
 def describe(error: BaseException, node: str, folders: Iterable[str]) -> dict[str, Any]:
     """Describe an error as JSON object.
 
     Args:
-        error: what was raised.
+        error: the raised error.
         node: the node whose code ran, or "".
         folders: folders of user code; the innermost frame of a file in one of them is the place of the error.
 

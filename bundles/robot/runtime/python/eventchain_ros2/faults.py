@@ -1,6 +1,6 @@
-"""Faults of nodes and of what they publish, in simulated time: one fault in a run, from its start on until its end.
+"""Faults of nodes and topics in simulated time: one fault per run, from its start to its end.
 
-A fault decides what depends on time and names alone, so that hosts of one node each and a host of all of them agree.
+A fault depends on time and names only, so that hosts of single nodes and a host of all nodes agree.
 """
 
 from __future__ import annotations
@@ -12,18 +12,18 @@ NEVER = 1 << 62
 """A time, in ns, at which nothing happens any more."""
 
 _CDR_HEADER = 4
-_BYTES_FOR_ONE = 16  # of a message, so many for each that is changed
+_BYTES_FOR_ONE = 16  # bytes of a message per changed byte
 
 
 class Fault:
-    """A fault that does nothing; each kind overrides what it changes.
+    """A fault without effect; each kind overrides the methods that it changes.
 
     Args:
         target: name of a node or a topic.
-        start: from when on, in ns.
-        end: until when, in ns; that time is no longer part of it.
-        amount: what the kind says: ns, a number of messages, or parts of a million.
-        seed: of what is random.
+        start: start time, in ns.
+        end: end time, in ns, exclusive.
+        amount: magnitude, depending on the kind: ns, a number of messages, or parts per million.
+        seed: seed of random choices.
 
     """
 
@@ -36,43 +36,43 @@ class Fault:
         self._random = random.Random(seed)
 
     def touch(self, process: str, time: int) -> None:
-        """Count something of a process that the fault changed at this time."""
+        """Count an effect of the fault on a process at this time."""
         count, first = self.affected.get(process, (0, NEVER))
         self.affected[process] = count + 1, min(first, time)
 
     def is_active(self, time: int) -> bool:
-        """Whether there is something wrong at this time."""
+        """Return whether the fault is active at this time."""
         return self.start <= time < self.end
 
     def free(self, process: str, time: int) -> int:
-        """When the process may run a callback that could run at this time."""
+        """Return when the process may run a callback that is ready at this time."""
         return time
 
     def ended(self, process: str, start: int, end: int) -> int:
-        """When an activation ends that would do so at this time."""
+        """Return when an activation ends that would end at this time."""
         return end
 
     def sent(self, process: str, topic: str, time: int, data: Any) -> list[Any]:
-        """What gets onto the topic of something that the process publishes: nothing, or messages one after another."""
+        """Return the messages on the topic for one published message: none, one or several."""
         return [data]
 
     def clock(self, process: str, now: int) -> int:
-        """What the clock of the process shows."""
+        """Return the time on the clock of the process."""
         return now
 
 
 class Pause(Fault):
-    """A process is stopped, and goes on at the end; if that never comes, it was killed."""
+    """A process is stopped, and continues at the end of the fault; without an end, it was killed."""
 
     def free(self, process: str, time: int) -> int:
-        """Nothing runs meanwhile."""
+        """Return the end of the pause: no callback runs before."""
         if process != self.target or not self.is_active(time):
             return time
         self.touch(process, time)
         return self.end
 
     def ended(self, process: str, start: int, end: int) -> int:
-        """What was not done at the start takes as much longer."""
+        """Return the end extended by the pause."""
         if process != self.target or not start < self.start <= end:
             return end
         self.touch(process, self.start)
@@ -87,43 +87,43 @@ class Delay(Fault):
         self._last = -1
 
     def ended(self, process: str, start: int, end: int) -> int:
-        """It is the start that counts."""
+        """Return the end extended by the delay, if the activation starts within the fault."""
         if process != self.target or not self.is_active(start):
             return end
-        if start != self._last:  # and not each time that somebody asks
+        if start != self._last:  # only once per activation
             self._last = start
             self.touch(process, start)
         return end + self.amount
 
 
 class Flood(Fault):
-    """Everything that a process publishes is published several times more."""
+    """Every message that a process publishes is repeated several times."""
 
     def sent(self, process: str, topic: str, time: int, data: Any) -> list[Any]:
-        """At the same time, on the same topic."""
+        """Return the repeated messages, at the same time, on the same topic."""
         if not self.concerns(process, topic) or not self.is_active(time):
             return [data]
         self.touch(process, time)
         return [data] * (1 + self.amount)
 
     def concerns(self, process: str, topic: str) -> bool:
-        """Whether it is published too often."""
+        """Return whether messages of the process on the topic are repeated."""
         return process == self.target
 
 
 class Repeat(Flood):
-    """Every message on a topic that a node publishes comes several times more."""
+    """Every message that a node publishes on a topic is repeated several times."""
 
     def concerns(self, process: str, topic: str) -> bool:
-        """The world, whose process has no name, sees to its own messages."""
+        """Exclude the world, whose process has no name: it repeats its own messages."""
         return process != "" and topic == self.target
 
 
 class Drop(Repeat):
-    """Messages on a topic get lost."""
+    """Messages on a topic are lost."""
 
     def sent(self, process: str, topic: str, time: int, data: Any) -> list[Any]:
-        """A share of them, in parts of a million."""
+        """Drop a share of the messages, in parts per million."""
         if not self.concerns(process, topic) or not self.is_active(time):
             return [data]
         if self._random.random() * 1_000_000 >= self.amount:
@@ -133,10 +133,10 @@ class Drop(Repeat):
 
 
 class Corrupt(Repeat):
-    """Messages on a topic come with other bytes."""
+    """Messages on a topic have changed bytes."""
 
     def sent(self, process: str, topic: str, time: int, data: Any) -> list[Any]:
-        """The header says how to read the rest and stays; what cannot be decoded any more is lost on the way."""
+        """Change bytes after the encapsulation header; a message that can no longer be decoded is lost."""
         if not self.concerns(process, topic) or not self.is_active(time) or len(data) <= _CDR_HEADER:
             return [data]
         self.touch(process, time)
@@ -149,10 +149,10 @@ class Corrupt(Repeat):
 
 
 class ClockJump(Fault):
-    """All clocks show another time. Timers keep their periods, as with a clock that is never set."""
+    """All clocks are offset. Timers keep their periods, as with a monotonic clock."""
 
     def clock(self, process: str, now: int) -> int:
-        """Earlier or later."""
+        """Return the time with its offset."""
         if not self.is_active(now):
             return now
         self.touch(process, now)
@@ -172,7 +172,7 @@ _KINDS: dict[str, type[Fault]] = {
 
 
 def of(json: dict[str, Any] | None) -> Fault | None:
-    """The fault of a configuration; None where there is none, or one of the world's."""
+    """Return the fault of a configuration; None if there is none, or if the world applies it."""
     if json is None or json["kind"] not in _KINDS:
         return None
     kind = _KINDS[json["kind"]]

@@ -1,4 +1,4 @@
-"""The ROS graph on the wire: which nodes a participant has, as `rmw_dds_common/msg/ParticipantEntitiesInfo`.
+"""The ROS graph on the wire: the nodes of a participant, as `rmw_dds_common/msg/ParticipantEntitiesInfo`.
 
 ROS 2 publishes it on the topic `ros_discovery_info`; `ros2 node list` and `rqt_graph` read it.
 """
@@ -30,7 +30,7 @@ class GraphNode(NamedTuple):
 
 
 def gid_size() -> int:
-    """How many bytes ROS 2 uses for a GUID: 24 until Humble, 16 from Iron on, according to `ROS_DISTRO`."""
+    """Return the size of a GUID in ROS 2 in bytes: 24 until Humble, 16 from Iron on, according to `ROS_DISTRO`."""
     return _HUMBLE_SIZE if os.environ.get("ROS_DISTRO") in _BEFORE_IRON else GUID_SIZE
 
 
@@ -47,7 +47,7 @@ def definitions(size: int) -> list[Definition]:
 
 
 def encode(participant: bytes, nodes: list[GraphNode], size: int) -> bytes:
-    """The message as CDR, for GUIDs of this size."""
+    """Encode the message as CDR, for GUIDs of this size."""
     data = bytearray(b"\x00\x01\x00\x00" + participant.ljust(size, b"\0"))
     _append_length(data, len(nodes))
     for node in nodes:
@@ -66,10 +66,10 @@ def _append_length(data: bytearray, length: int) -> None:
 
 
 def decode(data: bytes, size: int) -> list[GraphNode]:
-    """The nodes of a message that was checked against its type.
+    """Return the nodes of a message that was checked against its type.
 
     Raises:
-        ValueError: it is no such message.
+        ValueError: it is not such a message.
 
     """
     try:

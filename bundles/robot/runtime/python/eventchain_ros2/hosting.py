@@ -1,8 +1,8 @@
-"""What the hosts of nodes share: nodes with their components are made, run, interrupted, and forgotten.
+"""Common part of the hosts of nodes: nodes and their components are created, run, interrupted, and removed.
 
-A host is a program for `confined.py`, which starts it and, on its behalf, the processes of components. Hosts, and
-nothing else, put the folder of this package in front of `sys.path`, so that `import rclpy` finds ours; everywhere else
-a sourced ROS 2 wins.
+A host is a program for `confined.py`, which starts it and, on its behalf, the processes of components. Only hosts put
+the folder of this package in front of `sys.path`, so that `import rclpy` finds this runtime; everywhere else a sourced
+ROS 2 has precedence.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ _UNLIMITED = 1e9  # s
 
 
 class HostedNodes:
-    """The nodes of one configuration, from their start to their end."""
+    """The nodes of one configuration, from start to end."""
 
     def __init__(self, configuration: dict[str, Any], simulation: Simulation | None = None) -> None:
         self.configuration = configuration
@@ -60,7 +60,7 @@ class HostedNodes:
         self.processes: list[Process] = []
         self._messages = Messages(catalog.read(map(Path, configuration.get("messages", []))))
         self._components = self._make_components()
-        self._losses: dict[str, dict[str, Any]] = {}  # of nodes that have failed, by their names
+        self._losses: dict[str, dict[str, Any]] = {}  # names of failed nodes
         self.simulation.fault = faults.of(configuration.get("fault"))
         if "fault" in configuration:
             self.simulation.survives = self._lose
@@ -86,7 +86,7 @@ class HostedNodes:
         context.enter(self.simulation)
 
     def message_type(self, name: str, topic: str) -> type:
-        """The class of a message type such as `std_msgs/msg/Float32`, for a topic."""
+        """Return the class of a message type such as `std_msgs/msg/Float32`, for a topic."""
         parts = name.split("/")
         try:
             return self._messages.get(f"{parts[0]}/msg/{parts[-1]}")
@@ -94,7 +94,7 @@ class HostedNodes:
             raise HostError("message.unknown", f"topic {topic}: no message type {missing.args[0]}") from None
 
     def start_nodes(self) -> None:
-        """Import the modules and make the nodes."""
+        """Import the modules and create the nodes."""
         for node in self.configuration.get("nodes", []):
             self._start_node(node)
 
@@ -114,9 +114,9 @@ class HostedNodes:
         self._objects.append(node)
 
     def _start_plain_node(self, node_class: Any, process: Process) -> Any:
-        """Make a node that is a class around DDS readers and writers, and execute it with its period."""
+        """Create a node that is a class around DDS readers and writers, and execute it periodically."""
         node = node_class(DomainParticipant())
-        for clock in ("now", "wall_clock"):  # by which its inputs become too old, and its messages are stamped
+        for clock in ("now", "wall_clock"):  # clocks for the age of its inputs, and for the stamps of its messages
             if hasattr(node_class, clock):
                 setattr(node, clock, lambda: self.simulation.clock(process))
         period = int(float(node.period) * NANOSECONDS_PER_SECOND)
@@ -126,7 +126,7 @@ class HostedNodes:
         return node
 
     def activations(self) -> list[dict[str, Any]]:
-        """What each node has done, and what a fault has done to it."""
+        """Return the activations of each node, and the effects of a fault on it."""
         return [
             {"name": process.name, "activations": process.activations, **self._affected(process)}
             for process in self.processes
@@ -140,18 +140,18 @@ class HostedNodes:
         return {"affected": count, "affected_first": first, "loss": self._losses.get(process.name)}
 
     def _lose(self, process: Process, error: BaseException) -> bool:
-        """In a run with a fault, a node whose code fails is gone, as its process would be, and the others go on."""
+        """Remove a node whose code fails, as its process would end; in a run with a fault the others continue."""
         if not isinstance(error, Exception | ComponentError | SystemExit):
             return False
         self._losses[process.name] = {"time": self.simulation.now, **describe(error, process.name, self.folders)}
         return True
 
     def warnings(self) -> list[dict[str, Any]]:
-        """The connections that were not made."""
+        """Return the connections that were not made."""
         return [warning._asdict() for warning in self.simulation.warnings]
 
     def end(self) -> None:
-        """End the components, and forget the user's modules, so that those of the next scenario start afresh."""
+        """End the components, and unload the user's modules, so that the next scenario imports them again."""
         self._components.end()
         folders = tuple(folder.rstrip("/") + "/" for folder in self.folders)
         for name, module in list(sys.modules.items()):
@@ -162,7 +162,7 @@ class HostedNodes:
 
 
 def _is_rclpy(node_class: Any) -> bool:
-    """Whether a node makes its own timers, as rclpy has it; one on plain DDS states its period."""
+    """Return whether a node creates its own timers, as with rclpy; a node on plain DDS states its period."""
     return not hasattr(node_class, "period") or (isinstance(node_class, type) and issubclass(node_class, Node))
 
 
@@ -170,7 +170,7 @@ class Host(ABC):
     """Answers frames until the input ends.
 
     Args:
-        channel: where frames come from and answers go.
+        channel: channel of the frames and answers.
 
     """
 
@@ -183,18 +183,18 @@ class Host(ABC):
     @property
     @abstractmethod
     def nodes(self) -> HostedNodes | None:
-        """Those that run."""
+        """Return the running nodes."""
 
     @abstractmethod
     def answer(self, kind: int, payload: memoryview) -> None:
         """Answer a frame."""
 
     def next_frame(self) -> tuple[int, memoryview] | None:
-        """Wait for a frame; None at the end."""
+        """Wait for a frame; return None at the end."""
         return self.channel.read()
 
     def run(self) -> int:
-        """Serve; the exit code is 1 after a FAILED frame."""
+        """Serve; return the exit code, 1 after a FAILED frame."""
         try:
             while (frame := self.next_frame()) is not None:
                 self.answer(*frame)
@@ -210,16 +210,16 @@ class Host(ABC):
         return 0
 
     def start(self, start: Callable[[list[str]], None], ready: Callable[[], dict[str, Any]]) -> None:
-        """Start nodes, with the folders of the environment behind the user's, and say that they are ready."""
+        """Start nodes, with the folders of the environment after the user's, and report that they are ready."""
         self.limit()
         start(self._foreign_path)
         gc.unfreeze()
         gc.collect()
-        gc.freeze()  # what lives now lives until the end: keep it out of later collections
+        gc.freeze()  # all present objects live until the end: exclude them from garbage collection
         self.channel.write_json(Kind.READY, {"python": platform.python_version(), **ready()})
 
     def limit(self) -> None:
-        """Interrupt nodes that compute longer than the scenario allows for one answer; components have own limits."""
+        """Interrupt nodes that exceed the scenario's time for one answer; components have separate limits."""
         if self.nodes is not None and self.nodes.step_limit:
             signal.setitimer(signal.ITIMER_PROF, self.nodes.step_limit)
 
@@ -229,10 +229,10 @@ class Host(ABC):
 
 
 def unexpected(kind: int) -> HostError:
-    """The error of a frame that has no meaning now."""
+    """Return the error for an unexpected frame."""
     return HostError("protocol.frame", f"a frame of kind {kind} is not expected here")
 
 
 def parse(payload: memoryview) -> Any:
-    """The JSON of a frame."""
+    """Parse the JSON of a frame."""
     return json.loads(bytes(payload))

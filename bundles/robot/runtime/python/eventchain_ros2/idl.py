@@ -1,7 +1,7 @@
-"""Message classes as `cyclonedds.idl` has them, on the codecs of this runtime.
+"""Message classes in the form of `cyclonedds.idl`, on the codecs of this runtime.
 
-A subclass of `IdlStruct` is a dataclass whose annotations say what is on the wire. What a class means is looked up when
-it is first used with a topic: only then it is a dataclass, and only then the classes that it contains are known.
+A subclass of `IdlStruct` is a dataclass whose annotations define the encoding. A class is analysed on its first use
+with a topic: only then it is a dataclass, and its nested classes are known.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ _PLAIN = {bool: "bool", str: "string", int: "int64", float: "float64"}
 
 
 class Bounds(NamedTuple):
-    """What an annotation says beyond the type of a value; `kind` is that of a `FieldType`, or `text`."""
+    """Constraints of an annotation besides the value type; `kind` is that of a `FieldType`, or `text`."""
 
     subtype: Any
     kind: str
@@ -24,7 +24,7 @@ class Bounds(NamedTuple):
 
 
 class sequence:  # noqa: N801 - the name in cyclonedds
-    """Any number of values, or at most so many: `sequence[int32]`, `sequence[int32, 5]`."""
+    """A sequence of any length, or with a bound: `sequence[int32]`, `sequence[int32, 5]`."""
 
     def __class_getitem__(cls, parameters: Any) -> Any:
         subtype, size = parameters if isinstance(parameters, tuple) else (parameters, 0)
@@ -32,7 +32,7 @@ class sequence:  # noqa: N801 - the name in cyclonedds
 
 
 class array:  # noqa: N801 - the name in cyclonedds
-    """So many values: `array[float64, 9]`."""
+    """An array of fixed length: `array[float64, 9]`."""
 
     def __class_getitem__(cls, parameters: Any) -> Any:
         subtype, size = parameters
@@ -40,7 +40,7 @@ class array:  # noqa: N801 - the name in cyclonedds
 
 
 class bounded_str:  # noqa: N801 - the name in cyclonedds
-    """A text of at most so many bytes: `bounded_str[10]`."""
+    """A string with at most this many bytes: `bounded_str[10]`."""
 
     def __class_getitem__(cls, size: int) -> Any:
         return Annotated[str, Bounds(str, "text", size)]
@@ -58,10 +58,10 @@ class IdlStruct:
 
 
 def prepare(data_type: Any) -> None:
-    """Give a message class the functions that write and read it, and the same to those that it contains.
+    """Add the functions that write and read a message class and its nested classes.
 
     Raises:
-        TypeError: it is no message class, or an annotation of it is none of `cyclonedds.idl`.
+        TypeError: it is not a message class, or has an annotation outside `cyclonedds.idl`.
 
     """
     if not (isinstance(data_type, type) and issubclass(data_type, IdlStruct)):

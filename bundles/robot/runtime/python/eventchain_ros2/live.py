@@ -1,7 +1,7 @@
-"""Nodes in real time on the wire: what `rclpy.init` starts when a node file is run by itself.
+"""Nodes in real time on the wire: the runtime that `rclpy.init` starts for a single node file.
 
-Callbacks run one after the other in the thread that spins, timers first, each subscription in its turn, as rclpy's
-single-threaded executor has it. Samples stay in DDS, by their quality of service, until their callback's turn.
+Callbacks run sequentially in the spinning thread, timers first, subscriptions in turn, as in rclpy's single-threaded
+executor. Samples stay in DDS, by their quality of service, until their callback's turn.
 """
 
 from __future__ import annotations
@@ -33,10 +33,10 @@ _QUIET = _NANOSECONDS
 
 
 class Live(Simulation):
-    """The nodes of this process; their time is that on the clock, or that of `/clock` if they use simulated time.
+    """The nodes of this process; their time is wall time, or that of `/clock` if they use simulated time.
 
     Args:
-        participant: theirs; it is closed with `close`.
+        participant: their participant; it is closed with `close`.
         overrides: values of parameters, by the name of a node (`""`: of every node).
 
     """
@@ -51,7 +51,7 @@ class Live(Simulation):
         self._shown = 0  # by /clock, in ns
         self._writers: dict[Publisher, Writer] = {}
         self._readers: dict[Subscription, Reader] = {}
-        self._timers: list[tuple[Timer, int]] = []  # with the token that they had
+        self._timers: list[tuple[Timer, int]] = []  # with their tokens
         self._waits: dict[frozenset[Process], _Turns] = {}
         self._is_announced = True
         self._watch = _Watch(participant)
@@ -60,25 +60,25 @@ class Live(Simulation):
 
     @property
     def now(self) -> int:
-        """The time in ns: since 1970, or what `/clock` has shown, 0 at first."""
+        """Return the time in ns: since 1970, or that of `/clock`, initially 0."""
         return time_ns() if self._clock is None else self._shown
 
     @now.setter
     def now(self, _: int) -> None:
-        """Nobody sets this clock."""
+        """Ignore the setting: this clock cannot be set."""
 
     def overrides(self, node: str) -> list[Parameter]:
-        """The values that parameters of a node start with."""
+        """Return the initial values of a node's parameters."""
         return [parameter for name, parameter in self._overrides if name in ("", node)]
 
     def follow_clock(self) -> None:
-        """Show the time of `/clock` from now on."""
+        """Use the time of `/clock` from now on."""
         if self._clock is None:
             self._clock = self._participant.reader(CLOCK_TOPIC, CLOCK_TYPE, _CLOCK_QOS)
             self._changed()
 
     def add_publisher(self, publisher: Publisher) -> None:
-        """Make a writer."""
+        """Create a writer."""
         publisher.topic.publishers.append(publisher)
         profile = publisher.qos_profile
         writer = self._participant.writer(publisher.topic.name, publisher.type_name, profile)
@@ -89,7 +89,7 @@ class Live(Simulation):
         self._changed()
 
     def add_subscription(self, subscription: Subscription) -> None:
-        """Make a reader."""
+        """Create a reader."""
         subscription.topic.subscriptions.append(subscription)
         profile = subscription.qos_profile
         reader = self._participant.reader(subscription.topic.name, subscription.type_name, profile)
@@ -122,18 +122,18 @@ class Live(Simulation):
         self._changed()
 
     def _changed(self) -> None:
-        """Let who waits see what has been made."""
+        """Notify waiting threads of a new entity."""
         self._is_announced = False
         for turns in list(self._waits.values()):
             turns.wait_set.wake()
 
     def timers(self, processes: frozenset[Process]) -> list[Timer]:
-        """The timers of these processes that run."""
+        """Return the running timers of these processes."""
         self._timers = [(timer, token) for timer, token in self._timers if timer.token == token]
         return [timer for timer, _ in self._timers if timer.process in processes]
 
     def readers(self, processes: frozenset[Process]) -> list[tuple[Subscription, Reader]]:
-        """The subscriptions of these processes."""
+        """Return the subscriptions of these processes."""
         return [(each, reader) for each, reader in list(self._readers.items()) if each.process in processes]
 
     def spin_once(self, processes: set[Process], timeout: int | None) -> bool:
@@ -141,10 +141,10 @@ class Live(Simulation):
 
         Args:
             processes: those whose callbacks may run.
-            timeout: the longest time to wait, in ns on the wall; None: no limit.
+            timeout: the longest time to wait, in ns of wall time; None: no limit.
 
         Returns:
-            Whether a callback ran: not if the time was over, or nodes were shut down.
+            Whether a callback ran: false if the time was over, or nodes were shut down.
 
         """
         group = frozenset(processes)
@@ -173,7 +173,7 @@ class Live(Simulation):
                 self._restart_timers()
 
     def _restart_timers(self) -> None:
-        """The clock went back: who called back at a time that is yet to come starts its period now (rcl_timer)."""
+        """Restart the period of timers whose last call is in the future, after the clock went back (rcl_timer)."""
         for timer, token in list(self._timers):
             period = cast(Any, timer).timer_period_ns
             if timer.token == token and timer.due - period > self._shown:
@@ -199,7 +199,7 @@ class Live(Simulation):
             raise KeyboardInterrupt
 
     def stop(self) -> None:
-        """Run no callback any more; whoever spins, stops."""
+        """Stop running callbacks; spinning threads return."""
         self.running = False
         if threading.current_thread() is threading.main_thread():
             for number, handler in self._handlers.items():
@@ -209,13 +209,13 @@ class Live(Simulation):
             turns.wait_set.wake()
 
     def close(self) -> None:
-        """Leave the wire."""
+        """Close the participant."""
         self.running = False
         self._participant.close()
 
 
 class _Elsewhere:
-    """Stands for the subscriptions that a writer has matched."""
+    """Placeholder for the remote subscriptions matched by a writer."""
 
     def __init__(self, writer: Writer) -> None:
         self._writer = writer
@@ -226,7 +226,7 @@ class _Elsewhere:
 
 
 class _Turns:
-    """Whose turn it is among the timers and subscriptions that an executor has."""
+    """Scheduling of an executor's timers and subscriptions."""
 
     def __init__(self, live: Live, processes: frozenset[Process], wait_set: WaitSet) -> None:
         self.wait_set = wait_set
@@ -236,7 +236,7 @@ class _Turns:
         self._queue: deque[Callable[[], bool]] = deque()
 
     def take(self) -> bool:
-        """Run the next callback; whether there was one. Whoever had a turn, waits until all others had theirs."""
+        """Run the next callback; return whether there was one. After its turn, each waits for all others."""
         if self._take():
             return True
         self._queue.extend(self._everybody())
@@ -274,12 +274,12 @@ class _Turns:
         return bool(samples)
 
     def wait(self, timeout: int | None, clock: Reader | None) -> None:
-        """Wait until there may be a turn, at most for this time, in ns."""
+        """Wait until a callback may be ready, at most for this time, in ns."""
         wanted = {reader for _, reader in self._live.readers(self._processes)} | ({clock} if clock else set())
         for reader in wanted - self._attached:
             self.wait_set.attach(reader)
         self._attached = wanted
-        if clock is None:  # else timers are due when it says so
+        if clock is None:  # else /clock determines when timers are due
             now = self._live.now
             due = [timer.due - now for timer in self._live.timers(self._processes)]
             timeout = min([*due, *([] if timeout is None else [timeout])], default=None)
@@ -287,12 +287,12 @@ class _Turns:
 
 
 class _Watch:
-    """Warns of what goes wrong between writers and readers, from its own thread."""
+    """Warns of problems between writers and readers, in its own thread."""
 
     def __init__(self, participant: Participant) -> None:
         self._wait_set = WaitSet(participant)
         self._ends: list[Writer | Reader] = []
-        self._told: dict[Writer | Reader, int] = {}  # when of a missed deadline
+        self._told: dict[Writer | Reader, int] = {}  # times of missed deadlines
         self._told_types: set[tuple[type, Announced]] = set()
         self._others: dict[type, Announcements] = {
             Reader: participant.announced_writers(),
@@ -303,13 +303,13 @@ class _Watch:
         threading.Thread(target=self._run, name="events", daemon=True).start()
 
     def add(self, end: Writer | Reader) -> None:
-        """Watch a writer or reader, too."""
+        """Start watching a writer or reader."""
         self._ends.append(end)
         self._wait_set.attach_events(end)
-        self._wait_set.wake()  # others may have been there before
+        self._wait_set.wake()  # others may have existed before
 
     def remove(self, end: Writer | Reader) -> None:
-        """Watch it no more."""
+        """Stop watching it."""
         self._ends.remove(end)
         self._told.pop(end, None)
 
@@ -329,7 +329,7 @@ class _Watch:
             policy, missed, peers = end.incompatible(), end.missed_deadlines(), end.new_peers()
             _ = end.lost_liveliness() if isinstance(end, Writer) else end.lost_writers()
         except ClosedError:
-            return  # the next wait tells whether everything is
+            return  # the next wait reports whether there is more
         if policy:
             _warn(_INCOMPATIBLE[type(end)].format(topic=end.topic, policy=policy))
         if missed and monotonic_ns() - self._told.get(end, -_QUIET) >= _QUIET:
@@ -367,5 +367,5 @@ _MISSED: dict[type, str] = {Reader: "nothing was received in time", Writer: "not
 
 
 def _warn(text: str) -> None:
-    sys.stderr.write(f"[WARN] {text}\n")  # in one piece: nodes write from their own threads
+    sys.stderr.write(f"[WARN] {text}\n")  # in one piece, since nodes write from their own threads
     sys.stderr.flush()

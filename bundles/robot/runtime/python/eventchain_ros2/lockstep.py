@@ -25,7 +25,7 @@ _STEPPED_SAMPLE = struct.Struct("<qHI")
 
 
 class _Outlet(Subscription):
-    """The world's subscription: keeps the samples until the step ends."""
+    """Subscription of the world: keeps the samples until the step ends."""
 
     def __init__(self, index: int, target: list[bytes | bytearray | memoryview], *arguments: Any) -> None:
         super().__init__(*arguments)
@@ -47,7 +47,7 @@ class Scenario(HostedNodes):
         self._inlets: list[Publisher] = []
 
     def start(self, foreign_path: list[str]) -> None:
-        """Connect the world and make the nodes."""
+        """Connect the world and create the nodes."""
         self.prepare(foreign_path)
         self._connect_world()
         self.start_nodes()
@@ -62,7 +62,7 @@ class Scenario(HostedNodes):
             _Outlet(index, self._outbox, self.simulation, process, message_type, topic, print, REQUESTS_NOTHING)
 
     def ready(self) -> dict[str, Any]:
-        """Content of the READY frame."""
+        """Return the content of the READY frame."""
         return {
             "topics": [
                 {
@@ -78,7 +78,7 @@ class Scenario(HostedNodes):
         }
 
     def step(self, payload: memoryview) -> list[bytes | bytearray | memoryview]:
-        """Publish the world's samples, let time pass; the content of the STEPPED frame."""
+        """Publish the world's samples, let time pass; return the content of the STEPPED frame."""
         try:
             until, count = _STEP.unpack_from(payload)
             position = _STEP.size
@@ -95,7 +95,7 @@ class Scenario(HostedNodes):
         return [_COUNT.pack(len(samples) // 2), *samples]
 
     def finished(self) -> dict[str, Any]:
-        """Content of the FINISHED frame."""
+        """Return the content of the FINISHED frame."""
         return {
             "nodes": self.activations(),
             "publications": {name: topic.publications for name, topic in sorted(self.simulation.topics.items())},
@@ -107,13 +107,13 @@ def _owner(process: Process) -> str:
 
 
 class LockstepHost(Host):
-    """One process for all nodes, which lets time pass step by step."""
+    """One process for all nodes, which advances time step by step."""
 
     scenario: Scenario | None = None
 
     @property
     def nodes(self) -> HostedNodes | None:
-        """The nodes of the scenario."""
+        """Return the nodes of the scenario."""
         return self.scenario
 
     def answer(self, kind: int, payload: memoryview) -> None:

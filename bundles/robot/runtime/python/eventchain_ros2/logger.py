@@ -1,4 +1,4 @@
-"""Loggers of nodes: one line on standard error for each message, with the simulated time."""
+"""Loggers of nodes: one line per message on standard error, with the simulated time."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ class LoggingSeverity(IntEnum):
 class Logger:
     """A logger with rclpy's conditions `once`, `skip_first` and `throttle_duration_sec`.
 
-    A condition belongs to the line that logs; its throttle counts simulated time.
+    A condition belongs to the logging source line; its throttle uses simulated time.
     """
 
     def __init__(self, name: str, now: Callable[[], int]) -> None:
         self.name = name
         self._now = now
         self._level = LoggingSeverity.INFO
-        self._lines: dict[tuple[str, int], int] = {}  # when each conditional line logged for the last time
+        self._lines: dict[tuple[str, int], int] = {}  # time of the last message of each conditional line
 
     def get_child(self, name: str) -> Logger:
-        """A logger below this one."""
+        """Return a logger below this one."""
         return Logger(f"{self.name}.{name}", self._now)
 
     def set_level(self, level: LoggingSeverity) -> None:
@@ -39,35 +39,35 @@ class Logger:
         self._level = LoggingSeverity(level)
 
     def get_effective_level(self) -> LoggingSeverity:
-        """The level below which messages are dropped."""
+        """Return the level below which messages are dropped."""
         return self._level
 
     def is_enabled_for(self, severity: LoggingSeverity) -> bool:
-        """Whether messages of this level are shown."""
+        """Return whether messages of this level are shown."""
         return severity >= self._level
 
     def debug(self, message: str, **conditions: object) -> bool:
-        """Log for people who look for a defect."""
+        """Log details for debugging."""
         return self._log(LoggingSeverity.DEBUG, message, conditions)
 
     def info(self, message: str, **conditions: object) -> bool:
-        """Log what happens."""
+        """Log normal operation."""
         return self._log(LoggingSeverity.INFO, message, conditions)
 
     def warning(self, message: str, **conditions: object) -> bool:
-        """Log what may be wrong."""
+        """Log a possible problem."""
         return self._log(LoggingSeverity.WARN, message, conditions)
 
     def warn(self, message: str, **conditions: object) -> bool:
-        """Log what may be wrong."""
+        """Log a possible problem."""
         return self._log(LoggingSeverity.WARN, message, conditions)
 
     def error(self, message: str, **conditions: object) -> bool:
-        """Log what is wrong."""
+        """Log an error."""
         return self._log(LoggingSeverity.ERROR, message, conditions)
 
     def fatal(self, message: str, **conditions: object) -> bool:
-        """Log what ends the node."""
+        """Log an error that ends the node."""
         return self._log(LoggingSeverity.FATAL, message, conditions)
 
     def _log(self, severity: LoggingSeverity, message: str, conditions: dict[str, object]) -> bool:

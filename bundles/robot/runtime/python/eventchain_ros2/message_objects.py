@@ -1,4 +1,4 @@
-"""Whole messages as arguments and results of components: what is sent instead of them, and how they are made again."""
+"""Messages as arguments and results of components: their encoding and decoding."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from eventchain_ros2.messages import Message, Messages, type_name
 
 
 def of(messages: Messages, *, importing: bool) -> Objects:
-    """The message classes of a catalogue, and those of modules.
+    """Return the message classes of a catalog, and those of modules.
 
     Args:
         messages: the classes of ROS 2.
-        importing: whether modules may be imported for their `IdlStruct` classes; else they have to be there.
+        importing: whether modules may be imported for their `IdlStruct` classes; else they have to be loaded.
 
     """
 

@@ -1,7 +1,7 @@
-"""Message classes, made when they are first needed, and the import hook that serves them.
+"""Message classes, created on first use, and the import hook that serves them.
 
-`from sensor_msgs.msg import LaserScan` works for every type of the catalogue. The hook stands at the end of
-`sys.meta_path`, so that the packages of a sourced ROS 2 win over it.
+`from sensor_msgs.msg import LaserScan` works for every type of the catalog. The hook is at the end of `sys.meta_path`,
+so that the packages of a sourced ROS 2 have precedence.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _IDL_NAMES = {"bool": "boolean", "byte": "octet", "char": "uint8", "float32": "f
 
 
 class MalformedMessageError(ValueError):
-    """Bytes that are no CDR encoding of the expected message type."""
+    """Bytes that are not a CDR encoding of the expected message type."""
 
 
 class Message:
@@ -50,12 +50,12 @@ class Message:
 
     @classmethod
     def get_fields_and_field_types(cls) -> dict[str, str]:
-        """Names of the fields and their types, written as rosidl writes them (`sequence<float>`)."""
+        """Return names of the fields and their types, in the notation of rosidl (`sequence<float>`)."""
         return {field.name: _idl_name(field.type) for field in cls._definition.fields}
 
 
 def type_name(message_class: type) -> str:
-    """The full name of a message class (`sensor_msgs/msg/LaserScan`).
+    """Return the full name of a message class (`sensor_msgs/msg/LaserScan`).
 
     Raises:
         TypeError: the class is not one of this runtime's.
@@ -89,10 +89,10 @@ def to_cdr(message: Message) -> bytearray:
 
 
 def from_cdr(message_class: type, data: bytes | bytearray | memoryview) -> Any:
-    """Decode a message from bytes with an encapsulation header, which tells the order of the bytes.
+    """Decode a message from bytes with an encapsulation header, which gives the byte order.
 
     Raises:
-        MalformedMessageError: the bytes are no encoding of this type.
+        MalformedMessageError: the bytes do not encode this type.
 
     """
     view = memoryview(data)
@@ -119,11 +119,11 @@ class Messages(MetaPathFinder, Loader):
         self._unfinished: list[str] = []
 
     def get(self, name: str) -> type:
-        """The class of a message type, by its full name.
+        """Return the class of a message type, by its full name.
 
         Raises:
             KeyError: no such type.
-            MessageDefinitionError: its definition, or that of a type it contains, cannot be used.
+            MessageDefinitionError: its definition, or that of a nested type, is invalid.
 
         """
         if name not in self._classes:
@@ -152,7 +152,7 @@ class Messages(MetaPathFinder, Loader):
         return message_class  # type: ignore[no-any-return]
 
     def install(self) -> None:
-        """Serve imports, instead of a catalogue that was installed before."""
+        """Serve imports, instead of a previously installed catalog."""
         for name, module in list(sys.modules.items()):
             if isinstance(module, _MessageModule | _MessagePackage):
                 del sys.modules[name]
@@ -160,14 +160,14 @@ class Messages(MetaPathFinder, Loader):
         sys.meta_path.append(self)
 
     def find_spec(self, fullname: str, path: object, target: object = None) -> ModuleSpec | None:
-        """Find `package` and `package.msg` for each package of the catalogue."""
+        """Find `package` and `package.msg` for each package of the catalog."""
         package, _, rest = fullname.partition(".")
         if package not in self.catalog.packages or rest not in ("", "msg"):
             return None
         return ModuleSpec(fullname, self, is_package=not rest)
 
     def create_module(self, spec: ModuleSpec) -> ModuleType:
-        """Make the module; its classes follow when they are asked for."""
+        """Create the module; its classes are created on access."""
         return _MessageModule(spec.name, self) if "." in spec.name else _MessagePackage(spec.name)
 
     def exec_module(self, module: ModuleType) -> None:

@@ -1,4 +1,4 @@
-"""Nodes, with the part of `rclpy.node.Node` that this runtime has."""
+"""Nodes, with the supported part of `rclpy.node.Node`."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ _TOPIC_NAME = re.compile(r"(~/|/)?[A-Za-z_]\w*(/[A-Za-z_]\w*)*\Z", re.ASCII)
 
 
 class InvalidNodeNameException(ValueError):  # noqa: N818 - rclpy's name
-    """A name that no node can have."""
+    """An invalid node name."""
 
 
 class InvalidTopicNameException(ValueError):  # noqa: N818 - rclpy's name
-    """A name that no topic can have."""
+    """An invalid topic name."""
 
 
 class Node:
-    """A node; it belongs to the process that the lock-step host starts, or to one of its own.
+    """A node; it belongs to the process that the lock-step host starts, or to its own one.
 
     Services, actions, guard conditions, rates and event callbacks are refused with `NotImplementedError`.
     """
@@ -65,42 +65,42 @@ class Node:
 
     @property
     def _eventchain_process(self) -> Process:
-        """The process whose callbacks are this node's, for executors."""
+        """Return the process that runs this node's callbacks, for executors."""
         return self.__process
 
     def get_name(self) -> str:
-        """The name without the namespace."""
+        """Return the name without the namespace."""
         return self.__name
 
     def get_namespace(self) -> str:
-        """The namespace, `/` by default."""
+        """Return the namespace, `/` by default."""
         return self.__namespace
 
     def get_fully_qualified_name(self) -> str:
-        """The namespace and the name."""
+        """Return the namespace and the name."""
         return f"{self.__namespace.rstrip('/')}/{self.__name}"
 
     def get_logger(self) -> Logger:
-        """The logger of this node."""
+        """Return the logger of this node."""
         return self.__logger
 
     def get_clock(self) -> Clock:
-        """The clock of this node; it shows the simulated time."""
+        """Return the clock of this node; it shows the simulated time."""
         return self.__clock
 
     @property
     def publishers(self) -> list[Publisher]:
-        """The publishers of this node."""
+        """Return the publishers of this node."""
         return list(self.__publishers)
 
     @property
     def subscriptions(self) -> list[Subscription]:
-        """The subscriptions of this node."""
+        """Return the subscriptions of this node."""
         return list(self.__subscriptions)
 
     @property
     def timers(self) -> list[Timer]:
-        """The timers of this node."""
+        """Return the timers of this node."""
         return list(self.__timers)
 
     def create_publisher(
@@ -133,7 +133,7 @@ class Node:
         qos_overriding_options: object = None,
         raw: bool = False,
     ) -> Subscription:
-        """Create a subscription; with `raw` the callback gets the CDR bytes."""
+        """Create a subscription; with `raw` the callback receives the CDR bytes."""
         _refuse(event_callbacks, "event callbacks")
         _refuse(qos_overriding_options, "QoS overriding options")
         name, profile = self.__topic_name(topic), as_profile(qos_profile)
@@ -157,19 +157,19 @@ class Node:
         return timer
 
     def destroy_publisher(self, publisher: Publisher) -> bool:
-        """Stop publishing; whether the publisher was one of this node."""
+        """Stop publishing; return whether the publisher belongs to this node."""
         return _remove(publisher, self.__publishers)
 
     def destroy_subscription(self, subscription: Subscription) -> bool:
-        """Stop receiving; whether the subscription was one of this node."""
+        """Stop receiving; return whether the subscription belongs to this node."""
         return _remove(subscription, self.__subscriptions)
 
     def destroy_timer(self, timer: Timer) -> bool:
-        """Stop the timer; whether it was one of this node."""
+        """Stop the timer; return whether it belongs to this node."""
         return _remove(timer, self.__timers)
 
     def destroy_node(self) -> None:
-        """Stop everything that belongs to this node."""
+        """Destroy all entities of this node."""
         for things in (self.__timers, self.__subscriptions, self.__publishers):
             for thing in list(things):
                 _remove(thing, things)
@@ -177,35 +177,35 @@ class Node:
     def declare_parameter(
         self, name: str, value: Any = None, descriptor: object = None, ignore_override: bool = False
     ) -> Parameter:
-        """Declare a parameter with its default value; ranges and `read_only` of the descriptor are kept to."""
+        """Declare a parameter with its default value; ranges and `read_only` of the descriptor are enforced."""
         return self.__parameters.declare(name, value, descriptor, ignore_override=ignore_override)
 
     def declare_parameters(self, namespace: str, parameters: list[tuple[Any, ...]]) -> list[Parameter]:
-        """Declare several parameters, given as `(name, value, descriptor)`, also without the last ones."""
+        """Declare several parameters, given as `(name, value, descriptor)`, where the last ones are optional."""
         prefix = f"{namespace}." if namespace else ""
         return [self.__parameters.declare(prefix + name, *rest or [None]) for name, *rest in parameters]
 
     def has_parameter(self, name: str) -> bool:
-        """Whether the parameter is declared."""
+        """Return whether the parameter is declared."""
         return name in self.__parameters
 
     def get_parameter(self, name: str) -> Parameter:
-        """The declared parameter of this name."""
+        """Return the declared parameter of this name."""
         return self.__parameters.get(name)
 
     def get_parameters(self, names: list[str]) -> list[Parameter]:
-        """The declared parameters of these names."""
+        """Return the declared parameters of these names."""
         return [self.__parameters.get(name) for name in names]
 
     def set_parameters(self, parameters: list[Parameter]) -> list[Any]:
-        """Set declared parameters; a `rcl_interfaces/msg/SetParametersResult` for each."""
+        """Set declared parameters; return a `rcl_interfaces/msg/SetParametersResult` for each."""
         from rcl_interfaces.msg import SetParametersResult  # type: ignore[import-not-found]
 
         reasons = [self.__parameters.set(parameter) for parameter in parameters]
         return [SetParametersResult(successful=not reason, reason=reason) for reason in reasons]
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
-        """The full name of a topic that this node calls so."""
+        """Return the full name of a topic for this node."""
         return self.__topic_name(topic)
 
     def __topic_name(self, topic: str) -> str:

@@ -1,4 +1,4 @@
-"""The host of one node on DDS: time is simulated and told from outside, samples come and go on the wire.
+"""Host of one node on DDS: simulated time is set from outside, samples are exchanged on the wire.
 
 The protocol is described in this bundle's README. At one instant samples are written and received first (PUBLISH), and
 when all of them have arrived everywhere timers fire (RUN), so that the order is that of lock-step.
@@ -43,11 +43,11 @@ class NodeOnWire(HostedNodes):
 
     @property
     def real_time(self) -> RealTime | None:
-        """The simulation, if its time is that of the wall."""
+        """Return the simulation if it runs in wall time."""
         return self.simulation if isinstance(self.simulation, RealTime) else None
 
     def start(self, foreign_path: list[str]) -> None:
-        """Make the node, and tell ROS 2's graph of it."""
+        """Create the node, and announce it in the ROS graph."""
         self.prepare(foreign_path)
         self.start_nodes()
         for process in self.processes:
@@ -56,7 +56,7 @@ class NodeOnWire(HostedNodes):
             self._participant.announce(process.name, "/", writers, readers)
 
     def ready(self) -> dict[str, Any]:
-        """Content of the READY frame."""
+        """Return the content of the READY frame."""
         self.wire.seal()
         return {
             "writers": [_described(outlet) for outlet in self.wire.outlets],
@@ -65,7 +65,7 @@ class NodeOnWire(HostedNodes):
         }
 
     def connect(self, wanted: dict[str, Any]) -> dict[str, Any]:
-        """Wait until each end has as many others as it is told; the content of the CONNECTED frame."""
+        """Wait until each endpoint has its expected number of matches; return the content of the CONNECTED frame."""
         self.wire.take_turns(wanted["turns"])
         ends = [
             *(
@@ -90,7 +90,7 @@ class NodeOnWire(HostedNodes):
         return list(zip(ends, counts, strict=True))
 
     def idle(self, answered: int) -> dict[str, Any]:
-        """Content of the IDLE frame."""
+        """Return the content of the IDLE frame."""
         return {
             "answered": answered,
             "next": self.simulation.next_event(),
@@ -100,7 +100,7 @@ class NodeOnWire(HostedNodes):
         }
 
     def finished(self) -> dict[str, Any]:
-        """Content of the FINISHED frame: samples are named by their source timestamps."""
+        """Return the content of the FINISHED frame: samples are identified by their source timestamps."""
         nodes = self.activations()
         for node in nodes:
             node["activations"] = [
@@ -117,7 +117,7 @@ class NodeOnWire(HostedNodes):
         }
 
     def end(self) -> None:
-        """End the component, and leave the wire but for the participant."""
+        """End the component, and close all entities except the participant."""
         self.wire.close()
         super().end()
 
@@ -136,24 +136,24 @@ def _described(end: Any) -> dict[str, Any]:
 
 
 class NodeHost(Host):
-    """Lets the time of a node pass as it is told, and says when there is nothing left to do."""
+    """Advances the time of a node as requested, and reports when it is idle."""
 
     def __init__(self, channel: Channel, participant: Participant, doorbell: Doorbell) -> None:
         super().__init__(channel)
         self._participant = participant
         self._doorbell = doorbell
         self._clock: Reader | None = None
-        self._shown = -1  # by the clock, in ns
+        self._shown = -1  # time of /clock, in ns
         self._answered = 0
         self._node: NodeOnWire | None = None
 
     @property
     def nodes(self) -> HostedNodes | None:
-        """The node."""
+        """Return the node."""
         return self._node
 
     def next_frame(self) -> tuple[int, memoryview] | None:
-        """Wait for a frame, and meanwhile tell of samples that arrive."""
+        """Wait for a frame, and meanwhile report arriving samples."""
         sources = [self.channel.fileno(), self._doorbell.fileno()]
         while True:
             readable, _, _ = select.select(sources, [], [], self._wait())
@@ -164,12 +164,12 @@ class NodeHost(Host):
             self._keep_up()
 
     def _wait(self) -> float | None:
-        """How long nothing has to be done, in s; None: until something comes."""
+        """Return the time until the next action, in s; None: until something arrives."""
         node = self._node
         return node.real_time.wait(has_samples=node.wire.has_samples) if node is not None and node.real_time else None
 
     def _keep_up(self) -> None:
-        """In real time, do what is due."""
+        """In real time, run everything that is due."""
         node = self._node
         if node is None or node.real_time is None or not node.real_time.is_running:
             return
@@ -189,7 +189,7 @@ class NodeHost(Host):
 
     @property
     def _waits_for_others(self) -> bool:
-        """Whether others want to know what has arrived: time waits for it."""
+        """Return whether arriving samples have to be reported, since time waits for them."""
         assert self._node is not None
         return self._node.real_time is None or self._node.real_time.is_over
 
@@ -231,7 +231,7 @@ class NodeHost(Host):
         self.start(self._node.start, self._node.ready)
 
     def _finish(self, node: NodeOnWire) -> None:
-        """Leave the wire before it is said: the ends of this scenario must not meet those of the next."""
+        """Close the endpoints before answering: those of this scenario must not match those of the next."""
         finished = node.finished()
         node.wire.close()
         self.channel.write_json(Kind.FINISHED, finished)
@@ -250,7 +250,7 @@ class NodeHost(Host):
         self._tell()
 
     def _wait_for_clock(self, until: int) -> None:
-        """Samples and the clock come on different ways, and in no order: a node's time is what `/clock` shows."""
+        """Wait until `/clock`, which gives a node's time, has reached this time: samples and clock are not ordered."""
         self._read_clock()
         while self._shown < until:
             select.select([self._doorbell.fileno()], [], [], _LOOK_SECONDS)
@@ -264,7 +264,7 @@ class NodeHost(Host):
 
 
 def main() -> int:
-    """Serve standard input and output, with the participant that was prepared."""
+    """Serve standard input and output, with the prepared participant."""
     participant, doorbell = prepared.pop()
     return NodeHost(Channel.of_standard_streams(), participant, doorbell).run()
 

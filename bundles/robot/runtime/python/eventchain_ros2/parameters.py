@@ -24,7 +24,7 @@ class ParameterType(IntEnum):
 
     @classmethod
     def from_parameter_value(cls, value: Any) -> ParameterType:
-        """The type of a Python value.
+        """Return the type of a Python value.
 
         Raises:
             TypeError: no parameter can have this value.
@@ -59,7 +59,7 @@ class Parameter:
         return f"Parameter(name={self.name!r}, type_={self.type_.name}, value={self.value!r})"
 
     def get_parameter_value(self) -> Any:
-        """As `rcl_interfaces/msg/ParameterValue`."""
+        """Convert to `rcl_interfaces/msg/ParameterValue`."""
         from rcl_interfaces.msg import ParameterValue  # type: ignore[import-not-found]
 
         message = ParameterValue(type=int(self.type_))
@@ -77,11 +77,11 @@ class ParameterAlreadyDeclaredException(Exception):  # noqa: N818 - rclpy's name
 
 
 class InvalidParameterTypeException(Exception):  # noqa: N818 - rclpy's name
-    """A parameter is set to a value of another type than it was declared with."""
+    """A parameter is set to a value of a type other than its declared one."""
 
 
 class InvalidParameterValueException(Exception):  # noqa: N818 - rclpy's name
-    """A parameter starts with a value that its descriptor does not allow."""
+    """The initial value of a parameter violates its descriptor."""
 
     def __init__(self, parameter: Parameter, reason: str) -> None:
         text = f"Invalid parameter value ({parameter.value}) for parameter '{parameter.name}'. Reason: {reason}"
@@ -89,7 +89,7 @@ class InvalidParameterValueException(Exception):  # noqa: N818 - rclpy's name
 
 
 class ParameterUninitializedException(Exception):  # noqa: N818 - rclpy's name
-    """A parameter that was declared without a value is read before it is given one."""
+    """A parameter that was declared without a value is read before it is set."""
 
 
 class Parameters:
@@ -106,9 +106,9 @@ class Parameters:
         Args:
             name: its name.
             value: its default, or only its type.
-            descriptor: a `rcl_interfaces/msg/ParameterDescriptor`; ranges, `read_only` and
-                `dynamic_typing` are kept to.
-            ignore_override: whether it starts with the default whatever the node was started with.
+            descriptor: a `rcl_interfaces/msg/ParameterDescriptor`; ranges, `read_only` and `dynamic_typing` are
+                enforced.
+            ignore_override: whether the default takes precedence over command-line values.
 
         """
         if name in self._declared:
@@ -126,11 +126,11 @@ class Parameters:
         return first
 
     def get(self, name: str) -> Parameter:
-        """The parameter of this name.
+        """Return the parameter of this name.
 
         Raises:
             ParameterNotDeclaredException: there is none.
-            ParameterUninitializedException: it was declared by its type only, and has no value yet.
+            ParameterUninitializedException: it was declared with a type only, and has no value yet.
 
         """
         if name not in self._declared:
@@ -141,7 +141,7 @@ class Parameters:
         return parameter
 
     def set(self, parameter: Parameter) -> str:
-        """Give a declared parameter a new value of its type; the reason if its descriptor does not allow that."""
+        """Set a declared parameter to a value of its type; return the reason if its descriptor does not allow that."""
         name = parameter.name
         if name not in self._declared:
             raise ParameterNotDeclaredException(f"The following parameters are not declared: {name}")
@@ -168,7 +168,7 @@ def _require_type(current: Parameter, parameter: Parameter, descriptor: Any) -> 
 
 
 def _outside(parameter: Parameter, descriptor: Any) -> str:
-    """Why a descriptor's range does not allow a value; NaN is in no range. Its ends always are."""
+    """Return why a descriptor's range excludes a value; NaN is in no range. Bounds are inclusive."""
     kind = {ParameterType.DOUBLE: "floating_point_range", ParameterType.INTEGER: "integer_range"}.get(parameter.type_)
     if descriptor is None or kind is None or parameter.value is None:
         return ""

@@ -1,6 +1,6 @@
-"""What a host on DDS needs before it gives up its rights: a participant, with its sockets and threads.
+"""Preparation of a host on DDS before its confinement: a participant, with its sockets and threads.
 
-`confined.py` calls this in the process of the host, ahead of the confinement; nothing foreign has run by then.
+`confined.py` calls this in the process of the host, before the confinement and before any untrusted code.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ prepared: list[tuple[Participant, Doorbell]] = []
 
 
 def prepare(settings: dict[str, Any]) -> None:
-    """Enter a domain.
+    """Join a domain.
 
     Args:
         settings: `domain`, a number; `configuration`, XML of Cyclone DDS; `messages`, files of definitions.

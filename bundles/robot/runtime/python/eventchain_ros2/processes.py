@@ -1,4 +1,4 @@
-"""Processes and topics, what flows between them, and what a simulation knows of publishers, subscriptions, timers."""
+"""Processes, topics and samples, and a simulation's view of publishers, subscriptions and timers."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from eventchain_ros2.qos import QoSProfile
 
 
 class LateEndpointError(BaseException):
-    """A publisher or subscription comes or goes when it no longer may. Not an `Exception`: nodes shall not go on."""
+    """A publisher or subscription is created or destroyed too late. Not an `Exception`, so that nodes end."""
 
     hint = "Make all publishers and subscriptions in the node's constructor, and keep them."
 
 
 class Sample(NamedTuple):
-    """A message on the wire; `time` is when it can be seen, `sequence` counts the publications on the topic."""
+    """A message on the wire; `time` is when it becomes visible, `sequence` counts the publications on the topic."""
 
     topic: str
     sequence: int
@@ -27,8 +27,7 @@ class Sample(NamedTuple):
 class Activation(NamedTuple):
     """One run of a callback: simulated start and end, all in ns, and `(topic, sequence)` of samples.
 
-    `host` is the processor time that was spent. `reads` has the last sample received on each topic that the process
-    subscribes to.
+    `host` is the used processor time. `reads` has the last sample received on each subscribed topic of the process.
     """
 
     start: int
@@ -39,7 +38,7 @@ class Activation(NamedTuple):
 
 
 class Warned(NamedTuple):
-    """A connection that was not made: no sample flows."""
+    """A connection that was not made: no samples are exchanged."""
 
     id: str
     topic: str
@@ -47,7 +46,7 @@ class Warned(NamedTuple):
 
 
 class Publisher(Protocol):
-    """What the simulation knows of a publisher: who is `matched` gets its samples, who joins later those `retained`."""
+    """A simulation's view of a publisher: `matched` ones get its samples, late subscriptions those `retained`."""
 
     process: Process
     topic: Topic
@@ -57,11 +56,11 @@ class Publisher(Protocol):
     retained: deque[Sample]
 
     def decodes(self, data: bytes | bytearray | memoryview) -> bool:
-        """Whether these bytes are a message of its type: DDS hands on nothing else."""
+        """Return whether these bytes are a message of its type: DDS delivers only those."""
 
 
 class Subscription(Protocol):
-    """What the simulation knows of a subscription."""
+    """A simulation's view of a subscription."""
 
     process: Process
     topic: Topic
@@ -69,11 +68,11 @@ class Subscription(Protocol):
     qos_profile: QoSProfile
 
     def receive(self, sample: Sample) -> None:
-        """Call back."""
+        """Run the callback."""
 
 
 class Timer(Protocol):
-    """What the simulation knows of a timer: it fires when it is `due`, unless its `token` has changed by then."""
+    """A simulation's view of a timer: it fires when it is `due`, unless its `token` has changed by then."""
 
     process: Process
     index: int
@@ -81,20 +80,20 @@ class Timer(Protocol):
     token: int
 
     def advance(self, now: int) -> None:
-        """Move on to the next period that has not passed."""
+        """Advance to the next period that has not passed."""
 
     def run(self, _: None) -> None:
-        """Call back."""
+        """Run the callback."""
 
 
 class Bridge(Protocol):
-    """Connects a simulation with what is outside it: it is told of publishers and subscriptions as they are made."""
+    """Connects a simulation with its outside: it is notified of new publishers and subscriptions."""
 
     def opened(self, endpoint: Publisher | Subscription) -> None:
-        """One was made."""
+        """Handle a new endpoint."""
 
     def closed(self, endpoint: Publisher | Subscription) -> None:
-        """One is used no more."""
+        """Handle a destroyed endpoint."""
 
 
 class Topic:
@@ -108,7 +107,7 @@ class Topic:
 
 
 class Process:
-    """A process that runs the callbacks of its nodes one after the other."""
+    """A process that runs the callbacks of its nodes sequentially."""
 
     def __init__(self, name: str, index: int, execution_time: int, phase: int) -> None:
         self.name = name
@@ -118,10 +117,10 @@ class Process:
         self.namespace = "/"  # of its node
         self.timers = 0
         self.busy_until = 0
-        self.paused = False  # while an executor runs that has other nodes
+        self.paused = False  # while an executor of other nodes runs
         self.inbox: list[tuple[Subscription, Sample]] = []
         self.latest: dict[str, int] = {}
-        self.writes: list[tuple[str, int]] | None = None  # of the callback that runs
+        self.writes: list[tuple[str, int]] | None = None  # of the running callback
         self.activations: list[Activation] = []
 
     def keep(self, subscription: Subscription, sample: Sample) -> None:
@@ -133,7 +132,7 @@ class Process:
             del self.inbox[mine[0]]
 
     def end(self) -> None:
-        """Run no callback any more; what waits is never received."""
+        """Stop running callbacks; waiting samples are never received."""
         self.busy_until = NEVER
         self.writes = None
         self.inbox.clear()

@@ -1,4 +1,4 @@
-"""Lets pytest run the tests of a ROS 2 package on this runtime, in simulated time.
+"""Pytest plugin that runs the tests of a ROS 2 package on this runtime, in simulated time.
 
     PYTHONPATH=FOLDER python -m pytest -p eventchain_ros2.pytest_plugin [--messages MESSAGES]... test
 

@@ -1,4 +1,4 @@
-"""Quality of service: profiles as in `rclpy.qos`, and the rule by which an offer satisfies a request."""
+"""Quality of service: profiles as in `rclpy.qos`, and the compatibility of offers and requests."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class HistoryPolicy(IntEnum):
-    """How many samples are kept for a reader that is busy."""
+    """Number of samples kept for a busy reader."""
 
     SYSTEM_DEFAULT = 0
     KEEP_LAST = 1
@@ -21,7 +21,7 @@ class HistoryPolicy(IntEnum):
 
 
 class ReliabilityPolicy(IntEnum):
-    """Whether lost samples are sent again."""
+    """Retransmission of lost samples."""
 
     SYSTEM_DEFAULT = 0
     RELIABLE = 1
@@ -30,7 +30,7 @@ class ReliabilityPolicy(IntEnum):
 
 
 class DurabilityPolicy(IntEnum):
-    """Whether readers that join late get earlier samples."""
+    """Delivery of earlier samples to late readers."""
 
     SYSTEM_DEFAULT = 0
     TRANSIENT_LOCAL = 1
@@ -39,7 +39,7 @@ class DurabilityPolicy(IntEnum):
 
 
 class LivelinessPolicy(IntEnum):
-    """How a writer shows that it is alive."""
+    """Assertion of a writer's liveliness."""
 
     SYSTEM_DEFAULT = 0
     AUTOMATIC = 1
@@ -100,12 +100,12 @@ class QoSProfile:
         return f"QoSProfile({', '.join(f'{name}={getattr(self, name)!s}' for name in self.__slots__)})"
 
     def capacity(self) -> int | None:
-        """How many samples a reader of this profile keeps while it is busy; None: all."""
+        """Return the number of samples kept for a busy reader of this profile; None: all."""
         return None if self.history == HistoryPolicy.KEEP_ALL else max(self.depth, 1)
 
 
 def as_profile(value: QoSProfile | int) -> QoSProfile:
-    """The profile that a `qos_profile` argument means: a profile, or the depth of the default one."""
+    """Return the profile for a `qos_profile` argument: a profile, or the depth of the default one."""
     if isinstance(value, QoSProfile):
         return value
     if isinstance(value, int):
@@ -130,7 +130,7 @@ def _duration(value: object) -> Duration:
 
 
 def incompatible_policies(offered: QoSProfile, requested: QoSProfile) -> Iterator[str]:
-    """Names of the policies for which the offer does not satisfy the request (DDS 1.4, section 2.2.3)."""
+    """Return the names of the policies whose offer does not satisfy the request (DDS 1.4, section 2.2.3)."""
     if requested.reliability != ReliabilityPolicy.BEST_EFFORT and offered.reliability == ReliabilityPolicy.BEST_EFFORT:
         yield "RELIABILITY"
     if (
@@ -147,7 +147,7 @@ def incompatible_policies(offered: QoSProfile, requested: QoSProfile) -> Iterato
 
 
 def _longer(offered: Duration, requested: Duration) -> bool:
-    """Whether the offered period is longer than the requested one; zero stands for infinity."""
+    """Return whether the offered period is longer than the requested one; zero is infinite."""
     if not requested.nanoseconds:
         return False
     return not offered.nanoseconds or offered.nanoseconds > requested.nanoseconds
@@ -162,7 +162,7 @@ class QoSCompatibility(IntEnum):
 
 
 def qos_check_compatible(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> tuple[QoSCompatibility, str]:
-    """Whether samples flow between a publisher and a subscription, and if not, why."""
+    """Return whether a publisher and a subscription match, and if not, why."""
     policies = list(incompatible_policies(publisher_qos, subscription_qos))
     if not policies:
         return QoSCompatibility.OK, ""
@@ -183,7 +183,7 @@ qos_profile_action_status_default = QoSProfile(depth=1, durability=DurabilityPol
 
 
 class QoSPresetProfiles(Enum):
-    """The profiles that have a name."""
+    """The named profiles."""
 
     DEFAULT = qos_profile_default
     SYSTEM_DEFAULT = qos_profile_system_default
@@ -195,5 +195,5 @@ class QoSPresetProfiles(Enum):
 
     @classmethod
     def get_from_short_key(cls, name: str) -> QoSProfile:
-        """The profile of a name such as `sensor_data`."""
+        """Return the profile of a name such as `sensor_data`."""
         return cls[name.upper()].value

@@ -1,6 +1,6 @@
-"""Nodes in real time: a simulation whose time is that of a clock, so that execution times are real.
+"""Nodes in real time: a simulation driven by a clock, so that execution times are real.
 
-The clock is the system's monotonic one, which nobody sets: all processes of this machine read the same time from it.
+The clock is the system's monotonic one, which cannot be set and is the same for all processes of this machine.
 """
 
 from __future__ import annotations
@@ -11,9 +11,9 @@ from eventchain_ros2.simulation import Process, Simulation
 
 
 class RealTime(Simulation):
-    """Runs callbacks when they are due, or as soon as it can after that.
+    """Runs callbacks when they are due, or as soon as possible after that.
 
-    Samples can be seen from the moment at which they are published, and a callback takes as long as it takes.
+    Samples are visible as soon as they are published, and callbacks take their actual time.
     """
 
     def __init__(self) -> None:
@@ -24,25 +24,25 @@ class RealTime(Simulation):
         self._start: int | None = None
 
     def start(self, time: int) -> None:
-        """Let time run, from 0 at this time of the monotonic clock, in ns."""
+        """Start the time with 0 at this time of the monotonic clock, in ns."""
         self._start = time
         self.late = max(monotonic_ns() - time, 0)
 
     def end(self) -> None:
-        """Let nothing happen any more."""
+        """Stop all further events."""
         self.is_over = True
 
     def elapsed(self) -> int:
-        """The time that has passed, in ns; 0 before the start."""
+        """Return the elapsed time, in ns; 0 before the start."""
         return 0 if self._start is None else max(monotonic_ns() - self._start, 0)
 
     @property
     def is_running(self) -> bool:
-        """Whether time passes."""
+        """Return whether time is running."""
         return not self.is_over and self._start is not None and monotonic_ns() >= self._start
 
     def wait(self, *, has_samples: bool) -> float | None:
-        """Seconds until something is due; None: nothing is.
+        """Return the seconds until the next event; None: there is none.
 
         Args:
             has_samples: whether samples wait to be delivered.
@@ -54,9 +54,9 @@ class RealTime(Simulation):
         return None if following is None else max((self._start + following[0] - monotonic_ns()) / 1e9, 0.0)
 
     def reached(self, time: int) -> int:
-        """Now, which is not before `time`."""
+        """Return the current time, which is not before `time`."""
         return max(time, self.elapsed())
 
     def ended(self, process: Process) -> int:
-        """Now."""
+        """Return the current time."""
         return max(self.elapsed(), self.now)

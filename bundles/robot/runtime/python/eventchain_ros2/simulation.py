@@ -1,8 +1,8 @@
 """The ROS graph in simulated time: topics, processes with one single-threaded executor each, and the order of events.
 
 An activation (a timer's callback, or a subscription's that publishes) starts at t and takes the execution time E of its
-process: it reads what was received until t, its publications can be seen from t + E on, and the process does nothing
-else until then. At one instant, samples come before timers, and timers in the order of their processes.
+process: it reads the samples received until t, its publications are visible from t + E on, and the process is busy
+until then. At one instant, samples come before timers, and timers in the order of their processes.
 """
 
 from __future__ import annotations
@@ -42,14 +42,14 @@ __all__ = [
     "Warned",
 ]
 
-_SAMPLE, _TIMER = 0, 1  # rank of events at one instant
+_SAMPLE, _TIMER = 0, 1  # rank of simultaneous events
 
 MOST_RECORDS = 250_000
 """Publications and activations of one scenario together; a minute of 20 nodes at 100 Hz has about that."""
 
 
 class Event(NamedTuple):
-    """Something that happens. Events have an order, and `number` is theirs alone, so that actions are never compared.
+    """An event. Events are ordered, and `number` is unique, so that actions are never compared.
 
     `process` and `timer` are the indices of a timer that fires, and 0 for samples.
     """
@@ -64,7 +64,7 @@ class Event(NamedTuple):
 
 
 class LimitError(BaseException):
-    """More was published or executed than a scenario may hold. Not an `Exception`: nodes shall not go on after it."""
+    """A scenario exceeded its number of publications or activations. Not an `Exception`, so that nodes end."""
 
 
 class Simulation:
@@ -79,13 +79,13 @@ class Simulation:
         self.processes: list[Process] = []
         self.topics: dict[str, Topic] = {}
         self.warnings: list[Warned] = []
-        self.current: Process | None = None  # whose code runs, or has failed
+        self.current: Process | None = None  # the process whose code is running, or has failed
         self._events: list[Event] = []
         self._count = 0
         self._starting: Process | None = None
         self._records = 0
-        self._spent = 0  # processor time of components within the callback that runs, ns
-        self._sent = False  # whether the callback that runs has published
+        self._spent = 0  # processor time of components within the running callback, ns
+        self._sent = False  # whether the running callback has published
         self.fault: Fault | None = None
         self.survives: Callable[[Process, BaseException], bool] | None = None
 
@@ -95,22 +95,22 @@ class Simulation:
             raise LimitError(f"the nodes publish and execute more than {MOST_RECORDS:,} times in one scenario")
 
     def overrides(self, node: str) -> list[Any]:
-        """The values that parameters of a node start with: whoever makes it gives them."""
+        """Return the initial values of a node's parameters: none, since its creator sets them."""
         return []
 
     def follow_clock(self) -> None:
-        """Show the time of `/clock`: there is no other time anyway."""
+        """Show the time of `/clock`: the same as the simulated time."""
 
     def clock(self, process: Process) -> int:
-        """What the clock of a process shows, in ns."""
+        """Return the time on the clock of a process, in ns."""
         return self.now if self.fault is None else self.fault.clock(process.name, self.now)
 
     def stop(self) -> None:
-        """Run no callback any more."""
+        """Stop running callbacks."""
         self.running = False
 
     def spend(self, nanoseconds: int) -> None:
-        """Count processor time that was spent elsewhere for the callback that runs."""
+        """Add processor time used elsewhere for the running callback."""
         self._spent += nanoseconds
 
     def add_process(self, name: str, execution_time: int = 0, phase: int = 0) -> Process:
@@ -118,8 +118,8 @@ class Simulation:
 
         Args:
             name: name in the records.
-            execution_time: of each activation, in ns.
-            phase: when its timers fire first, in ns after the start; 0: after their period.
+            execution_time: execution time of each activation, in ns.
+            phase: offset of the first firing of its timers, in ns after the start; 0: after their period.
 
         """
         process = Process(name, len(self.processes), execution_time, phase)
@@ -128,21 +128,21 @@ class Simulation:
 
     @contextmanager
     def starting(self, process: Process) -> Iterator[None]:
-        """Nodes made in this block belong to the process."""
+        """Assign nodes created in this block to the process."""
         self._starting = self.current = process
         yield
         self._starting = self.current = None
 
     def process_of_new_node(self, name: str) -> Process:
-        """The process that a node made now belongs to; its own one outside a `starting` block."""
+        """Return the process of a new node; a separate one outside a `starting` block."""
         return self._starting or self.add_process(name)
 
     def first_firing(self, process: Process, period: int) -> int:
-        """When a timer made now fires first."""
+        """Return the first firing of a new timer."""
         return self.now + (process.phase if process is self._starting and process.phase else period)
 
     def topic(self, name: str) -> Topic:
-        """The topic of this name."""
+        """Return the topic of this name."""
         if name not in self.topics:
             self.topics[name] = Topic(name)
         return self.topics[name]
@@ -164,7 +164,7 @@ class Simulation:
             self.bridge.opened(subscription)
 
     def remove(self, endpoint: Publisher | Subscription) -> None:
-        """Tell the bridge of an endpoint that is used no more."""
+        """Notify the bridge of a destroyed endpoint."""
         if self.bridge:
             self.bridge.closed(endpoint)
 
@@ -190,7 +190,7 @@ class Simulation:
         print(f"[WARN] {message}", file=sys.stderr)
 
     def publish(self, publisher: Publisher, data: bytes | bytearray | memoryview) -> None:
-        """Send a sample; it can be seen when the activation that publishes it has ended."""
+        """Send a sample; it is visible when the publishing activation has ended."""
         process, time = publisher.process, self.now
         if process.writes is not None:
             self._sent = True
@@ -222,7 +222,7 @@ class Simulation:
         heappush(self._events, Event(time, _TIMER, process.index, timer.index, self._count, *fire))
 
     def advance(self, until: int) -> None:
-        """Let time pass. What is due exactly at `until` happens in the next call, after the samples published then."""
+        """Let time pass. Events due exactly at `until` belong to the next call, after the samples published then."""
         events = self._events
         while events and events[0].time < until and self.running:
             event = heappop(events)
@@ -231,11 +231,11 @@ class Simulation:
         self.now, self.current = until, None
 
     def next_event(self) -> tuple[int, bool] | None:
-        """When something happens next, and whether it is a timer; None: nothing ever will."""
+        """Return the time of the next event, and whether it is a timer; None: there is none."""
         return (self._events[0].time, self._events[0].rank == _TIMER) if self._events else None
 
     def happen(self, until: int, *, timers: bool) -> None:
-        """Let everything happen that is due until then, that time included; timers of that time only if asked to."""
+        """Run all events that are due until then, inclusive; timers of that time only on request."""
         last = until, (_TIMER if timers else _SAMPLE)
         events = self._events
         while events and events[0][:2] <= last and self.running:
@@ -245,33 +245,33 @@ class Simulation:
         self.now, self.current = self.reached(until), None
 
     def reached(self, time: int) -> int:
-        """What time it is when something is due at this time."""
+        """Return the current time for an event due at this time."""
         return time
 
     def ended(self, process: Process) -> int:
-        """What time it is when the callback ends that runs."""
+        """Return the time at which the running callback ends."""
         end = self.now + process.execution_time
         return end if self.fault is None else self.fault.ended(process.name, self.now, end)
 
     def _free(self, process: Process, time: int) -> int:
-        """From when on, this time or later, a process may run a callback."""
+        """Return the earliest time, not before this one, at which a process may run a callback."""
         time = max(time, process.busy_until)
         return time if self.fault is None else self.fault.free(process.name, time)
 
     def spin_once(self, processes: set[Process], timeout: int | None) -> bool:
-        """Let time pass until a callback of one of these processes has run, and nobody else's.
+        """Let time pass until a callback of one of these processes has run, without those of others.
 
-        Samples for the others wait, as far as their histories reach, and so do their timers.
+        Samples for the others wait, within their history depths, and so do their timers.
 
         Args:
             processes: those whose callbacks may run.
-            timeout: the longest time to pass, in ns; what is due exactly then happens. None: no limit.
+            timeout: the longest time to pass, in ns, inclusive. None: no limit.
 
         Returns:
             Whether a callback ran.
 
         Raises:
-            RuntimeError: there is no limit, and nothing will ever happen.
+            RuntimeError: there is no limit, and no further event.
 
         """
         limit = None if timeout is None else self.now + timeout
@@ -289,7 +289,7 @@ class Simulation:
                 heappush(self._events, event)
 
     def _run_until_callback(self, limit: int | None, late: list[Event]) -> bool:
-        """Run events up to the limit or the first callback; timers of processes that are paused become late."""
+        """Run events up to the limit or the first callback; timers of paused processes become late."""
         events = self._events
         while self.running and events and (limit is None or events[0].time <= limit):
             event = heappop(events)
@@ -356,7 +356,7 @@ class Simulation:
         self.add_timer(timer)
 
     def _activate(self, process: Process, callback: Callable[[Any], None], argument: Any, *, timed: bool) -> None:
-        """Run a callback; one of a timer always takes its time, another one only if it publishes."""
+        """Run a callback; that of a timer always takes its execution time, others only if they publish."""
         self.current = process
         writes: list[tuple[str, int]] = []
         process.writes = writes

@@ -1,7 +1,7 @@
-"""What DDS and ROS 2 have to know of a message type: a topic's descriptor, its name on the wire, and its hash.
+"""DDS and ROS 2 data of a message type: the topic descriptor, its name on the wire, and its hash.
 
-Descriptors are made with the dynamic-type API from the same definitions as the message classes. They carry no type
-information: with it Cyclone DDS compares types by structure and refuses ROS 2's, which come without.
+Descriptors are created with the dynamic-type API from the same definitions as the message classes. They have no type
+information: with it Cyclone DDS compares types by structure and refuses those of ROS 2, which have none.
 """
 
 from __future__ import annotations
@@ -31,29 +31,29 @@ _FINAL = 0
 _AT_THE_END = 0xFFFFFFFF
 _LOCAL_DOMAIN = 1
 _HAS_TYPE_INFORMATION = 1 << 6
-_LONGEST_WAIT = 1_000_000_000  # ns; the type is known locally, so there is nothing to wait for
+_LONGEST_WAIT = 1_000_000_000  # ns; the type is local, so no wait is needed
 
 # type_description_interfaces/msg/FieldType
 _NESTED, _TYPE_STRING, _TYPE_BOUNDED_STRING = 1, 17, 21
 _TYPE_IDS = {"int8": 2, "uint8": 3, "int16": 4, "uint16": 5, "int32": 6, "uint32": 7, "int64": 8, "uint64": 9}
 _TYPE_IDS.update({"float32": 10, "float64": 11, "bool": 15, "byte": 16, "string": _TYPE_STRING})
-_TYPE_IDS["char"] = _TYPE_IDS["uint8"]  # what ROS 2 makes of the type of this name
+_TYPE_IDS["char"] = _TYPE_IDS["uint8"]  # name of the type in ROS 2
 _ARRAYS, _BOUNDED_SEQUENCES, _SEQUENCES = 48, 96, 144
 
 
 def dds_type_name(name: str) -> str:
-    """The name of a message type on the wire: `sensor_msgs::msg::dds_::LaserScan_`."""
+    """Return the DDS name of a message type: `sensor_msgs::msg::dds_::LaserScan_`."""
     package, kind, short_name = name.split("/")
     return f"{package}::{kind}::dds_::{short_name}_"
 
 
 def fields_on_the_wire(definition: Definition) -> list[Field]:
-    """The fields of a message as they are sent; there is at least one."""
+    """Return the fields of a message as encoded; there is at least one."""
     return definition.fields or [PLACEHOLDER]
 
 
 def type_hash(name: str, lookup: Lookup) -> str:
-    """The hash of a message type, `RIHS01_` and 64 hexadecimal digits (REP 2016)."""
+    """Return the hash of a message type, `RIHS01_` and 64 hexadecimal digits (REP 2016)."""
     described: dict[str, dict[str, Any]] = {}
     _describe(name, lookup, described)
     text = json.dumps(
@@ -91,17 +91,17 @@ def _describe_type(field_type: FieldType) -> dict[str, Any]:
 
 @contextmanager
 def descriptor(participant: int, name: str, lookup: Lookup) -> Iterator[Any]:
-    """A pointer to the `dds_topic_descriptor_t` of a message type, for the length of the block.
+    """Provide a pointer to the `dds_topic_descriptor_t` of a message type, for the length of the block.
 
     Args:
-        participant: the entity that the type belongs to.
+        participant: the entity that owns the type.
         name: full name of the message type.
-        lookup: definitions of this type and of those it contains.
+        lookup: definitions of this type and of its nested types.
 
     Raises:
         KeyError: a type is not defined.
         DdsError: Cyclone DDS refuses the type.
-        LayoutError: the library is another one.
+        LayoutError: the library has another memory layout.
 
     """
     library = cyclone.load()
@@ -140,7 +140,7 @@ def _structure(participant: int, name: str, lookup: Lookup) -> cyclone.DynamicTy
     structure = _create(participant, cyclone.TypeDescriptor(kind=_STRUCTURE, name=wire_name), name)
     checked(library.dds_dynamic_type_set_extensibility(structure, _FINAL), name)
     for index, field in enumerate(fields_on_the_wire(lookup(name))):
-        # What is added belongs to the structure from then on.
+        # From here on, added types belong to the structure.
         member = cyclone.MemberDescriptor(
             name=field.name.encode(), id=index, type=_spec(participant, field.type, lookup), index=_AT_THE_END
         )

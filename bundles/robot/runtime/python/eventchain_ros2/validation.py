@@ -1,6 +1,6 @@
-"""What rclpy's message classes accept, checked when a message is written.
+"""Validation of field values as in rclpy's message classes, done when a message is written.
 
-The generated codecs come here only with values whose exact type is not the expected one, so this may be slow.
+The generated codecs call this only for values whose exact type is unexpected, so it may be slow.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ def check(message: Any) -> None:
     """Check all fields of a message.
 
     Raises:
-        AssertionError: a field holds what rclpy would not accept; the text names field, type and value.
+        AssertionError: a field holds a value that rclpy would not accept; the text names field, type and value.
 
     """
     for field in message._definition.fields:
@@ -42,7 +42,7 @@ def check(message: Any) -> None:
 
 
 def as_array(message: Any, name: str, code: str) -> Any:
-    """The value of a field that is a sequence of numbers, in a form that can be appended to a buffer."""
+    """Return the value of a sequence of numbers in a form that can be appended to a buffer."""
     value = getattr(message, name)
     if code == "B" and isinstance(value, (bytes, bytearray)):
         return value
@@ -51,7 +51,7 @@ def as_array(message: Any, name: str, code: str) -> Any:
 
 
 def as_ndarray(message: Any, name: str, dtype: np.dtype[Any], count: int) -> Any:
-    """The value of a field that is a fixed array of numbers, as a numpy array."""
+    """Return the value of a fixed array of numbers as a NumPy array."""
     import numpy as np
 
     check(message)
@@ -78,7 +78,7 @@ def _problem(field: Field, value: Any) -> str:
 
 
 def _is_number_array(field: Field, value: Any) -> bool:
-    """Whether the value is the array type that rclpy itself uses for this field."""
+    """Return whether the value has the array type that rclpy itself uses for this field."""
     code = CODES.get(field.type.base, "?")
     if code in "?c":
         return False

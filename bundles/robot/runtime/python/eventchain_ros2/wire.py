@@ -1,10 +1,10 @@
 """A simulation's publishers and subscriptions on DDS.
 
-What others publish arrives here as the samples of a process outside of the simulation; what the simulation's nodes
-publish goes out when it can be seen. Within the simulation samples stay in memory.
+Samples of other participants arrive here as those of a process outside of the simulation; samples of the simulation's
+nodes are sent when they become visible. Within the simulation samples stay in memory.
 
-Samples are known by their source timestamp, which is unique on a topic: the time in ns at which the sample can be seen,
-and, so that several writers on the topic, or several samples of one instant, never share one, a little more.
+Samples are identified by their source timestamp, which is unique on a topic: the time in ns at which the sample becomes
+visible, plus a small offset that separates writers and simultaneous samples.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from eventchain_ros2.simulation import Process, Publisher, Sample, Simulation, S
 
 
 class Doorbell:
-    """Lets a thread wait for samples, so that who waits for a file descriptor can wait for them, too."""
+    """Waits for samples in a thread, and signals them on a file descriptor."""
 
     def __init__(self, participant: Participant) -> None:
         self.wait_set = WaitSet(participant)
@@ -31,14 +31,14 @@ class Doorbell:
         threading.Thread(target=self._watch, name="samples", daemon=True).start()
 
     def fileno(self) -> int:
-        """Readable when samples have arrived, until `answer`."""
+        """Return the descriptor, which is readable from the arrival of samples until `answer`."""
         return self._source
 
     def answer(self) -> None:
-        """Everything that had arrived has been taken: ring for the next.
+        """Wait for the next samples, after all arrived ones have been taken.
 
         Raises:
-            Exception: whatever keeps samples from being waited for.
+            Exception: any error of the waiting thread.
 
         """
         os.read(self._source, 1)
@@ -61,7 +61,7 @@ class Doorbell:
 
 
 class Inlet:
-    """Publishes to one subscription what its reader receives."""
+    """Publishes the samples of its reader to one subscription."""
 
     def __init__(self, process: Process, subscription: Subscription, reader: Reader) -> None:
         self.process = process
@@ -74,12 +74,12 @@ class Inlet:
         self.received = 0
 
     def decodes(self, data: bytes | bytearray | memoryview) -> bool:
-        """What has arrived has been checked by DDS."""
+        """Accept all samples: DDS has checked them."""
         return True
 
 
 class Outlet:
-    """Writes what one publisher publishes; with one end on DDS it is a subscription without a callback."""
+    """Writes the samples of one publisher; for the simulation it is a subscription without a callback."""
 
     def __init__(self, process: Process, publisher: Publisher, writer: Writer, wire: Wire) -> None:
         self.process = process
@@ -93,7 +93,7 @@ class Outlet:
 
     @property
     def count(self) -> int:
-        """The subscriptions elsewhere."""
+        """Return the number of remote subscriptions."""
         return self.writer.matched()
 
     def receive(self, sample: Sample) -> None:
@@ -103,17 +103,17 @@ class Outlet:
 
 
 class Stamps:
-    """The source timestamps of a topic's samples: given by others, or made for those that are published here."""
+    """Source timestamps of a topic's samples: received with remote samples, or created for local ones."""
 
     def __init__(self) -> None:
         self.known: dict[int, int] = {}
         self.given: set[int] = set()  # sequences
-        self.turn, self.writers = 0, 1  # which of how many writers on the topic this one is
+        self.turn, self.writers = 0, 1  # index of this writer, and number of writers on the topic
         self._last = 0
         self._next = 0
 
     def of(self, sequence: int, publications: list[tuple[int, int]]) -> int:
-        """The stamp of a sample; those of earlier ones are made first, so that they rise."""
+        """Return the stamp of a sample; those of earlier ones are created first, so that stamps increase."""
         while self._next <= sequence:
             if self._next not in self.known:
                 self._last = self._after(max(publications[self._next][1], self._last + 1))
@@ -122,7 +122,7 @@ class Stamps:
         return self.known[sequence]
 
     def give(self, sequence: int, stamp: int) -> None:
-        """Somebody else's sample."""
+        """Store the stamp of a remote sample."""
         self.known[sequence] = stamp
         self.given.add(sequence)
 
@@ -131,12 +131,12 @@ class Stamps:
 
 
 class Wire:
-    """Connects all publishers and subscriptions that nodes of a simulation make with writers and readers.
+    """Connects all publishers and subscriptions of a simulation's nodes with writers and readers.
 
     Args:
-        participant: theirs.
-        doorbell: rings for their samples.
-        simulation: of the nodes.
+        participant: their participant.
+        doorbell: notification of their samples.
+        simulation: simulation of the nodes.
 
     """
 
@@ -153,7 +153,7 @@ class Wire:
         simulation.bridge = self
 
     def opened(self, endpoint: Any) -> None:
-        """Make a writer or reader for it. Histories are kept in the simulation: on DDS nothing is dropped."""
+        """Create a writer or reader for an endpoint. The simulation keeps histories: DDS drops no samples."""
         self._require_unsealed(endpoint, "makes")
         arguments = endpoint.topic.name, endpoint.type_name, _without_history(endpoint.qos_profile)
         if hasattr(endpoint, "matched"):
@@ -166,7 +166,7 @@ class Wire:
             self.inlets.append(inlet)
 
     def closed(self, endpoint: Any) -> None:
-        """Close its writer or reader. It stays in the list, since the others count on it."""
+        """Close the writer or reader of an endpoint. It stays in the list, whose indices others use."""
         self._require_unsealed(endpoint, "destroys")
         for outlet in self.outlets:
             if outlet.publisher is endpoint:
@@ -177,7 +177,7 @@ class Wire:
                 inlet.reader.close()
 
     def seal(self) -> None:
-        """Let nobody make or destroy ends any more: all others are told who is there, and count what flows."""
+        """Forbid new or destroyed endpoints: all others know the endpoints, and count their samples."""
         self._is_sealed = True
 
     def _require_unsealed(self, endpoint: Any, verb: str) -> None:
@@ -186,13 +186,13 @@ class Wire:
             raise LateEndpointError(f"the node {verb} a {kind} of {endpoint.topic.name} while it runs")
 
     def take_turns(self, turns: list[list[int]]) -> None:
-        """Tell the writer of each outlet which of how many writers on its topic it is, from 0."""
+        """Set the index of each outlet's writer among those on its topic, from 0, and their number."""
         for outlet, (turn, writers) in zip(self.outlets, turns, strict=True):
             stamps = self._stamps_of(outlet.topic.name)
             stamps.turn, stamps.writers = turn, writers
 
     def collect(self) -> bool:
-        """Take what has arrived, to be published in a moment; whether there was something."""
+        """Take the arrived samples for a later `deliver`; return whether there were any."""
         before = len(self._arrived)
         for inlet in self.inlets:
             if inlet.matched:
@@ -203,11 +203,11 @@ class Wire:
 
     @property
     def has_samples(self) -> bool:
-        """Whether something was collected and is not yet published."""
+        """Return whether collected samples are not yet published."""
         return bool(self._arrived)
 
     def deliver(self) -> None:
-        """Publish what was collected now, in the order of its making, whoever was first."""
+        """Publish the collected samples now, in the order of their source timestamps."""
         self._arrived.sort(key=lambda sample: sample[:2])
         for stamp, topic, inlet, data in self._arrived:
             self._stamps_of(topic).give(len(inlet.topic.publications), stamp)
@@ -215,11 +215,11 @@ class Wire:
         self._arrived.clear()
 
     def stamp(self, topic: Topic, sequence: int) -> int:
-        """The source timestamp of a sample."""
+        """Return the source timestamp of a sample."""
         return self._stamps_of(topic.name).of(sequence, topic.publications)
 
     def publications(self) -> dict[str, list[tuple[int, int]]]:
-        """Stamp and time of all samples that were published here, by topic."""
+        """Return stamp and time of all samples that were published here, by topic."""
         topics = {outlet.topic.name: outlet.topic for outlet in self.outlets}
         return {name: self._published(topic) for name, topic in sorted(topics.items())}
 
@@ -228,7 +228,7 @@ class Wire:
         return [(self.stamp(topic, number), time) for number, time in topic.publications if number not in given]
 
     def events(self) -> list[tuple[str, str, int]]:
-        """What DDS has noticed: `deadline` (missed) or `liveliness` (lost), the topic, and how often."""
+        """Return DDS events: `deadline` (missed) or `liveliness` (lost), the topic, and the count."""
         noticed: list[tuple[str, str, int]] = []
         for inlet in self.inlets:
             if inlet.matched:
@@ -237,7 +237,7 @@ class Wire:
         return [event for event in noticed if event[2]]
 
     def stamped(self, samples: list[tuple[str, int]]) -> list[tuple[str, int]]:
-        """The same samples, known by their stamps."""
+        """Return the samples identified by their stamps."""
         topics = self._simulation.topics
         return [(topic, self.stamp(topics[topic], sequence)) for topic, sequence in samples]
 

@@ -1,6 +1,6 @@
-"""The API of ROS 2's `rclpy`, as far as Eventchain's runtime has it; everything comes from `eventchain_ros2`.
+"""The part of ROS 2's `rclpy` API that Eventchain's runtime supports; implemented in `eventchain_ros2`.
 
-This package stands on `sys.path` only within hosts of nodes and where tests ask for it. Nodes that use it run unchanged
+This package is on `sys.path` only within hosts of nodes and in tests that request it. Nodes that use it run unchanged
 under ROS 2.
 """
 
@@ -16,12 +16,12 @@ from eventchain_ros2.node import Node as _Node
 
 
 def init(*, args: list[str] | None = None, context: Any = None, domain_id: int | None = None, **_: Any) -> None:
-    """Make it possible to create nodes."""
+    """Allow the creation of nodes."""
     _context.init(domain_id)
 
 
 def ok(*, context: Any = None) -> bool:
-    """Whether nodes can be made and run."""
+    """Return whether nodes can be created and run."""
     return _context.ok()
 
 
@@ -31,7 +31,7 @@ def shutdown(*, context: Any = None, uninstall_handlers: bool | None = None) -> 
 
 
 def try_shutdown(*, context: Any = None, uninstall_handlers: bool | None = None) -> None:
-    """Stop all callbacks, if they run."""
+    """Stop all callbacks, if they are running."""
     if _context.ok():
         _context.shutdown()
 
@@ -42,13 +42,13 @@ def create_node(node_name: str, **options: Any) -> _Node:
 
 
 def spin(node: _Node, executor: _Executor | None = None) -> None:
-    """Run the callbacks of the node until one of them ends that; in simulated time a host does it."""
+    """Run the callbacks of the node until one of them stops this; in simulated time a host does it."""
     with _running(node, executor) as runner:
         runner.spin()
 
 
 def spin_once(node: _Node, *, executor: _Executor | None = None, timeout_sec: float | None = None) -> None:
-    """Let time pass until a callback of the node has run, or for this many seconds."""
+    """Let time pass until a callback of the node has run, or for this number of seconds."""
     with _running(node, executor) as runner:
         runner.spin_once(timeout_sec)
 
@@ -67,5 +67,5 @@ def _running(node: _Node, executor: _Executor | None) -> _Iterator[_Executor]:
 def spin_until_future_complete(
     node: _Node, future: Any, executor: Any = None, timeout_sec: float | None = None
 ) -> NoReturn:
-    """Refuse: what makes futures, services and actions, is not part of this runtime."""
+    """Raise an error: futures, services and actions are not part of this runtime."""
     raise NotImplementedError("futures are not part of Eventchain's runtime")

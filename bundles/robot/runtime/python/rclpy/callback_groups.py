@@ -1,4 +1,4 @@
-"""As `rclpy.callback_groups`; each process runs one callback at a time, whatever the group."""
+"""As `rclpy.callback_groups`; each process runs one callback at a time, in any group."""
 
 
 class CallbackGroup:
@@ -10,7 +10,7 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
 
 
 class ReentrantCallbackGroup(CallbackGroup):
-    """Callbacks that may run at the same time; here they do not."""
+    """Callbacks that may run concurrently; here they do not."""
 
 
 __all__ = ["CallbackGroup", "MutuallyExclusiveCallbackGroup", "ReentrantCallbackGroup"]

@@ -5,7 +5,7 @@ from eventchain_ros2.logger import Logger, LoggingSeverity
 
 
 def get_logger(name: str) -> Logger:
-    """A logger that belongs to no node."""
+    """Return a logger without a node."""
     simulation = _context.current()
     return Logger(name, lambda: simulation.now)
 

@@ -8,12 +8,12 @@ from eventchain_ros2.messages import Message, from_cdr, to_cdr
 
 
 def serialize_message(message: Message) -> bytes:
-    """The CDR bytes of a message."""
+    """Return the CDR bytes of a message."""
     return bytes(to_cdr(message))
 
 
 def deserialize_message(serialized_message: bytes, message_type: type) -> Any:
-    """The message of CDR bytes."""
+    """Return the message of CDR bytes."""
     return from_cdr(message_type, serialized_message)
 
 

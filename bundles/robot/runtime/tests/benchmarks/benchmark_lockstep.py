@@ -1,6 +1,6 @@
-"""Prints what the lock-step host costs: start, reset, and a step of 50 ms of a chain of four nodes at 20 Hz.
+"""Prints the cost of the lock-step host: start, reset, and a step of 50 ms of a chain of four nodes at 20 Hz.
 
-Each step brings a PointCloud2 of 2,000 points (32 kB) and a vehicle status; the components do next to nothing.
+Each step has a PointCloud2 of 2,000 points (32 kB) and a vehicle status; the components do almost nothing.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ STEP = 50 * MILLISECOND
 
 
 def configuration() -> dict[str, Any]:
-    """The chain of four nodes."""
+    """Return the configuration of the chain of four nodes."""
     names = ("Detection", "Collision", "Decision", "Control")
     times = {"execution_time_ms": 1.0, "phase_ms": 0.0}
     return {
@@ -42,7 +42,7 @@ def configuration() -> dict[str, Any]:
 
 
 def world(messages: Messages) -> list[tuple[int, bytes]]:
-    """The samples of a step."""
+    """Return the samples of a step."""
     fields = [messages.get("sensor_msgs/msg/PointField")(name=name, datatype=7, count=1) for name in "xyzi"]
     cloud = messages.get("sensor_msgs/msg/PointCloud2")(width=2000, point_step=16, data=bytes(32000), fields=fields)
     status = messages.get("carla_msgs/msg/CarlaEgoVehicleStatus")(velocity=13.9)
@@ -50,12 +50,12 @@ def world(messages: Messages) -> list[tuple[int, bytes]]:
 
 
 def show(what: str, seconds: float, unit: float = 1e6) -> None:
-    """Print a figure."""
+    """Print a measured value."""
     print(f"{what:56}{seconds * unit:10.1f} {'us' if unit == 1e6 else 'ms'}")
 
 
 def measure_processes(samples: list[tuple[int, bytes]]) -> None:
-    """Start, reset and steps of a host in a process of its own."""
+    """Measure start, reset and steps of a host in its own process."""
     start = time.perf_counter()
     with HostProcess(stderr=subprocess.DEVNULL) as host:
         host.configure(configuration())
@@ -77,7 +77,7 @@ def measure_processes(samples: list[tuple[int, bytes]]) -> None:
 
 
 def measure_scenario(samples: list[tuple[int, bytes]]) -> None:
-    """Steps without the pipes."""
+    """Measure steps without the pipes."""
     scenario = Scenario(configuration())
     scenario.start(sys.path)
     payloads = [memoryview(step_payload(number * STEP, *samples)) for number in range(1, STEPS + 1)]
@@ -88,7 +88,7 @@ def measure_scenario(samples: list[tuple[int, bytes]]) -> None:
 
 
 def measure_codec(messages: Messages) -> None:
-    """Messages on their own."""
+    """Measure single messages."""
     scan_class = messages.get("sensor_msgs/msg/LaserScan")
     scan = scan_class(ranges=[1.0] * 360)
     for name, message in (("LaserScan of 360 beams", from_cdr(scan_class, to_cdr(scan))),):

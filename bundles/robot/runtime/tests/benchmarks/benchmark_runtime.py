@@ -1,4 +1,4 @@
-"""Prints how long `import rclpy` takes with this runtime, and what the codec takes for a scan of 360 beams."""
+"""Prints the times of `import rclpy` with this runtime, and of the codec for a scan of 360 beams."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ ROUNDS = 9
 
 
 def start(statement: str) -> float:
-    """Seconds that a Python takes which runs this; the median."""
+    """Return the median time in s of a Python process that runs this."""
     environment = {**os.environ, "PYTHONPATH": str(SOURCES)}
     taken = []
     for _ in range(STARTS):
@@ -35,10 +35,10 @@ def start(statement: str) -> float:
 
 
 def write_and_read() -> float:
-    """Seconds for a scan of 360 beams and as many intensities to bytes and back; the median of some rounds."""
+    """Return the median time in s to encode and decode a scan of 360 beams and intensities."""
     scan_class = Messages().get("sensor_msgs/msg/LaserScan")
     scan = scan_class(ranges=[0.25 * beam for beam in range(360)], intensities=[0.0] * 360)
-    scan = from_cdr(scan_class, to_cdr(scan))  # with arrays, as a driver has it
+    scan = from_cdr(scan_class, to_cdr(scan))  # with arrays, as a driver sends it
     taken = []
     for _ in range(ROUNDS):
         before = time.perf_counter()
@@ -49,7 +49,7 @@ def write_and_read() -> float:
 
 
 def main() -> None:
-    """Print the figures."""
+    """Print the measured values."""
     empty = start("pass")
     for statement in ("import rclpy", NODE):
         print(f"{start(statement) - empty:.3f} s beyond an empty interpreter ({empty:.3f} s): {statement}")

@@ -6,5 +6,5 @@ _Class = TypeVar("_Class", bound=type)
 
 
 def final(cls: _Class) -> _Class:
-    """Mark a type to which nobody adds fields. Here every type is one."""
+    """Mark a type as not extensible. Here every type is final."""
     return cls

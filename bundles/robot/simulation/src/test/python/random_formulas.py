@@ -1,11 +1,11 @@
-"""Write random formulas and what rtamt makes of them: `random_formulas.py FILE`.
+"""Write random formulas with the robustness that rtamt computes: `random_formulas.py FILE`.
 
-Each line is a JSON array: the formula as Eventchain writes it, a value of `ego.speed` for each sample, and the
+Each line is a JSON array: the formula in Eventchain's syntax, a value of `ego.speed` for each sample, and the
 robustness at the first sample. Recorded with rtamt 0.4.10 (BSD-3-Clause), whose ANTLR runtime does not install on
 every Python that Eventchain supports, so that the results are kept and not computed in each build.
 
-Where the two disagree by design nothing is generated: rtamt takes a `rise` at the first sample for one, and judges
-what lies beyond the end of a run.
+Cases in which the two disagree by design are left out: rtamt counts a `rise` at the first sample, and judges samples
+beyond the end of a run.
 """
 
 from __future__ import annotations
@@ -26,20 +26,20 @@ chance = random.Random(20261122)
 
 
 def comparison() -> tuple[str, str]:
-    """A comparison, as Eventchain and as rtamt write it."""
+    """Return a comparison in the syntax of Eventchain and of rtamt."""
     operator, limit = chance.choice(["<", "<=", ">", ">="]), chance.randrange(5)
     return f"(ego.speed {operator} {limit} m/s)", f"(speed {operator} {limit})"
 
 
 def interval() -> tuple[str, str, int]:
-    """An interval, and the first sample that belongs to it."""
+    """Return an interval and its first sample."""
     start = chance.randrange(LATEST)
     end = start + chance.randrange(LATEST)
     return f"[{start / 100:.2f}, {end / 100:.2f}]", f"[{start}:{end}]", start
 
 
 def formula(depth: int, earliest: int) -> tuple[str, str]:
-    """A formula that is evaluated at samples from `earliest` on."""
+    """Return a formula that is evaluated at samples from `earliest` on."""
     if depth == 0:
         return comparison()
     kind = chance.randrange(8)
@@ -69,7 +69,7 @@ def formula(depth: int, earliest: int) -> tuple[str, str]:
 
 
 def robustness(text: str, values: list[int]) -> float:
-    """What rtamt makes of a formula at the first sample."""
+    """Return the robustness of a formula at the first sample by rtamt."""
     specification = rtamt.StlDiscreteTimeOfflineSpecification()
     specification.declare_var("speed", "float")
     specification.spec = text

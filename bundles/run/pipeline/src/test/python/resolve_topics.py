@@ -1,4 +1,4 @@
-"""What the runtime makes of names of topics: reads them as a JSON array, writes the full ones, null for those refused."""
+"""Resolves topic names with the runtime: reads a JSON array of names, writes the full names, null for rejected ones."""
 
 import json
 import sys
@@ -9,7 +9,7 @@ from rclpy.node import Node
 
 
 def resolved(node, topic):
-    """The full name of a topic, or nothing if there cannot be one."""
+    """Returns the full name of a topic, or None if the name is illegal."""
     try:
         return node.resolve_topic_name(topic)
     except InvalidTopicNameException:

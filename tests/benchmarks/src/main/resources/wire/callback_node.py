@@ -1,4 +1,4 @@
-"""Publishes on /PREFIX_back, from the callback, what it hears on /PREFIX_out.
+"""Publishes the messages of /PREFIX_out on /PREFIX_back, from the callback.
 
 Arguments: PREFIX, type, history (depth, all) and reliability (reliable, best_effort).
 """

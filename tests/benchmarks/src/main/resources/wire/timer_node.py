@@ -1,4 +1,4 @@
-"""The generated node of the runtime's tests; prints when its timer is due first and the period (ns).
+"""Runs the generated node of the runtime's tests; prints the first due time of its timer and the period (ns).
 
 Argument: the folder of its package.
 """

@@ -1,4 +1,4 @@
-"""Stands for the vehicle: sends scans and speeds to generated nodes in other processes, and prints what comes back.
+"""Acts as the vehicle: sends scans and speeds to generated nodes in other processes, and prints their answers.
 
     python peer.py    (with the generated package on the path)
 """

@@ -1,6 +1,6 @@
-"""Compares what the files of a ROS 2 package import with what its package.xml names: python dependencies.py FOLDER.
+"""Compares the imports of a ROS 2 package with the dependencies in its package.xml: python dependencies.py FOLDER.
 
-Prints the imports that are not named.
+Prints the imports without a dependency.
 """
 
 import ast
@@ -8,12 +8,12 @@ import sys
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-# What rosdep calls modules that do not come from packages of ROS 2.
+# Keys of rosdep for modules that are not from ROS 2 packages.
 KEYS = {"numpy": "python3-numpy", "pytest": "python3-pytest", "setuptools": "python3-setuptools"}
 
 
 def imported(file):
-    """The first parts of the names of what a file imports from elsewhere."""
+    """Yields the top-level names of the absolute imports of a file."""
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             yield from (alias.name.partition(".")[0] for alias in node.names)
@@ -22,7 +22,7 @@ def imported(file):
 
 
 def main(folder):
-    """Print what is missing."""
+    """Prints the missing dependencies."""
     root = ElementTree.parse(folder / "package.xml").getroot()
     named = {each.text for each in root if each.tag.endswith("_depend")}
     own = {root.findtext("name"), "conftest"}

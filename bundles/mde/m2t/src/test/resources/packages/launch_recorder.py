@@ -1,7 +1,7 @@
 """Executes a launch file against stand-ins for launch and launch_ros: python launch_recorder.py FILE [NAME:=VALUE]...
 
-They record what they are given, as JSON, and know no more arguments than what generated files use; whether ROS 2's
-own classes take these is not shown by that.
+They record their arguments as JSON and accept only those that generated files use. This does not show that the
+classes of ROS 2 accept them.
 """
 
 import json
@@ -11,7 +11,7 @@ from types import ModuleType
 
 
 def recorder(name, *positional, keywords=()):
-    """A class that records its arguments, under the names of its positional ones."""
+    """Returns a stand-in for a class that records its arguments by name."""
 
     def record(*values, **options):
         unknown = set(options) - set(keywords)
@@ -23,24 +23,24 @@ def recorder(name, *positional, keywords=()):
 
 
 class LaunchConfiguration(dict):
-    """Records its name, and has the value of the command line; else none, as if that were the default."""
+    """Records its name; its value is that of the command line, or empty as if that were the default."""
 
     def __init__(self, name):
         super().__init__({"class": "LaunchConfiguration", "name": name})
 
     def perform(self, context):
-        """Its value."""
+        """Returns the value."""
         return context.get(self["name"], "")
 
 
 def started(function):
-    """Records what the function starts."""
+    """Records the entities that a function returns."""
     arguments = dict(argument.split(":=") for argument in sys.argv[2:])
     return {"class": "OpaqueFunction", "entities": function(arguments)}
 
 
 def provide(module, **members):
-    """Make a module importable."""
+    """Makes a module importable."""
     sys.modules[module] = ModuleType(module)
     vars(sys.modules[module]).update(members)
 

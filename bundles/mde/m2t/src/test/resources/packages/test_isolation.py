@@ -1,4 +1,4 @@
-"""Where the generated tests of a package take place."""
+"""Isolation of the generated tests of a package."""
 
 import os
 
@@ -6,7 +6,7 @@ import rclpy
 
 
 def test_isolation(monkeypatch, request):
-    """In a domain of their own, on this machine."""
+    """The tests run in their own domain, on this machine only."""
     given = []
     init = rclpy.init
     monkeypatch.setattr(rclpy, "init", lambda **options: given.append(options) or init(**options))

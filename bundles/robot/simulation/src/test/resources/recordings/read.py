@@ -1,4 +1,4 @@
-"""Reads a recording by rosbags and by mcap-ros2-support, compares all they say, and prints what there is as JSON."""
+"""Reads a recording with rosbags and mcap-ros2-support, compares the results, and prints them as JSON."""
 
 import dataclasses
 import json
@@ -14,9 +14,9 @@ from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
 
 def same(one, other):
-    """Whether a value of rosbags is one of mcap-ros2-support."""
+    """Return whether a value of rosbags equals one of mcap-ros2-support."""
     if dataclasses.is_dataclass(one):
-        # Constants, in capitals, are fields of the one and none of the other.
+        # Constants, in capitals, are fields of only one of the readers.
         names = [name for name in (field.name for field in dataclasses.fields(one)) if name != name.upper() and name[0] != "_"]
         return sorted(names) == sorted(other.__slots__) and all(same(getattr(one, n), getattr(other, n)) for n in names)
     if isinstance(one, numpy.ndarray):
@@ -28,7 +28,7 @@ def same(one, other):
 
 
 def by_rosbags(path):
-    """Time, topic, bytes and value of each message."""
+    """Return time, topic, bytes and value of each message."""
     store = get_typestore(Stores.EMPTY)
     with Reader(path) as reader:
         for connection in reader.connections:
@@ -42,7 +42,7 @@ def by_rosbags(path):
 
 
 def by_mcap(path):
-    """The same by the reference reader, with all checksums."""
+    """Return the same from the reference reader, which verifies all checksums."""
     with path.open("rb") as file:
         list(StreamReader(file, validate_crcs=True, emit_chunks=False).records)
         file.seek(0)

@@ -7,15 +7,14 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 
 /**
- * What an agent works with.
+ * The context of an agent.
  *
  * @param model the language model that is asked
- * @param repairs how often an answer that failed its checks goes back to the model with what was
- *     found; 0 or more
- * @param accepted whether people have decided to live with a finding, which then sends no answer
- *     back
- * @param progress is told in a few words what happens, on the thread of the agent
- * @param exchanges is told of each answer, whatever becomes of it
+ * @param repairs the maximal number of times that a failed answer goes back to the model with its
+ *     findings; 0 or more
+ * @param accepted true for findings that the user has suppressed; they send no answer back
+ * @param progress receives short progress messages, on the thread of the agent
+ * @param exchanges receives each answer, accepted or not
  */
 public record AgentContext(
     ChatModel model,
@@ -23,10 +22,10 @@ public record AgentContext(
     Predicate<Diagnostic> accepted,
     Consumer<String> progress,
     Consumer<Exchange> exchanges) {
-  /** How often a failed answer goes back when nothing else is said. */
+  /** Default number of repairs. */
   public static final int DEFAULT_REPAIRS = 3;
 
-  /** Checks what the parameters promise. */
+  /** Validates the parameters. */
   public AgentContext {
     Objects.requireNonNull(model);
     Objects.requireNonNull(accepted);
@@ -37,7 +36,7 @@ public record AgentContext(
     }
   }
 
-  /** A context with the usual number of repairs that does not report its progress. */
+  /** Returns a context with the default number of repairs and no progress reports. */
   public static AgentContext of(ChatModel model) {
     return new AgentContext(
         model, DEFAULT_REPAIRS, finding -> false, message -> {}, exchange -> {});

@@ -5,13 +5,12 @@ import dev.eventchain.llm.chat.ChatResponse;
 import java.util.List;
 
 /**
- * What an agent produced.
+ * The result of an agent.
  *
- * @param text the artefact, normalised: the text of a file with LF line ends and a line break at
- *     its end
+ * @param text the artefact, normalised: a file's text with LF line ends and a final line break
  * @param prompt the prompt that was used and its version, {@code design/v1}
  * @param attempts the model's answers in their order; the last one holds the artefact
- * @param diagnostics what remains to be said about the artefact; no errors
+ * @param diagnostics remaining findings about the artefact; no errors
  */
 public record AgentResult(
     String text, String prompt, List<Attempt> attempts, List<Diagnostic> diagnostics) {
@@ -19,7 +18,7 @@ public record AgentResult(
    * One answer of the model.
    *
    * @param response the answer as it came
-   * @param findings what its checks found
+   * @param findings findings of its checks
    */
   public record Attempt(ChatResponse response, List<Diagnostic> findings) {
     /** Keeps its own copy. */

@@ -9,8 +9,8 @@ import dev.eventchain.jsonmodels.JsonDocument;
 import java.util.Set;
 
 /**
- * What components may cost, in descriptions of components. It says nothing about what they do, so
- * prompts leave it out: a new budget needs no new answer.
+ * Budgets of components in chain descriptions. They do not affect behaviour, so prompts leave them
+ * out: a new budget needs no new answer.
  */
 final class Budgets {
   private static final Set<String> KEYS =
@@ -18,14 +18,14 @@ final class Budgets {
 
   private Budgets() {}
 
-  /** The same components without budgets, as an array. */
+  /** Returns the components without budgets, as an array. */
   static String without(SourceText components) {
     JsonNode json = EventChainSchema.components(JsonDocument.parse(components).root()).deepCopy();
     json.forEach(Budgets::remove);
     return JsonLayout.of(json) + "\n";
   }
 
-  /** The same component without budgets. */
+  /** Returns the component without budgets. */
   static JsonNode without(JsonNode component) {
     JsonNode copy = component.deepCopy();
     remove(copy);

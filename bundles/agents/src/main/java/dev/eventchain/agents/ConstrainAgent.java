@@ -21,19 +21,19 @@ public final class ConstrainAgent {
 
   private final AgentContext context;
 
-  /** An agent that works with a context. */
+  /** Creates an agent for a context. */
   public ConstrainAgent(AgentContext context) {
     this.context = context;
   }
 
   /**
-   * Formalizes design rules. Each constraint is proved to say something: a model for which it holds
-   * and one for which it fails are found among the given model and its changes.
+   * Formalizes design rules. Each constraint is proved to be non-trivial: a model that satisfies it
+   * and one that violates it are found among the given model and its changes.
    *
    * @param metamodel the text of the metamodel, an Ecore file
    * @param packages the same metamodel, loaded
-   * @param rules the design rules; every one is covered by a constraint
-   * @param model roots of a model of the metamodel; it is not changed and may violate constraints
+   * @param rules the design rules, each to be covered by a constraint
+   * @param model roots of a model of the metamodel; it stays unchanged and may violate constraints
    * @return a Complete OCL document, {@code generated.ocl}
    * @throws dev.eventchain.diagnostics.DiagnosticException FINDINGS if no answer passed its checks;
    *     and as the model throws

@@ -25,8 +25,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * Designs an event chain from requirements and the software that exists (the paper's Section IV-A
- * and Appendix A).
+ * Designs an event chain from requirements and existing software (the paper's Section IV-A and
+ * Appendix A).
  */
 public final class DesignAgent {
   private static final PromptTemplate PROMPT = PromptTemplate.load("design/v1");
@@ -34,7 +34,7 @@ public final class DesignAgent {
 
   private final AgentContext context;
 
-  /** An agent that works with a context. */
+  /** Creates an agent for a context. */
   public DesignAgent(AgentContext context) {
     this.context = context;
   }
@@ -42,12 +42,12 @@ public final class DesignAgent {
   /**
    * Designs a chain.
    *
-   * @param system what the system is called: "Autonomous Emergency Braking"
+   * @param system name of the system: "Autonomous Emergency Braking"
    * @param frequency Hz, for new components unless the requirements ask for another one
-   * @param requirements the functional requirements; every one is taken on by a component
-   * @param designRules what is asked of the chain as a whole; empty where nothing is
+   * @param requirements the functional requirements, each to be assigned to a component
+   * @param designRules requirements on the chain as a whole; may be empty
    * @param base the existing components and signals
-   * @param messages the message types that there are
+   * @param messages the available message types
    * @return the event-chain description {@code chain.json}
    * @throws dev.eventchain.diagnostics.DiagnosticException FINDINGS if no answer passed its checks;
    *     and as the model throws

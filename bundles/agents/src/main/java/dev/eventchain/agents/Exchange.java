@@ -7,10 +7,10 @@ import java.util.List;
 /**
  * A question to a language model and its answer, as a part of a conversation.
  *
- * @param task what the conversation is for
- * @param file the name of the file that it is to give
+ * @param task the task of the conversation
+ * @param file the name of the file that the answer becomes
  * @param question the last message to the model
- * @param findings what was wrong with the answer
+ * @param findings the findings about the answer
  */
 public record Exchange(
     String task, String file, String question, ChatResponse answer, List<Diagnostic> findings) {

@@ -30,9 +30,9 @@ public final class ImplementAgent {
   private final ComponentProbe probe;
 
   /**
-   * An agent that works with a context.
+   * Creates an agent for a context.
    *
-   * @param probe checks the answers, and calls them in a confined process
+   * @param probe the probe that checks the answers, and calls them in a confined process
    */
   public ImplementAgent(AgentContext context, ComponentProbe probe) {
     this.context = context;
@@ -44,9 +44,8 @@ public final class ImplementAgent {
    *
    * @param chain the event-chain description
    * @param component the name of the component in it
-   * @param requirements the functional requirements, of which the component's own are shown to the
-   *     model
-   * @param tests that the component must pass, if it has any
+   * @param requirements the functional requirements, of which the model sees those of the component
+   * @param tests the tests that the component must pass, if it has any
    * @return the Python file {@code components/NAME.py}
    * @throws IllegalArgumentException if the chain has no such component
    * @throws dev.eventchain.diagnostics.DiagnosticException FINDINGS if no answer passed its checks;
@@ -68,17 +67,17 @@ public final class ImplementAgent {
   }
 
   /**
-   * Corrects a component that fails in the simulation of the whole.
+   * Corrects a component that fails in the simulation of the whole chain.
    *
    * @param chain the event-chain description
    * @param component the name of the component in it
-   * @param requirements as of {@link #implement}
-   * @param tests that the component must pass, if it has any
-   * @param present the component as it is
-   * @param verdict what failed, with what the component read and wrote around that time
-   * @return the Python file; the present one if the model finds nothing wrong with it
+   * @param requirements as in {@link #implement}
+   * @param tests the tests that the component must pass, if it has any
+   * @param present the present code of the component
+   * @param verdict the failure, with the component's inputs and outputs around that time
+   * @return the Python file; the present one if the model finds no fault in it
    * @throws IllegalArgumentException if the chain has no such component
-   * @throws dev.eventchain.diagnostics.DiagnosticException as of {@link #implement}
+   * @throws dev.eventchain.diagnostics.DiagnosticException as in {@link #implement}
    */
   public AgentResult correct(
       SourceText chain,

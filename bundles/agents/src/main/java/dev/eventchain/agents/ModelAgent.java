@@ -24,8 +24,8 @@ import org.eclipse.emf.ecore.EObject;
 
 /**
  * Models an event chain as a conceptual instance model (the paper's Section IV-B). The model that
- * is read directly from the same description checks the answer, so that a slip of the language
- * model shows.
+ * is derived directly from the same description checks the answer, which reveals errors of the
+ * language model.
  */
 public final class ModelAgent {
   private static final PromptTemplate PROMPT = PromptTemplate.load("model/v1");
@@ -36,20 +36,20 @@ public final class ModelAgent {
 
   private final AgentContext context;
 
-  /** An agent that works with a context. */
+  /** Creates an agent for a context. */
   public ModelAgent(AgentContext context) {
     this.context = context;
   }
 
   /**
-   * Models a chain, without its budgets: see {@link SoftwareBase#addBudgets}.
+   * Models a chain without its budgets: see {@link SoftwareBase#addBudgets}.
    *
    * @param metamodel the text of the metamodel of event chains, an Ecore file
    * @param chain the event-chain description
    * @param name the chain's name
    * @param requirements the functional requirements
-   * @param base what exists already
-   * @return a conceptual instance model, JSON that {@link InstanceModeler} turns into the model
+   * @param base the existing software
+   * @return a conceptual instance model, in the JSON that {@link InstanceModeler} reads
    * @throws dev.eventchain.diagnostics.DiagnosticException FINDINGS if no answer passed its checks;
    *     and as the model throws
    */

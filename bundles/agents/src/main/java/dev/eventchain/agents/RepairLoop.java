@@ -24,7 +24,7 @@ import java.util.function.Function;
 import java.util.function.UnaryOperator;
 
 /**
- * Asks, checks the answer, and sends what was found back into the same conversation until the
+ * Asks the model, checks the answer, and returns its findings to the same conversation until an
  * answer passes.
  */
 final class RepairLoop {
@@ -36,10 +36,10 @@ final class RepairLoop {
   private UnaryOperator<SourceText> reading = UnaryOperator.identity();
 
   /**
-   * Prepares a loop.
+   * Creates a loop.
    *
    * @param task the task of the requests
-   * @param kind what an answer holds
+   * @param kind the kind of artefact in an answer
    */
   RepairLoop(AgentContext context, String task, AnswerKind kind) {
     this.context = context;
@@ -47,7 +47,7 @@ final class RepairLoop {
     this.kind = kind;
   }
 
-  /** Turns the artefact of each answer into the form that is checked and kept. */
+  /** Sets the conversion of each artefact to the form that is checked and kept. */
   RepairLoop reading(UnaryOperator<SourceText> form) {
     reading = form;
     return this;
@@ -58,10 +58,11 @@ final class RepairLoop {
    *
    * @param file the name of the file that the artefact becomes, which findings point to
    * @param template the prompt
-   * @param values what its places are filled with
+   * @param values the values of its placeholders
    * @param schema the JSON Schema of the answer, if it has one
-   * @param check finds what is wrong with an artefact; errors that are not suppressed send it back
-   * @throws DiagnosticException FINDINGS with what was wrong with the last answer
+   * @param check returns the findings about an artefact; errors that are not suppressed send it
+   *     back
+   * @throws DiagnosticException FINDINGS about the last answer
    */
   AgentResult run(
       String file,
@@ -74,11 +75,11 @@ final class RepairLoop {
   }
 
   /**
-   * Goes on with a conversation.
+   * Continues a conversation.
    *
    * @param file as above
-   * @param prompt the name of the prompt that it began with
-   * @param conversation ends with what the model is to answer
+   * @param prompt the name of its first prompt
+   * @param conversation the messages, the last one for the model to answer
    */
   AgentResult run(
       String file,
@@ -119,7 +120,7 @@ final class RepairLoop {
     }
   }
 
-  /** Who gets no further answer wants to know what was wrong with the answer before. */
+  /** Adds the findings about the previous answer to the reason why there is no further one. */
   private DiagnosticException explained(
       String file, DiagnosticException problem, List<Attempt> attempts) {
     List<Diagnostic> refused =

@@ -17,15 +17,15 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Proposes the tests of a component from its requirements and its description, without having seen
- * any code. People may edit what is proposed.
+ * Proposes tests of a component from its requirements and its description, without access to code.
+ * The user may edit the proposal.
  */
 public final class TestAgent {
   private static final PromptTemplate PROMPT = PromptTemplate.load("test/v1");
 
   private final AgentContext context;
 
-  /** An agent that works with a context. */
+  /** Creates an agent for a context. */
   public TestAgent(AgentContext context) {
     this.context = context;
   }
@@ -36,7 +36,7 @@ public final class TestAgent {
    * @param chain the event-chain description
    * @param component the name of the component in it
    * @param requirements the functional requirements
-   * @return the tests in JSON, which is YAML, too: see {@link ComponentTester}
+   * @return the tests in JSON, hence also YAML: see {@link ComponentTester}
    * @throws IllegalArgumentException if the chain has no such component
    * @throws dev.eventchain.diagnostics.DiagnosticException FINDINGS if no answer passed its checks;
    *     and as the model throws

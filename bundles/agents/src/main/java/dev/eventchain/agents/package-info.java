@@ -1,5 +1,5 @@
 /**
- * One agent for each task of the workflow, and the loop that has answers checked and repaired.
- * Knows no provider of language models and no files of a run.
+ * Agents, one for each task of the workflow, and the loop that checks and repairs answers.
+ * Independent of the providers of language models and of the files of a run.
  */
 package dev.eventchain.agents;

@@ -23,7 +23,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The schemas that go along with the tasks which answer in JSON. */
+/** The schemas of the tasks that answer in JSON. */
 class AnswerSchemasTest {
   private static final JsonMapper MAPPER = new JsonMapper();
   private static final Path EXPECTED = Path.of("src/test/resources/schemas");
@@ -32,7 +32,7 @@ class AnswerSchemasTest {
     return ExampleRecordingsTest.examples();
   }
 
-  /** The schema of each task that has one. */
+  /** Returns the schema of each task that has one. */
   private static Map<String, AnswerSchema> schemas(ExampleWorkflow example) {
     Map<String, AnswerSchema> schemas = new LinkedHashMap<>();
     ChatModel replay =
@@ -65,7 +65,7 @@ class AnswerSchemasTest {
     return schema.toPrettyString().replace("\r\n", "\n") + "\n";
   }
 
-  /** The schema that is in a recording is the one that was sent. */
+  /** The schema in a recording is the one that was sent. */
   @ParameterizedTest
   @MethodSource("examples")
   void theAuthoredAnswersSatisfyTheSchemasThatTheyWereAskedWith(ExampleWorkflow example)

@@ -18,8 +18,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
- * The bad answers next to this test: how many there are, and of which kinds. The tests of the
- * single tasks hold each of them to the exact findings in the file next to it.
+ * The invalid answers next to this test: their number and kinds. The tests of the single tasks
+ * compare each of them with the findings in the file next to it.
  */
 class CorpusTest {
   private static final Path RESOURCES = Path.of("src/test/resources");
@@ -33,7 +33,7 @@ class CorpusTest {
           "answers/python",
           "answers/ocl");
 
-  /** What is known to go wrong in answers of language models. */
+  /** Known kinds of faults in answers of language models. */
   private static final Set<String> KNOWN =
       Set.of(
           "fences",
@@ -103,7 +103,7 @@ class CorpusTest {
     assertEquals(new TreeSet<>(KNOWN), all);
   }
 
-  /** The answers beside whose name stands an error. */
+  /** Returns the answers whose expected findings contain an error. */
   private static List<String> refused() throws IOException {
     List<String> refused = new ArrayList<>();
     for (String folder : FOLDERS) {

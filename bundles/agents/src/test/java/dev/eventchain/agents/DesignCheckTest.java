@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Designed chains with one fault each, and what is found in them. */
+/** Designed chains with one fault each, and the findings about them. */
 class DesignCheckTest {
   private static final Path RESOURCES = Path.of("src/test/resources");
   private static final Path BASE = Path.of("src/test/resources/design/base");
@@ -64,9 +64,7 @@ class DesignCheckTest {
     assertEquals(1, repair.split("reads /sensor/distance", -1).length - 1);
   }
 
-  /**
-   * As strict modes give it: an object around the array, and null where there is nothing to say.
-   */
+  /** Strict modes give an object around the array, and null for empty properties. */
   @Test
   void anAnswerInTheShapeOfTheSchemaBecomesTheArray() {
     String array = SourceText.read(RESOURCES.resolve("design/valid.json")).text();

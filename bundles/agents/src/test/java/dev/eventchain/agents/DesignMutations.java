@@ -23,7 +23,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Predicate;
 
-/** Changes of designed chains. */
+/** Mutations of designed chains. */
 final class DesignMutations {
   private static final String PORT = "/\\*/(input|output)/\\*";
   private static final String VALUE = PORT + "/values/\\*";

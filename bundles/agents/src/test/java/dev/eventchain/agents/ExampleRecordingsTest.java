@@ -19,8 +19,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * The recordings of the examples answer their prompts. When a prompt has changed, run this test
- * with {@code -Drecordings.update=true}: the changed prompts are then given the answers of the
- * recordings that they replace.
+ * with {@code -Drecordings.update=true}: it gives the changed prompts the answers of the recordings
+ * that they replace.
  */
 class ExampleRecordingsTest {
   private static final String STALE =

@@ -16,11 +16,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Each task of each example with a slip in its first answer, one that the task's checks have to
- * see: it goes back with what is wrong, and the recorded answer repairs it.
+ * Each task of each example with a fault in its first answer that the task's checks must detect.
+ * The answer goes back with the findings, and the recorded answer repairs it.
  */
 class ExampleRepairTest {
-  /** What is right in a task's answer, and a slip in its place. */
+  /** Correct text in a task's answer, and its faulty replacement. */
   private static final Map<String, Slip> SLIPS =
       Map.of(
           "design", new Slip("\"frequency\":", "\"freqency\":"),
@@ -31,7 +31,7 @@ class ExampleRepairTest {
 
   private record Slip(String right, String wrong) {}
 
-  /** Answers as recorded, but the first of each conversation with a slip. */
+  /** The recorded answers, with a fault in the first answer of each conversation. */
   private record Slipping(ChatModel recorded) implements ChatModel {
     @Override
     public ChatResponse chat(ChatRequest request) {
@@ -57,7 +57,7 @@ class ExampleRepairTest {
   @ParameterizedTest
   @MethodSource("examples")
   void everyTaskRepairsASlip(ExampleWorkflow example) {
-    // Each prompt is asked twice, and recorded once.
+    // Each prompt is sent twice, and recorded once.
     ChatModel recorded =
         request ->
             ChatModels.open("replay", ExampleWorkflow.MODEL, example.recordings(), false)

@@ -21,7 +21,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * The tasks of an example with the inputs that its project gives them.
+ * The tasks of an example with the inputs of its project.
  *
  * @param folder of the example
  * @param name in its configuration
@@ -47,7 +47,7 @@ record ExampleWorkflow(String folder, String name, String title, double frequenc
     return project().resolve("recordings");
   }
 
-  /** Does every task and returns the results by the files they become. */
+  /** Runs every task and returns the results by the name of their file. */
   Map<String, AgentResult> run(ChatModel model) {
     Requirements requirements = read("requirements.md");
     Requirements rules = read("design-rules.md");

@@ -12,9 +12,9 @@ import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** How these tests write findings down. */
+/** Text form of findings in these tests. */
 public final class FindingLines {
-  /** What speaks of files and options. */
+  /** Mentions of files and options. */
   public static final Pattern FILES =
       Pattern.compile(
           "\\.(json|yaml|md|xmi|ecore|msg|py)\\b|(^| )--[a-z]|(?<!['`])\\b[Ff]iles?\\b(?!['`])");
@@ -22,8 +22,8 @@ public final class FindingLines {
   private FindingLines() {}
 
   /**
-   * Compares what was found in an answer with what the file next to it expects. A language model is
-   * told it in words of its answer: names of its own may be there, but no files and options.
+   * Compares the findings about an answer with the expected ones in the file next to it. Texts for
+   * a language model may mention its own names, but no files and options.
    */
   public static void check(Path answer, Collection<Diagnostic> found) throws IOException {
     ExpectedFile.check(ExpectedFile.beside(answer), of(found));
@@ -37,7 +37,7 @@ public final class FindingLines {
     assertFalse(FILES.matcher(words).find(), () -> answer + ":\n" + told);
   }
 
-  /** Findings in a form that is easy to read next to the input. */
+  /** Returns findings in a form that is easy to compare with the input. */
   public static String of(Collection<Diagnostic> diagnostics) {
     StringBuilder out = new StringBuilder();
     for (Diagnostic diagnostic : diagnostics) {

@@ -18,13 +18,13 @@ import java.util.function.BiFunction;
 import java.util.function.Function;
 
 /**
- * An answer that is accepted, with the checks of its task.
+ * An accepted answer, with the checks of its task.
  *
- * @param name where it is from
+ * @param name the source of the answer
  * @param text the whole answer: one block between fences
- * @param existing the names of the components that there are
- * @param check as the agent of the task checks
- * @param differences what one artefact says that the other does not
+ * @param existing the names of the existing components
+ * @param check the checks of the task's agent
+ * @param differences the differences between two artefacts
  */
 record GoodAnswer(
     String name,
@@ -36,18 +36,18 @@ record GoodAnswer(
   private static final JsonMapper MAPPER = new JsonMapper();
 
   /**
-   * What came of an answer.
+   * The result of judging an answer.
    *
    * @param details the findings or the differences
    */
   record Result(Outcome outcome, List<String> details) {}
 
-  /** What stands between the fences. */
+  /** Returns the content between the fences. */
   String block() {
     return text.substring(text.indexOf('\n') + 1, text.lastIndexOf("```"));
   }
 
-  /** The same answer with something else between the fences. */
+  /** Returns the answer with other content between the fences. */
   String withBlock(String block) {
     return text.substring(0, text.indexOf('\n') + 1)
         + block
@@ -55,7 +55,7 @@ record GoodAnswer(
         + text.substring(text.lastIndexOf("```"));
   }
 
-  /** What stands between the fences, as JSON of one's own. */
+  /** Returns the content between the fences, as a new copy of its JSON. */
   JsonNode json() {
     try {
       return MAPPER.readTree(block());
@@ -68,7 +68,7 @@ record GoodAnswer(
     return withBlock(json.toPrettyString());
   }
 
-  /** What comes of a changed answer. */
+  /** Judges a changed answer. */
   Result judge(String changed) {
     AnswerText answer = extract(changed);
     Optional<SourceText> artefact = answer.artefact();

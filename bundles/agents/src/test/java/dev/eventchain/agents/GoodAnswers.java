@@ -148,7 +148,7 @@ final class GoodAnswers {
         .toList();
   }
 
-  /** What is between the common beginning and the common end of two texts, line by line. */
+  /** Returns the lines between the common beginning and the common end of two texts. */
   static List<String> changedLines(SourceText one, SourceText other) {
     List<String> before = new ArrayList<>(one.text().lines().toList());
     List<String> after = new ArrayList<>(other.text().lines().toList());

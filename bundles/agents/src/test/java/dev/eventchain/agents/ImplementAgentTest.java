@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Components as models write them, with one fault each, and what is found in them. */
+/** Components with one fault each, as models write them, and the findings about them. */
 class ImplementAgentTest {
   private static final Path RESOURCES = Path.of("src/test/resources");
   private static final Path FOLDER = Path.of("src/test/resources/implement");

@@ -22,7 +22,7 @@ import java.util.function.Predicate;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 
-/** Changes of answers that are JSON. */
+/** Mutations of JSON answers. */
 final class JsonMutations {
   private static final Pattern LINE_WITH_KEY = Pattern.compile("(?m)^ *\"\\w+\": [^\\[{\\n]*,\\n");
   private static final Pattern NUMBER = Pattern.compile("(?<=: )-?[0-9.]+(?=,?\\n)");
@@ -31,7 +31,7 @@ final class JsonMutations {
 
   private JsonMutations() {}
 
-  /** What holds for JSON of any task. */
+  /** Returns the mutations for JSON of any task. */
   static List<Mutation> all() {
     List<Mutation> all = new ArrayList<>();
     all.addAll(syntax());
@@ -89,7 +89,7 @@ final class JsonMutations {
     node.forEach(child -> shuffle(child, random));
   }
 
-  /** Changes one of the places where a pattern matches in the block. */
+  /** Changes one match of a pattern in the block. */
   static Change replaced(Pattern pattern, BiFunction<String, Random, String> by) {
     return (answer, random) -> {
       String block = answer.block();
@@ -115,12 +115,12 @@ final class JsonMutations {
     };
   }
 
-  /** Changes one of the places that there are. */
+  /** Changes one of the matching places. */
   static Change at(Predicate<Slot> wanted, BiConsumer<Slot, Random> edit) {
     return atNew((slot, existing) -> wanted.test(slot), edit);
   }
 
-  /** As {@link #at}; what is wanted may depend on the component being an existing one. */
+  /** As {@link #at}, with a condition that may depend on whether the component exists. */
   static Change atNew(Wanted wanted, BiConsumer<Slot, Random> edit) {
     return (answer, random) -> {
       JsonNode root = answer.json();
@@ -136,7 +136,7 @@ final class JsonMutations {
     };
   }
 
-  /** Which places are wanted. */
+  /** A condition on places. */
   @FunctionalInterface
   interface Wanted {
     boolean test(Slot slot, boolean existing);
@@ -154,7 +154,7 @@ final class JsonMutations {
     return slot -> pattern.matcher(slot.path()).matches();
   }
 
-  /** The value as somebody writes it who mixes up types. */
+  /** Replaces the value by one of another type. */
   static void ofAnotherType(Slot slot, Random random) {
     JsonNode value = slot.value();
     if (value.isTextual()) {
@@ -166,7 +166,7 @@ final class JsonMutations {
     }
   }
 
-  /** A key as somebody writes it who is used to another case. */
+  /** Writes a key in another case. */
   static void inAnotherCase(Slot slot, Random random) {
     String key = slot.key();
     String upper = key.substring(0, 1).toUpperCase(Locale.ROOT) + key.substring(1);

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Instance models of the one-shot example with one fault each, and what is found in them. */
+/** Instance models of the one-shot example with one fault each, and the findings about them. */
 class ModelCheckTest {
   private static final Path RESOURCES = Path.of("src/test/resources");
 

@@ -19,7 +19,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.function.Predicate;
 
-/** Changes of instance models. */
+/** Mutations of instance models. */
 final class ModelMutations {
   private static final Predicate<Slot> REFERENCE =
       path("/software/\\*/(nextstep|input/\\*|output/\\*|satisfies/\\*)");

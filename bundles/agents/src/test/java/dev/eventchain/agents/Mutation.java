@@ -4,25 +4,25 @@ import java.util.Optional;
 import java.util.Random;
 
 /**
- * A way to change a good answer.
+ * A mutation of an accepted answer.
  *
- * @param name what it does, in words
- * @param outcome what must come of every answer that it makes
- * @param change makes a changed answer; nothing where it has nothing to change
+ * @param name description of the mutation
+ * @param outcome the required outcome of every mutant
+ * @param change returns a mutant; empty if there is nothing to change
  */
 record Mutation(String name, Outcome outcome, Change change) {
 
-  /** What comes of an answer, in comparison with the one that it was made of. */
+  /** Outcomes of a mutant, compared with its original. */
   enum Outcome {
-    /** It goes back to the model, with findings. */
+    /** It is returned to the model, with findings. */
     REJECTED,
-    /** It is accepted, and the artefact says the same. */
+    /** It is accepted, and the artefact is equivalent. */
     EQUAL,
-    /** It is accepted, and comparing the artefacts lists what is different. */
+    /** It is accepted, and comparing the artefacts lists the differences. */
     VISIBLE
   }
 
-  /** Makes a changed answer. */
+  /** Creates a mutant. */
   @FunctionalInterface
   interface Change {
     Optional<String> of(GoodAnswer answer, Random random);

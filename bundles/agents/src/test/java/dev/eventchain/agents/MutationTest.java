@@ -18,14 +18,15 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 /**
- * Changed answers, 2,000 of them usually and 20,000 in the profile {@code thorough}: from each
- * change comes what it declares, and nothing crashes. The same changes are made each time.
+ * Mutants of answers, 2,000 by default and 20,000 in the profile {@code thorough}: each mutation
+ * has its declared outcome, and none crashes. The mutants are the same each time.
  */
 class MutationTest {
   private static final int MUTANTS = Integer.getInteger("mutants", 2000);
 
   /**
-   * Shares of all mutants: components are called in processes, constraints proved on many models.
+   * Shares of all mutants: components are called in processes, and constraints proved on many
+   * models.
    */
   private static final int DESIGNS = 480;
 
@@ -104,7 +105,7 @@ class MutationTest {
     return all;
   }
 
-  /** Takes the mutations in turn, and the answers in turn with each. */
+  /** Runs the mutations in turn, each on the answers in turn. */
   private static void run(List<GoodAnswer> answers, List<Mutation> mutations, int share) {
     for (GoodAnswer answer : answers) {
       Result itself = answer.judge(answer.text());

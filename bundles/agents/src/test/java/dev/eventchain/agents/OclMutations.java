@@ -11,7 +11,7 @@ import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 
-/** Changes of OCL documents. */
+/** Mutations of OCL documents. */
 final class OclMutations {
   private static final String BODY = "(?s)(inv \\w+:\\s*)(.*?)(?=\\n\\n|\\n*$)";
 
@@ -48,7 +48,7 @@ final class OclMutations {
         visible("above for at least", in(">=|<=", found -> found.substring(0, 1))));
   }
 
-  /** Those that take long, since no model is found for which they hold and fail. */
+  /** Returns slow mutations: no model is found that satisfies and violates them. */
   static List<Mutation> slow() {
     return List.of(
         rejected(

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 
-/** What providers document of the schemas that they take in their strict modes. */
+/** Documented limits of providers for schemas in their strict modes. */
 final class ProviderLimits {
   private static final Set<String> EVERYWHERE =
       Set.of(
@@ -61,7 +61,7 @@ final class ProviderLimits {
     return limits.problems;
   }
 
-  /** No recursion at all is less than what it takes. */
+  /** Gemini accepts some recursion; the tasks use none. */
   static List<String> gemini(JsonNode schema) {
     ProviderLimits limits = new ProviderLimits(schema);
     limits.check(!limits.recursive, "recursive");

@@ -11,7 +11,7 @@ import java.util.Random;
 import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 
-/** Changes of Python components. */
+/** Mutations of Python components. */
 final class PythonMutations {
   private static final String CLASS = "(?m)^class ";
   private static final String BODY = "(?m)^ {8}return \\{\"";
@@ -79,8 +79,8 @@ final class PythonMutations {
   }
 
   /**
-   * What only a call shows, where calls are sure to come: what a component with a state does after
-   * some calls with certain values may stay unseen.
+   * Restricts a mutation that only a call reveals to code that is certainly called. In a component
+   * with state, a fault after some calls with certain values may stay undetected.
    */
   private static Change reached(Change change) {
     return (answer, random) ->

@@ -15,7 +15,7 @@ import java.util.Optional;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Designs that language models answered for the AEB example; the README there says when. */
+/** Designs by language models for the AEB example; the README there gives their dates. */
 class RealAnswersTest {
   private static final Path ANSWERS = Path.of("src/test/resources/real-answers");
 
@@ -41,7 +41,7 @@ class RealAnswersTest {
     assertEquals(List.of(), result.diagnostics());
   }
 
-  /** What the prompt asks for next to the topic of such a signal. */
+  /** Adds the declaration that the prompt requires for the topic of such a signal. */
   private static String declared(String answer) {
     String type = "\"message_type\": \"std_msgs/msg/Bool\",";
     assertEquals(2, answer.split(type, -1).length);

@@ -16,10 +16,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/**
- * A repair as it is recorded: an answer with an invented topic, what was said about it, and the
- * corrected answer.
- */
+/** A recorded repair: an answer with an invented topic, its findings, and the corrected answer. */
 class RecordedRepairTest {
   private static final Path BASE = Path.of("src/test/resources/design/base");
   private static final Path RECORDINGS = Path.of("src/test/resources/repair/recordings");

@@ -17,8 +17,8 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 
 /**
- * Gives changed prompts the answers of the recordings that they replace: the same way as a person
- * would, by hand-off, with the answer of the recording of the task whose prompt is nearest.
+ * Gives changed prompts the answers of the recordings that they replace. It answers by hand-off, as
+ * a person would, with the recorded answer of the nearest prompt of the task.
  */
 final class RecordingsUpdate {
   private static final JsonMapper MAPPER = new JsonMapper();
@@ -87,7 +87,7 @@ final class RecordingsUpdate {
     return lines;
   }
 
-  /** Leaves what is as it was, so that only what changed shows in version control. */
+  /** Keeps unchanged files, so that only changes appear in version control. */
   private static void replace(Path recordings, Path fresh) throws IOException {
     for (Path old : files(recordings)) {
       if (!Files.exists(fresh.resolve(recordings.relativize(old)))) {

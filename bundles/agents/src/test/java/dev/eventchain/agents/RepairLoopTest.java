@@ -19,7 +19,7 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 
-/** Asking again with what was found. */
+/** Repeated requests with findings. */
 class RepairLoopTest {
   private static final PromptTemplate PROMPT = PromptTemplate.of("test/v1", "Give {{what}}.");
 

@@ -10,7 +10,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 
-/** Gives prepared answers and keeps what it was asked. */
+/** Gives prepared answers and keeps the requests. */
 final class ScriptedModel implements ChatModel {
   final List<ChatRequest> requests = new ArrayList<>();
   private final Deque<ChatResponse> answers = new ArrayDeque<>();

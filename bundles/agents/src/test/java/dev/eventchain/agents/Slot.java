@@ -10,16 +10,16 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A place in JSON that has a value.
+ * A value's place in JSON.
  *
  * @param parent the object or array
  * @param key the key or the position
- * @param path the way from the root, with a star for each position
- * @param root the position in the root, or below which key of it
+ * @param path the path from the root, with a star for each position
+ * @param root the position or key of the root's child above it
  */
 record Slot(JsonNode parent, String key, String path, String root) {
 
-  /** All places below a root, from the top. */
+  /** Returns all places below a root, in pre-order. */
   static List<Slot> in(JsonNode root) {
     List<Slot> slots = new ArrayList<>();
     add(root, "", "", slots);
@@ -64,7 +64,7 @@ record Slot(JsonNode parent, String key, String path, String root) {
     }
   }
 
-  /** Gives the key another name, and leaves it where it is. */
+  /** Renames the key in place. */
   void rename(String name) {
     Map<String, JsonNode> properties = new LinkedHashMap<>();
     parent.properties().forEach(each -> properties.put(each.getKey(), each.getValue()));

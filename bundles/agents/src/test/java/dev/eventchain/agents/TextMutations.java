@@ -9,11 +9,11 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.function.UnaryOperator;
 
-/** Changes of answers whatever is in them: what stands around the artefact, and where it is cut. */
+/** Mutations of any answer: surrounding text, and truncation. */
 final class TextMutations {
   private TextMutations() {}
 
-  /** What is tolerated around an artefact. */
+  /** Returns mutations of the text around an artefact that are tolerated. */
   static List<Mutation> around() {
     return List.of(
         equal("prose around", always(text -> "Here [it] is:\n\n" + text + "\n\nAsk {me} more.\n")),
@@ -28,7 +28,7 @@ final class TextMutations {
         equal("a block of the shell before", always(text -> "```bash\nls\n```\n" + text)));
   }
 
-  /** What leaves no artefact. */
+  /** Returns mutations that leave no artefact. */
   static List<Mutation> broken() {
     return List.of(
         rejected("cut", TextMutations::cut),
@@ -42,7 +42,7 @@ final class TextMutations {
     return (answer, random) -> Optional.of(change.apply(answer.text()));
   }
 
-  /** Anywhere before the last sign of the block. */
+  /** Truncates the answer anywhere before the last character of the block. */
   private static Optional<String> cut(GoodAnswer answer, Random random) {
     String text = answer.text();
     int first = text.indexOf('\n') + 1;

@@ -10,9 +10,8 @@ import org.commonmark.renderer.html.HtmlNodeRendererContext;
 import org.commonmark.renderer.html.HtmlWriter;
 
 /**
- * Writes blocks of {@code console} such that a reader who marks and copies one gets its commands:
- * prompts and what is printed are elements of their own, which the style sheet leaves out of what
- * is marked.
+ * Renders {@code console} blocks so that copying one yields only its commands: prompts and output
+ * are separate elements, which the style sheet excludes from selection.
  */
 final class ConsoleBlocks implements NodeRenderer {
 

@@ -6,10 +6,10 @@ import java.nio.file.Path;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Puts Java into pages that is compiled and run by the tests. */
+/** Inserts Java code into pages that the tests compile and run. */
 final class JavaSnippets {
 
-  /** Where the classes are that pages show, from the project's root. */
+  /** Folder of the classes that pages show, from the project's root. */
   private static final String EXAMPLES =
       "bundles/documentation/src/test/java/dev/eventchain/documentation/examples/";
 
@@ -17,7 +17,7 @@ final class JavaSnippets {
 
   private JavaSnippets() {}
 
-  /** The page with the code of a class in each place that names one. */
+  /** Returns the page with each reference to a class replaced by its code. */
   static String inserted(String page, Path root) throws IOException {
     StringBuilder text = new StringBuilder();
     Matcher place = PLACE.matcher(page);
@@ -28,7 +28,7 @@ final class JavaSnippets {
     return place.appendTail(text).toString();
   }
 
-  /** What users need: the package is theirs. */
+  /** Returns the code that users need, without the package statement: the package is theirs. */
   private static String shown(String code) {
     return code.replaceFirst("(?s)^package [^;]+;\\s*", "");
   }

@@ -19,7 +19,7 @@ final class PageTemplate {
 
   private static final Parser PARSER = Parser.builder().extensions(EXTENSIONS).build();
 
-  /** Pages hold no HTML, and what rules quote is not to become any. */
+  /** Pages contain no HTML; quoted text must not become HTML. */
   private static final HtmlRenderer RENDERER =
       HtmlRenderer.builder()
           .extensions(EXTENSIONS)
@@ -30,7 +30,7 @@ final class PageTemplate {
   private PageTemplate() {}
 
   /**
-   * A page.
+   * Returns an HTML page.
    *
    * @param name its file name without ending, with the folder that it is in
    * @param navigation file name and text of each link

@@ -8,12 +8,12 @@ import java.util.TreeMap;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 
-/** The pages that say of the program what it says of itself. */
+/** Reference pages, generated from the program's own help and rules. */
 final class ReferencePages {
 
   private ReferencePages() {}
 
-  /** The help of all commands. */
+  /** Returns the help of all commands. */
   static String commands() {
     CommandLine program = Main.commandLine();
     StringBuilder text =
@@ -28,7 +28,7 @@ final class ReferencePages {
     return "\n## " + title + "\n\n```text\n" + usage + "```\n";
   }
 
-  /** The list of all findings. */
+  /** Returns the list of all findings. */
   static String rules() {
     StringBuilder text = new StringBuilder("# Findings\n\n");
     text.append("Each finding has an id, which stands behind it in brackets. ");
@@ -54,12 +54,12 @@ final class ReferencePages {
     return text.toString();
   }
 
-  /** Text for a cell of a table, without links, which lead from another folder. */
+  /** Returns text for a table cell, without links, which would be relative to another folder. */
   private static String cell(String text) {
     return text.replaceAll("\\[([^\\]]*)\\]\\([^)]*\\)", "$1").replace("|", "\\|");
   }
 
-  /** A page for each finding and each standard constraint, by the name of its file. */
+  /** Returns a page for each finding and each standard constraint, by the name of its file. */
   static Map<String, String> ofEachRule() {
     Map<String, String> pages = new TreeMap<>();
     RulePage.all().forEach(page -> pages.put("rules/" + page.id(), page.text()));

@@ -12,13 +12,13 @@ import java.util.stream.Stream;
 /** Builds the site. */
 public final class SiteBuilder {
 
-  /** Where the pages that people write are, from the project's root. */
+  /** Folder of the handwritten pages, from the project's root. */
   static final String PAGES = "bundles/documentation/src/site";
 
   /** The folder of the site that the Javadoc plugin writes into. */
   static final String API = "apidocs";
 
-  /** The pages in the order of the navigation: file name, and what the link says. */
+  /** Pages in the order of the navigation: file name and link text. */
   private static final List<Map.Entry<String, String>> NAVIGATION =
       List.of(
           Map.entry("index", "Eventchain"),
@@ -46,7 +46,7 @@ public final class SiteBuilder {
   private final Map<String, String> pages = new TreeMap<>();
 
   /**
-   * Starts.
+   * Creates a builder.
    *
    * @param root the project's root folder
    */
@@ -87,7 +87,7 @@ public final class SiteBuilder {
     }
   }
 
-  /** The content of each file of the site, by its name. */
+  /** Returns the content of each file of the site, by its name. */
   Map<String, String> files() throws IOException {
     String acceleo = Files.readString(root.resolve("bundles/mde/m2t/ACCELEO.md"));
     pages.put("acceleo", acceleo.replace("(OPERATIONS.md)", "(operations.md)"));

@@ -16,7 +16,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The classes that the page about the Java API shows do what it says. */
+/** Tests the classes on the page about the Java API. */
 class JavaExamplesTest {
 
   private static final Path DATA = Path.of("src", "test", "resources");

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The site has what its links lead to, and says what the program says of itself. */
+/** Tests that the site's links resolve and that its reference pages match the program. */
 class SiteBuilderTest {
 
   private static final Pattern LINK = Pattern.compile("(?:href|src)=\"([^\"]*)\"");
@@ -58,7 +58,7 @@ class SiteBuilderTest {
     String target =
         path.isEmpty() ? from : here.resolveSibling(path).normalize().toString().replace('\\', '/');
     if (target.startsWith(SiteBuilder.API + "/")) {
-      return true; // SiteTest in tests/end-to-end looks there once the Javadoc is made
+      return true; // SiteTest in tests/end-to-end checks it once there is Javadoc
     }
     return anchors.containsKey(target)
         && (hash < 0 || anchors.get(target).contains(link.substring(hash + 1)));

@@ -38,13 +38,13 @@ public final class ChatModels {
   }
 
   /**
-   * Opens a model for one run. Recordings and hand-off count the identical requests of a run, so a
-   * run opens a model once, or once for each task, and a new run opens it again. Thread-safe.
+   * Opens a model for one run. Recordings and hand-off count the identical requests of a run, so
+   * each run opens its models anew, once or once per task. Thread-safe.
    *
-   * @param models which models are asked, the next one where one cannot be reached: {@code
-   *     SERVICE/NAME}; a name alone stands for a model that a person asks. It is part of what
-   *     identifies a recording
-   * @throws DiagnosticException INPUT when the source or a model's name is none
+   * @param models the models {@code SERVICE/NAME}, each a fallback for the unreachable one before;
+   *     a name alone stands for a model that a person asks. The names are part of the recording
+   *     keys
+   * @throws DiagnosticException INPUT if the source or a model's name is invalid
    */
   public static ChatModel open(ModelAccess access, List<String> models) {
     ChatModels opening = new ChatModels(access);
@@ -56,21 +56,21 @@ public final class ChatModels {
         : new FallbackModel(opened, access.findings());
   }
 
-  /** As {@link #open(ModelAccess, List)}, with the usual services and one model. */
+  /** Opens one model with the usual services, as {@link #open(ModelAccess, List)}. */
   public static ChatModel open(String source, String model, Path recordings, boolean record) {
     return open(ModelAccess.of(source, recordings, record), List.of(model));
   }
 
   /**
-   * Opens a model for one of several runs that ask the same and are not to get the same answers.
-   * What the project has recorded is taken by {@code replay}, {@code auto} and hand-off only: run n
-   * takes the n-th answer to a request. What is asked is recorded apart for each run, and taken
-   * from there when the run is repeated.
+   * Opens a model for one of several runs that send the same requests but need different answers.
+   * {@code replay}, {@code auto} and hand-off use the project's recordings: run n takes the n-th
+   * answer to a request. New answers are recorded separately for each run, and reused when the run
+   * is repeated.
    *
-   * @param access with the folder where this run records
+   * @param access the access with the recording folder of this run
    * @param common the project's recordings
    * @param run the number of the run, from 0
-   * @throws DiagnosticException INPUT when the source or the model's name is none
+   * @throws DiagnosticException INPUT if the source or the model's name is invalid
    */
   public static ChatModel openRun(ModelAccess access, String model, Path common, int run) {
     ChatModels opening = new ChatModels(access);
@@ -90,7 +90,7 @@ public final class ChatModels {
     return new SampledModel(name, shared, run, open(name));
   }
 
-  /** The source may be a model. */
+  /** Returns the model that the source names for all tasks, if it does. */
   private Optional<String> modelForAll() {
     int slash = access.source().indexOf('/');
     return slash > 0 && access.services().service(access.source().substring(0, slash)).isPresent()
@@ -103,15 +103,15 @@ public final class ChatModels {
     return new FallbackModel.Named(name.toString(), inShape(name, open(name)));
   }
 
-  /** Asks in the shape of the schema that the model takes, before keys are computed. */
+  /** Converts the schema to the shape of the model before keys are computed. */
   private ChatModel inShape(ModelName name, ChatModel opened) {
     AnswerSchema.Shape shape = shape(name);
     return request -> opened.chat(request.in(shape));
   }
 
   /**
-   * What the model takes, however its answers come here: recordings of it are found again by
-   * replay. A model of no service is one that somebody tells of the schema.
+   * Returns the shape of the model's schemas, independent of the source of its answers, so that
+   * replay finds recordings of any source. A model without a service gets the shape for hand-off.
    */
   private AnswerSchema.Shape shape(ModelName name) {
     return access
@@ -156,7 +156,7 @@ public final class ChatModels {
     return new MeteredModel(program, name, access);
   }
 
-  /** Who has recordings of a model needs no service of it. */
+  /** Looks the service up on the first call only: with recordings none is needed. */
   private ChatModel lazily(ModelName name) {
     return request -> service(name).chat(request);
   }

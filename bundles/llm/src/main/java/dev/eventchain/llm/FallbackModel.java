@@ -11,14 +11,14 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * Asks the next model where one cannot be reached or has no recording. That another one answered is
- * a finding: its answers are not those of the model that was wanted.
+ * Falls back to the next model if one cannot be reached or has no recording. A finding reports the
+ * fallback, since the answers are from another model.
  */
 final class FallbackModel implements ChatModel {
   private final List<Named> models;
   private final Consumer<Diagnostic> findings;
 
-  /** A model and what people call it. */
+  /** A model and its name in messages. */
   record Named(String name, ChatModel model) {}
 
   FallbackModel(List<Named> models, Consumer<Diagnostic> findings) {

@@ -8,7 +8,7 @@ import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.chat.ModelName;
 import dev.eventchain.llm.service.ErrorBody;
 
-/** Keeps to the budget of the run, and looks who answered. */
+/** Enforces the budget of the run, and checks which model answered. */
 final class MeteredModel implements ChatModel {
   private static final int SHORTEST_NAME = 3;
 
@@ -41,7 +41,10 @@ final class MeteredModel implements ChatModel {
     return response;
   }
 
-  /** Services add dates, versions and paths to the name they were asked by. */
+  /**
+   * Returns whether the answering model is the requested one; services add dates, versions and
+   * paths to its name.
+   */
   private boolean isAsked(String answered) {
     return answered.contains(name.name())
         || (name.name().contains(answered) && answered.length() >= SHORTEST_NAME);

@@ -7,20 +7,20 @@ import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 
 /**
- * How the language models of one run are reached.
+ * Access of one run to language models.
  *
- * @param source how answers are got: {@code replay} takes them from the recordings, {@code live}
- *     asks the services, {@code auto} the services for what is not recorded, {@code handoff:FOLDER}
- *     a person through files in that folder for what is not recorded, {@code command:PROGRAM
- *     ARGUMENTS} a program; {@code SERVICE/MODEL} is {@code live} with that model for every task
+ * @param source source of the answers: {@code replay} takes them from the recordings, {@code live}
+ *     asks the services, {@code auto} the services for missing recordings, {@code handoff:FOLDER} a
+ *     person through files in that folder for missing recordings, {@code command:PROGRAM ARGUMENTS}
+ *     a program; {@code SERVICE/MODEL} is {@code live} with that model for every task
  * @param recordings the folder of the recordings, {@code TASK/NAME-KEY.json} in the format {@code
  *     llm-recording/1}
- * @param record whether new answers are recorded
- * @param services where models are, and what they cost
- * @param spending what the run has spent
+ * @param record true to record new answers
+ * @param services the services and their prices
+ * @param spending the cost of the run so far
  * @param environment the value of an environment variable, null if it is not set
- * @param progress is told what a person may want to know while waiting, often
- * @param findings is told what is wrong with answers that there are
+ * @param progress receives frequent progress messages for the user
+ * @param findings receives findings about received answers
  */
 public record ModelAccess(
     String source,
@@ -32,7 +32,7 @@ public record ModelAccess(
     Consumer<String> progress,
     Consumer<Diagnostic> findings) {
 
-  /** A run without services of its own, without a budget and without anybody who listens. */
+  /** Returns an access with the usual services, no budget and no listeners. */
   public static ModelAccess of(String source, Path recordings, boolean record) {
     ModelServices services = ModelServices.usual();
     return new ModelAccess(

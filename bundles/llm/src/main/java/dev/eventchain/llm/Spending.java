@@ -14,9 +14,9 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
-/** What the calls of a run have cost, and what they may cost. Thread-safe. */
+/** Cost of the calls of a run, and its budget. Thread-safe. */
 public final class Spending {
-  /** The findings after which a run asks no more models: the budget is spent. */
+  /** Ids of the findings after which a run makes no more calls, since the budget is spent. */
   public static final Set<String> ENDS = Set.of("llm.budget.spent", "llm.price.missing");
 
   private final ModelServices services;
@@ -25,8 +25,8 @@ public final class Spending {
   /**
    * The calls of one model.
    *
-   * @param unknown how many of them came without a number of tokens
-   * @param cost in the currency of the prices; empty where the project names none for the model
+   * @param unknown the number of calls without token counts
+   * @param cost in the currency of the prices; empty if the project has no price for the model
    */
   public record Line(
       String model,
@@ -48,12 +48,12 @@ public final class Spending {
     }
   }
 
-  /** Of a run that has not called yet. */
+  /** Creates the spending of a new run. */
   public Spending(ModelServices services) {
     this.services = services;
   }
 
-  /** What was spent, by model. */
+  /** Returns the spending by model. */
   public synchronized List<Line> lines() {
     return List.copyOf(lines.values());
   }
@@ -66,8 +66,8 @@ public final class Spending {
   }
 
   /**
-   * Lets a call be made only while the budget is not spent. The call that exceeds it is the last
-   * one: what an answer costs is known when it is there.
+   * Refuses a call once the budget is spent. The call that exceeds the budget is the last one,
+   * since the cost is known only afterwards.
    */
   synchronized void requireBudget(ModelName model) {
     ModelServices.Budget budget = services.budget();

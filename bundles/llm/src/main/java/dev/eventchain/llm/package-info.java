@@ -1,5 +1,5 @@
 /**
- * Opens the language models that a configuration names, and keeps to the budget of a run. The only
- * package that knows all the ways to an answer.
+ * Opens the language models that a configuration names, and enforces the budget of a run. The only
+ * package that depends on all sources of answers.
  */
 package dev.eventchain.llm;

@@ -31,7 +31,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The ways to get answers, and what a run may cost. */
+/** The sources of answers, and the budget of a run. */
 class ChatModelsTest {
 
   @RegisterExtension static final FakeService SERVICE = new FakeService();
@@ -182,7 +182,7 @@ class ChatModelsTest {
       })
   void aSpentBudgetEndsTheRun(String budget, int calls, String id) throws IOException {
     SERVICE.answers(Wire.OPENAI_COMPATIBLE, "good");
-    // 11 tokens in and 7 out: 0.000025 a call.
+    // 11 tokens in and 7 out: 0.000025 per call.
     ModelServices services =
         services(
             """

@@ -26,7 +26,7 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** The import directions of the bundles, and the habits that a machine can hold. */
+/** Tests the import directions of the bundles and the coding conventions. */
 @AnalyzeClasses(packages = "dev.eventchain", importOptions = DoNotIncludeTests.class)
 class ArchitectureTest {
 
@@ -39,7 +39,7 @@ class ArchitectureTest {
   /** A line of the record's table: {@code imported, bundles <- bundle}. */
   private static final Pattern IMPORTS = Pattern.compile("(?m)^ {4}([a-z0-9, ]+) <- ([a-z0-9]+)$");
 
-  /** Each import that the record states exists, and no other. */
+  /** Each recorded import exists, and no other. */
   @ArchTest
   static void importsAreThoseOfTheRecord(JavaClasses classes) throws IOException {
     SortedMap<String, Set<String>> stated = new TreeMap<>();
@@ -79,7 +79,7 @@ class ArchitectureTest {
   static final ArchRule BUNDLES_HAVE_NO_CYCLES =
       slices().matching(ROOT + "(*)..").should().beFreeOfCycles();
 
-  /** EMF's generator ties what it writes into one knot. */
+  /** EMF's generator creates a cycle in its code. */
   @ArchTest
   static final ArchRule PACKAGES_HAVE_NO_CYCLES =
       slices()
@@ -90,7 +90,7 @@ class ArchitectureTest {
               resideInAPackage(ROOT + "model.eventchain.."),
               resideInAPackage(ROOT + "model.eventchain.."));
 
-  /** What a bundle shows to others is what it exports; it exports nothing that no other uses. */
+  /** Checks that bundles export exactly the packages that others use. */
   @ArchTest
   static void bundlesUseWhatOthersExport(JavaClasses classes) throws IOException {
     Set<String> used = new TreeSet<>();
@@ -106,7 +106,7 @@ class ArchitectureTest {
     assertEquals(used, Manifests.exportedPackages());
   }
 
-  /** A package is a room, and no hall. */
+  /** A package has a limited number of classes. */
   @ArchTest
   static void packagesAreSmall(JavaClasses classes) {
     SortedMap<String, Integer> sizes = new TreeMap<>();
@@ -154,7 +154,7 @@ class ArchitectureTest {
           .resideInAnyPackage(
               ROOT + "model..", ROOT + "description..", ROOT + "project..", ROOT + "messages..");
 
-  /** Templates are read first, then linked and run: what reads them knows nothing of that. */
+  /** Templates are read first, then linked and run: the reader does not depend on these steps. */
   @ArchTest
   static final ArchRule READING_TEMPLATES_KNOWS_NO_RUN =
       noClasses()
@@ -182,7 +182,7 @@ class ArchitectureTest {
           .areDeclaredInClassesThat()
           .resideOutsideOfPackage(ROOT + "model.eventchain..")
           .and()
-          .areDeclaredInClassesThat() // JNA finds the fields of C's structures by reflection
+          .areDeclaredInClassesThat() // JNA finds the fields of C structures by reflection
           .areNotAssignableTo("com.sun.jna.Structure")
           .and()
           .areNotStatic()

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** The folders of the bundles: those below {@code bundles/} that are modules of the build. */
+/** Folders of the bundles: those below {@code bundles/} that are modules of the build. */
 final class BundleFolders {
 
   static final Path ROOT = Path.of("..", "..");
@@ -16,7 +16,7 @@ final class BundleFolders {
 
   private BundleFolders() {}
 
-  /** All, sorted by their paths. The plug-ins for Eclipse are one. */
+  /** Returns all folders, sorted by path. The Eclipse plug-ins count as one. */
   static List<Path> all() throws IOException {
     try (Stream<Path> folders = Files.walk(BUNDLES, DEEPEST)) {
       return folders
@@ -27,7 +27,7 @@ final class BundleFolders {
     }
   }
 
-  /** The path from the root, such as {@code bundles/mde/ocl}. */
+  /** Returns the path from the root, such as {@code bundles/mde/ocl}. */
   static String path(Path folder) {
     return ROOT.relativize(folder).toString().replace('\\', '/');
   }

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** Each bundle says in a README what is in it, under its own name, and the map names each. */
+/** Tests that each bundle has a README with its name and contents, and that the map lists each. */
 class BundleReadmesTest {
 
   @Test
@@ -21,7 +21,7 @@ class BundleReadmesTest {
         List.of(), BundleFolders.all().stream().filter(folder -> !isDescribed(folder)).toList());
   }
 
-  /** A row of the map names a group of bundles, and says of each what it holds. */
+  /** A row of the map names a group of bundles and the contents of each. */
   @Test
   void theReadmeOfTheRootNamesEveryBundle() throws IOException {
     String readme = Files.readString(BundleFolders.ROOT.resolve("README.md"));

@@ -28,8 +28,8 @@ import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 
 /**
- * Files and methods are short as a habit. Those that are not are in {@code lengths.txt}, each with
- * its lines and the reason; they may become shorter, and what is short again leaves the list.
+ * Tests the length of files and methods. Exceptions are listed in {@code lengths.txt}, each with
+ * its lines and the reason; they may become shorter, and leave the list when they are short.
  */
 class LengthTest {
 
@@ -82,7 +82,7 @@ class LengthTest {
     return !name.endsWith(".java") && !name.endsWith(".py");
   }
 
-  /** A list that claims more than there is would let something grow back unseen. */
+  /** An outdated entry would let a file grow again unnoticed. */
   private static void assertAsListed(SortedMap<String, Long> longer, Predicate<String> kind)
       throws IOException {
     SortedMap<String, Long> listed = new TreeMap<>();
@@ -97,7 +97,7 @@ class LengthTest {
     assertEquals(listed, longer, "longer than usual; see " + EXCEPTIONS);
   }
 
-  /** The hand-written code that ships. */
+  /** Returns the hand-written code that ships. */
   private static List<Path> sources(String suffix) throws IOException {
     try (Stream<Path> files = Files.walk(BundleFolders.BUNDLES)) {
       List<Path> found =
@@ -117,7 +117,7 @@ class LengthTest {
     return path.matches("([^/]+/){1,3}(src/main|python)/.*") && !path.contains("/target/");
   }
 
-  /** Collects the methods whose bodies are too long. */
+  /** Collects methods with too long bodies. */
   private static final class BodyLengths extends TreeScanner<Void, Void> {
     private final CompilationUnitTree file;
     private final SourcePositions positions;

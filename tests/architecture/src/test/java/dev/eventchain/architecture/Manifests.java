@@ -8,7 +8,7 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** What the bundles export, as their instructions for bnd say. */
+/** Exports of the bundles, from their bnd instructions. */
 final class Manifests {
 
   private static final Pattern EXPORTS = Pattern.compile("(?m)^Export-Package:((?:.*\\\\\\n)*.*)$");
@@ -16,7 +16,7 @@ final class Manifests {
 
   private Manifests() {}
 
-  /** The packages of all bundles, without what EMF's generator writes. */
+  /** Returns the packages of all bundles, without those that EMF generates. */
   static Set<String> exportedPackages() throws IOException {
     Set<String> exported = new TreeSet<>();
     for (Path folder : BundleFolders.all()) {

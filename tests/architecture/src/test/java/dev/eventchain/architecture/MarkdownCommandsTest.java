@@ -23,13 +23,13 @@ import picocli.CommandLine;
 import picocli.CommandLine.MissingParameterException;
 import picocli.CommandLine.ParameterException;
 
-/** Markdown of the project names no command and no option that the program does not have. */
+/** Tests that the project's Markdown names only existing commands and options. */
 class MarkdownCommandsTest {
 
-  /** It says what was, in versions whose commands may be gone. */
+  /** The changelog, which may name commands of earlier versions. */
   private static final Path HISTORY = Path.of("CHANGELOG.md");
 
-  /** Files that speak of another program's options, too. */
+  /** Files that also name options of other programs. */
   private static final Map<String, String> OTHER_PROGRAMS =
       Map.of("bundles/front/ci/README.md", "bundles/front/ci/validate-models");
 
@@ -62,7 +62,7 @@ class MarkdownCommandsTest {
     assertTrue(calls > 60 && spans > 1000, calls + " calls, " + spans + " spans");
   }
 
-  /** Each page that is about commands has some that are found. */
+  /** Each page about commands has some that are found. */
   @ParameterizedTest
   @ValueSource(
       strings = {

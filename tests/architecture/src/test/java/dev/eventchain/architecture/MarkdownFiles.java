@@ -15,9 +15,7 @@ import org.commonmark.ext.gfm.tables.TablesExtension;
 import org.commonmark.node.Node;
 import org.commonmark.parser.Parser;
 
-/**
- * The Markdown of a folder, parsed as GitHub does: what builds and runs leave is not part of it.
- */
+/** The Markdown of a folder, parsed as on GitHub, without the output of builds and runs. */
 final class MarkdownFiles {
 
   /** The project's root folder. */
@@ -30,7 +28,7 @@ final class MarkdownFiles {
 
   private MarkdownFiles() {}
 
-  /** Each file of a folder and of those in it, by its path from there. */
+  /** Returns each file of a folder and its subfolders, by relative path. */
   static SortedMap<Path, Node> in(Path root) throws IOException {
     List<Path> files = new ArrayList<>();
     Files.walkFileTree(

@@ -25,7 +25,7 @@ import org.commonmark.node.Node;
 import org.commonmark.node.Text;
 
 /**
- * Follows the links of Markdown within a folder: to files, and to headings as GitHub names them.
+ * Checks the links of Markdown within a folder: to files, and to headings with GitHub's anchors.
  */
 final class MarkdownLinks {
 
@@ -33,8 +33,8 @@ final class MarkdownLinks {
   private static final Pattern ELSEWHERE = Pattern.compile("[a-z][a-z+.-]*:.*");
 
   /**
-   * What the site has besides the pages in this folder; there {@code SiteBuilderTest} looks, and
-   * {@code SiteTest} for Javadoc.
+   * Parts of the site outside this folder: {@code SiteBuilderTest} checks them, {@code SiteTest}
+   * the Javadoc.
    */
   private static final Pattern MADE_BY_THE_SITE =
       Pattern.compile(
@@ -48,9 +48,9 @@ final class MarkdownLinks {
   private int count;
 
   /**
-   * Follows all links.
+   * Checks all links.
    *
-   * @param root nothing outside of it is linked to
+   * @param root the root folder of all link targets
    */
   MarkdownLinks(Path root) throws IOException {
     this.root = root;
@@ -59,12 +59,12 @@ final class MarkdownLinks {
     files.forEach((file, document) -> linksOf(document).forEach(link -> follow(file, link)));
   }
 
-  /** Each link that leads nowhere, as {@code file: link}. */
+  /** Returns each broken link, as {@code file: link}. */
   List<String> broken() {
     return broken;
   }
 
-  /** How many links there are, without those to other places on the network. */
+  /** Returns the number of links, without those to other places on the network. */
   int count() {
     return count;
   }
@@ -142,7 +142,10 @@ final class MarkdownLinks {
     return anchors;
   }
 
-  /** GitHub keeps letters, digits, hyphens and underscores, and writes hyphens for blanks. */
+  /**
+   * Returns the anchor of a heading: GitHub keeps letters, digits, hyphens and underscores, and
+   * replaces blanks by hyphens.
+   */
   private static String anchorOf(String heading) {
     String kept =
         heading.strip().toLowerCase(Locale.ROOT).replaceAll("[^\\p{L}\\p{M}\\p{N}_\\- ]", "");

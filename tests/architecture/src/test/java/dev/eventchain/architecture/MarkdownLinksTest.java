@@ -10,7 +10,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Links of the project's Markdown lead to files and headings that are there. */
+/** Tests that the links of the project's Markdown lead to existing files and headings. */
 class MarkdownLinksTest {
 
   @TempDir Path folder;

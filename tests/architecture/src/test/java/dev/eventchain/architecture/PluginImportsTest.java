@@ -13,8 +13,8 @@ import java.util.jar.Manifest;
 import org.junit.jupiter.api.Test;
 
 /**
- * What the plug-ins for Eclipse import of our bundles: what record 019 says. OSGi lets them see
- * nothing that their manifests do not name.
+ * Tests that the Eclipse plug-ins import the packages of record 019 from our bundles. OSGi hides
+ * everything that their manifests do not name.
  */
 class PluginImportsTest {
 

@@ -24,8 +24,8 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 /**
- * Every finding that a bundle reports has one page, every page explains a finding that is reported,
- * and a test shows it.
+ * Tests that every reported finding has exactly one page and a test, and that every page explains a
+ * reported finding.
  */
 class RulePagesTest {
 
@@ -33,18 +33,18 @@ class RulePagesTest {
   private static final Pattern ID =
       Pattern.compile("[\"']([a-z0-9]+(?:\\.[a-z0-9]+(?:-[a-z0-9]+)*)+)[\"']");
 
-  /** What a parameter of the Maven plugin is called on the command line. */
+  /** Property of a Maven plug-in parameter on the command line. */
   private static final Pattern PROPERTY = Pattern.compile("property = \"[^\"]*\"");
 
-  /** The ends of names that look like ids and are files, fields or properties. */
+  /** Suffixes of names that look like identifiers but are files, fields or properties. */
   private static final Set<String> NO_IDS =
       Set.of(
           "bash", "json", "py", "xmi", "ocl", "ecore", "js", "css", "html", "txt", "yaml", "md",
           "msgs");
 
   /**
-   * What no test brings about: a disk that fails in the middle, an interrupt inside the JVM, and a
-   * process of nodes that breaks a protocol which both its ends hold.
+   * Rules without a test: a disk failure during writing, an interrupt inside the JVM, and a node
+   * process that breaks its protocol.
    */
   private static final Set<String> WITHOUT_A_TEST =
       Set.of(
@@ -53,7 +53,7 @@ class RulePagesTest {
           "protocol.frame",
           "simulation.interrupted");
 
-  /** Pages by id: the bundles that have one. */
+  /** Bundles with a page, by identifier. */
   private static final Map<String, List<String>> PAGES = new TreeMap<>();
 
   private static List<String> sources;
@@ -106,8 +106,8 @@ class RulePagesTest {
   }
 
   /**
-   * Whole in quotes, or put together in one file: from a first part that ends with a dot, or in a
-   * Python format string.
+   * Returns whether an identifier occurs in quotes, or is composed in one file: from a prefix that
+   * ends with a dot, or in a Python format string.
    */
   private static boolean isReported(String id) {
     for (int dot = id.length(); dot > 0; dot = id.lastIndexOf('.', dot - 1)) {
@@ -171,7 +171,7 @@ class RulePagesTest {
     }
   }
 
-  /** Fixtures may hold what is not UTF-8. */
+  /** Returns the text of a file; fixtures may not be UTF-8. */
   private static String text(Path file) {
     try {
       return new String(Files.readAllBytes(file), StandardCharsets.UTF_8);

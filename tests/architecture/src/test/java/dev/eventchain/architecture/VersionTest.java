@@ -12,7 +12,7 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
-/** What people copy from Markdown, and the changelog, name the version that the build has. */
+/** Tests that the version in copyable Markdown and in the changelog is that of the build. */
 class VersionTest {
 
   private static final Pattern OF_THE_BUILD =

@@ -10,13 +10,13 @@ import org.commonmark.node.FencedCodeBlock;
 import org.commonmark.node.IndentedCodeBlock;
 import org.commonmark.node.Node;
 
-/** The calls of {@code eventchain} in a text: in its blocks of code, and within its sentences. */
+/** Calls of {@code eventchain} in a text: in code blocks and within sentences. */
 final class WrittenCommands {
 
   private static final Pattern CALL =
       Pattern.compile("(?m)(?:^|[\\s(;&\"'])(?:[\\w.*-]*/)*eventchain[ \\t]+(?=[a-z-])");
 
-  /** What a shell takes for a word: quotes keep blanks, and {@code #} begins a comment. */
+  /** A word of a shell: quotes preserve blanks, and {@code #} begins a comment. */
   private static final Pattern WORD =
       Pattern.compile("\\G[ \\t]*((?:'[^'\\n]*'|\"[^\"\\n]*\"|[^\\s;|&<>()'\"#]|(?<=\\S)#)+)");
 
@@ -29,7 +29,7 @@ final class WrittenCommands {
    * A call of the program.
    *
    * @param words its arguments
-   * @param isComplete whether it can be called so: sentences leave out what does not matter
+   * @param isComplete true if it can be executed as it is: sentences may omit parts
    */
   record Call(List<String> words, boolean isComplete) {}
 
@@ -58,7 +58,7 @@ final class WrittenCommands {
     return calls;
   }
 
-  /** Code within sentences. */
+  /** Returns the code spans within sentences. */
   List<String> spans() {
     return spans;
   }
@@ -71,7 +71,7 @@ final class WrittenCommands {
     }
   }
 
-  /** The words up to the end of a command. */
+  /** Returns the words up to the end of a command. */
   static List<String> words(String text) {
     List<String> words = new ArrayList<>();
     Matcher word = WORD.matcher(text);

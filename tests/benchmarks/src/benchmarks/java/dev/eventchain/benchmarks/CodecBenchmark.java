@@ -16,7 +16,7 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** A scan of 360 beams with as many intensities, 2.9 kB, to bytes and back. */
+/** A scan of 360 beams with as many intensities, 2.9 kB, encoded and decoded. */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
@@ -43,25 +43,25 @@ public class CodecBenchmark {
         .set("intensities", new float[360]);
   }
 
-  /** To bytes. */
+  /** Encodes the message. */
   @Benchmark
   public byte[] write() {
     return CdrCodec.encode(scan);
   }
 
-  /** From bytes. */
+  /** Decodes the message. */
   @Benchmark
   public MessageValue read() {
     return CdrCodec.decode(TYPE, bytes);
   }
 
-  /** Both. */
+  /** Encodes and decodes the message. */
   @Benchmark
   public MessageValue writeAndRead() {
     return CdrCodec.decode(TYPE, CdrCodec.encode(scan));
   }
 
-  /** What a writer of DDS checks before the library sees the bytes. */
+  /** Runs the check of a DDS writer before the library gets the bytes. */
   @Benchmark
   public byte[] check() {
     CdrCodec.requireMessage(TYPE, bytes);

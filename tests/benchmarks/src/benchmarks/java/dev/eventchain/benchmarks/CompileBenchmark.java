@@ -8,13 +8,13 @@ import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.State;
 
-/** Compiling the templates that ship. */
+/** Compiles the shipped templates. */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
 public class CompileBenchmark {
 
-  /** The whole set, from its files. */
+  /** Compiles the whole set, from its files. */
   @Benchmark
   public Object ros2Python() {
     return TemplateSets.compile("ros2-python");

@@ -14,7 +14,9 @@ import org.openjdk.jmh.runner.options.Options;
 import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.openjdk.jmh.runner.options.TimeValue;
 
-/** Times constraints on one processor and on all, and prints how the ways compare. */
+/**
+ * Times constraints on one processor and on all, and prints a comparison of the implementations.
+ */
 public final class ConstraintBenchmarks {
 
   private static final String OURS = "eventchain";
@@ -50,7 +52,10 @@ public final class ConstraintBenchmarks {
     return new Runner(options).run();
   }
 
-  /** A line for each way, a pair of columns for each size: million checks a second, and ratio. */
+  /**
+   * Prints a line for each implementation, with a pair of columns for each size: million checks a
+   * second, and ratio.
+   */
   private static void print(String processors, Collection<RunResult> results) {
     Map<String, Map<Integer, Double>> table = new TreeMap<>();
     for (RunResult result : results) {
@@ -81,7 +86,7 @@ public final class ConstraintBenchmarks {
         });
   }
 
-  /** How often a rule is evaluated on an element. */
+  /** Returns the number of times that a rule is evaluated on an element. */
   private static double checks(String row, int nodes) {
     return row.startsWith("Paper")
         ? 2.0 * nodes

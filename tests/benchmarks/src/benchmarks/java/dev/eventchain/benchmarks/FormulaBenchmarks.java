@@ -8,7 +8,7 @@ import org.openjdk.jmh.runner.Runner;
 import org.openjdk.jmh.runner.RunnerException;
 import org.openjdk.jmh.runner.options.OptionsBuilder;
 
-/** Times formulas on a million samples, and prints how they compare with Java by hand. */
+/** Times formulas on a million samples, and prints a comparison with handwritten Java. */
 public final class FormulaBenchmarks {
 
   private FormulaBenchmarks() {}

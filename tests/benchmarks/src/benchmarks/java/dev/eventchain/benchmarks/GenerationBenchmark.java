@@ -20,7 +20,7 @@ import org.openjdk.jmh.infra.BenchmarkParams;
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
 public class GenerationBenchmark {
 
-  /** How many files. */
+  /** Number of files. */
   @Param({"1000", "10000"})
   public int nodes;
 
@@ -28,7 +28,7 @@ public class GenerationBenchmark {
   private TemplateModule module;
   private EpsilonTemplate epsilon;
 
-  /** Makes the model, compiles the templates, and refuses to compare what differs. */
+  /** Creates the model, compiles the templates, and rejects different outputs. */
   @Setup
   public void prepare(BenchmarkParams benchmark) throws Exception {
     chain = NodeTemplates.chain(nodes);
@@ -50,19 +50,19 @@ public class GenerationBenchmark {
             });
   }
 
-  /** By hand. */
+  /** Generates with handwritten Java. */
   @Benchmark
   public Object javaByHand() {
     return NodeFiles.of(chain);
   }
 
-  /** This project. */
+  /** Generates with this project. */
   @Benchmark
   public Object eventchain() {
     return NodeTemplates.generate(module, chain);
   }
 
-  /** Epsilon EGL. */
+  /** Generates with Epsilon EGL. */
   @Benchmark
   public Object epsilonEgl() throws Exception {
     return epsilon.files();

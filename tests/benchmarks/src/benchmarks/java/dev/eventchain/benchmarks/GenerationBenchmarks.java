@@ -14,7 +14,7 @@ import org.openjdk.jmh.runner.options.ChainedOptionsBuilder;
 import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.openjdk.jmh.runner.options.TimeValue;
 
-/** Times the template engine, and prints how the ways compare. */
+/** Times the template engine, and prints a comparison of the implementations. */
 public final class GenerationBenchmarks {
 
   private static final String OURS = "GenerationBenchmark.eventchain";
@@ -52,7 +52,10 @@ public final class GenerationBenchmarks {
         .jvmArgs("-Xmx2g");
   }
 
-  /** For what takes seconds; the run that compares the output has warmed it up. */
+  /**
+   * Returns options for benchmarks that take seconds, after the warm-up by the comparison of
+   * outputs.
+   */
   private static ChainedOptionsBuilder single(String pattern, String nodes, int iterations) {
     return new OptionsBuilder()
         .include(pattern)

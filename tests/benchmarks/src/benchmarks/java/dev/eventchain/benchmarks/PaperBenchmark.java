@@ -23,7 +23,7 @@ import org.openjdk.jmh.annotations.State;
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 public class PaperBenchmark {
 
-  /** How many software nodes the model has; each has two inputs and two outputs. */
+  /** Number of software nodes in the model; each has two inputs and two outputs. */
   @Param({"1000", "10000", "100000"})
   public int nodes;
 
@@ -33,7 +33,7 @@ public class PaperBenchmark {
   private EpsilonRules epsilon;
   private EpsilonRules epsilonParallel;
 
-  /** Makes the model and parses the rules. */
+  /** Creates the model and parses the rules. */
   @Setup
   public void prepare() throws Exception {
     EPackage.Registry.INSTANCE.put(EventchainPackage.eNS_URI, EventchainPackage.eINSTANCE);
@@ -44,37 +44,37 @@ public class PaperBenchmark {
     epsilonParallel = new EpsilonRules(chain, true);
   }
 
-  /** By hand, through all elements. */
+  /** Checks all elements with handwritten Java. */
   @Benchmark
   public Object javaByHand() {
     return PaperRules.check(chain);
   }
 
-  /** By hand, through the list of nodes alone. */
+  /** Checks only the list of nodes with handwritten Java. */
   @Benchmark
   public Object javaOverTheList() {
     return PaperRules.checkNodes(chain);
   }
 
-  /** This project. */
+  /** Checks with this project. */
   @Benchmark
   public Object eventchain() {
     return OclValidator.validate(rules, List.of(chain), element -> SourceLocation.NONE);
   }
 
-  /** Eclipse OCL as it comes. */
+  /** Checks with stock Eclipse OCL. */
   @Benchmark
   public Object stockOcl() {
     return stock.check(chain);
   }
 
-  /** Epsilon's ordinary module. */
+  /** Checks with Epsilon's ordinary module. */
   @Benchmark
   public int epsilonEvl() throws Exception {
     return epsilon.check();
   }
 
-  /** Epsilon's module for several threads. */
+  /** Checks with Epsilon's module for several threads. */
   @Benchmark
   public int epsilonEvlParallel() throws Exception {
     return epsilonParallel.check();

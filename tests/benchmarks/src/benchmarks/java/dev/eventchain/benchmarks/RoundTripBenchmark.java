@@ -25,9 +25,9 @@ import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * A scan of 360 beams to another participant and back, over the loopback interface. Both are in
- * this process, in domains that are two for Cyclone and one on the wire, so that nothing is handed
- * over in memory.
+ * Round trip of a scan of 360 beams to another participant over the loopback interface. Both are in
+ * this process, in domains that differ for Cyclone but are the same on the wire, so that nothing is
+ * passed in memory.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.SampleTime)
@@ -78,14 +78,14 @@ public class RoundTripBenchmark {
     there.close();
   }
 
-  /** Bytes there and back. */
+  /** Sends bytes and receives their echo. */
   @Benchmark
   public List<DdsSample> bytes() {
     writer.write(bytes);
     return back();
   }
 
-  /** A message there and back, written and read by the codec. */
+  /** Sends a message and receives its echo, with encoding and decoding. */
   @Benchmark
   public MessageValue message() {
     writer.write(CdrCodec.encode(CodecBenchmark.scan()));

@@ -12,33 +12,33 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 
-/** The template set {@code ros2-python}, as users run it, in memory. */
+/** The template set {@code ros2-python} in memory, as users run it. */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
 public class ShippedTemplatesBenchmark {
 
-  /** How many nodes the chain has. */
+  /** Number of nodes in the chain. */
   @Param({"1000", "10000"})
   public int nodes;
 
   private EventChain chain;
   private TemplateModule module;
 
-  /** Makes the model and compiles the templates. */
+  /** Creates the model and compiles the templates. */
   @Setup
   public void prepare() {
     chain = NodeTemplates.chain(nodes);
     module = TemplateSets.compile("ros2-python");
   }
 
-  /** Generation. */
+  /** Generates the files. */
   @Benchmark
   public Object generate() {
     return NodeTemplates.generate(module, chain);
   }
 
-  /** The same with a trace. */
+  /** Generates the files with a trace. */
   @Benchmark
   public Object generateWithTrace() {
     return NodeTemplates.trace(module, chain);

@@ -16,7 +16,7 @@ import org.eclipse.ocl.ecore.Constraint;
 import org.eclipse.ocl.ecore.OCL;
 import org.eclipse.ocl.options.ParsingOptions;
 
-/** Rules on Eclipse OCL as it comes: a query for each constraint, asked about each element. */
+/** Rules on stock Eclipse OCL: a query for each constraint, evaluated on each element. */
 final class StockRules {
 
   private final Map<EClassifier, List<Query<EClassifier, EClass, EObject>>> queries =

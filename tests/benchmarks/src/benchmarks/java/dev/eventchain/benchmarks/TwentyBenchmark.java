@@ -23,7 +23,7 @@ import org.openjdk.jmh.annotations.State;
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 public class TwentyBenchmark {
 
-  /** How many software nodes the model has; each has two inputs and two outputs. */
+  /** Number of software nodes in the model; each has two inputs and two outputs. */
   @Param({"1000", "10000"})
   public int nodes;
 
@@ -31,7 +31,7 @@ public class TwentyBenchmark {
   private OclRules rules;
   private StockRules stock;
 
-  /** Makes the model and parses the rules. */
+  /** Creates the model and parses the rules. */
   @Setup
   public void prepare() throws Exception {
     EPackage.Registry.INSTANCE.put(EventchainPackage.eNS_URI, EventchainPackage.eINSTANCE);
@@ -40,19 +40,19 @@ public class TwentyBenchmark {
     stock = new StockRules("twenty.ocl");
   }
 
-  /** By hand. */
+  /** Checks with handwritten Java. */
   @Benchmark
   public Object javaByHand() {
     return TwentyRules.check(chain);
   }
 
-  /** This project. */
+  /** Checks with this project. */
   @Benchmark
   public Object eventchain() {
     return OclValidator.validate(rules, List.of(chain), element -> SourceLocation.NONE);
   }
 
-  /** Eclipse OCL as it comes. */
+  /** Checks with stock Eclipse OCL. */
   @Benchmark
   public Object stockOcl() {
     return stock.check(chain);

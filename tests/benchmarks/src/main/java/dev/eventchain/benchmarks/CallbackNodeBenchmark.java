@@ -26,10 +26,10 @@ import java.util.Random;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Nodes that {@code python -m eventchain_ros2} runs, seen from Java: how long a message takes to a
- * node that answers from its callback and back, against a process that returns the bytes as they
- * are; how many of 10,000 messages at 1 kHz are lost; and what a node with a timer takes beyond the
- * wait for its timer.
+ * Measures nodes that {@code python -m eventchain_ros2} runs, from Java: the round-trip time to a
+ * node that answers from its callback, compared with a process that echoes the bytes; the loss
+ * among 10,000 messages at 1 kHz; and the overhead of a node with a timer beyond the wait for its
+ * timer.
  */
 public final class CallbackNodeBenchmark {
 
@@ -109,7 +109,7 @@ public final class CallbackNodeBenchmark {
     return WirePeer.of(process, here, "/" + prefix + "_out", "/" + prefix + "_back", type, qos);
   }
 
-  /** Blocks of one and the other in turn, so that both see the same machine. */
+  /** Measures blocks of both in turn, so that both have the same conditions. */
   private void roundTrips(String name, MessageType type, byte[] bytes, int blocks)
       throws IOException {
     String file = scripts.resolve("raw_echo.py").toString();
@@ -125,7 +125,7 @@ public final class CallbackNodeBenchmark {
       for (int block = -2; block < blocks; block++) {
         byRaw.measure(echo, bytes, BLOCK);
         byNode.measure(node, bytes, BLOCK);
-        if (block == -1) { // those before were to warm up
+        if (block == -1) { // the earlier ones were warm-up
           byRaw.clear();
           byNode.clear();
         }
@@ -136,7 +136,7 @@ public final class CallbackNodeBenchmark {
     byNode.printRatio(byRaw);
   }
 
-  /** Numbers at 1 kHz, whatever comes back. */
+  /** Sends numbers at 1 kHz, regardless of the answers. */
   private void losses(String history, String reliability, QosSettings qos) throws IOException {
     String prefix = "loss_" + history + "_" + reliability;
     BitSet returned = new BitSet(MESSAGES);
@@ -160,7 +160,7 @@ public final class CallbackNodeBenchmark {
         refused);
   }
 
-  /** How many the writer did not take. */
+  /** Returns the number of messages that the writer rejected. */
   private static int send(WirePeer node, BitSet returned) {
     int refused = 0;
     long start = System.nanoTime();
@@ -212,7 +212,10 @@ public final class CallbackNodeBenchmark {
     beyond.print("a node with a timer of 50 ms, beyond the wait for it");
   }
 
-  /** From the timer's due time after the sample, which is sent in the middle of a period. */
+  /**
+   * Returns the delay beyond the timer's due time after the sample, which is sent in the middle of
+   * a period.
+   */
   private static long beyond(WirePeer node, int number, long[] grid, Random random) {
     long period = grid[1];
     long phase = period / 10 + (long) (random.nextDouble() * period * 8 / 10);

@@ -7,8 +7,8 @@ import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.SoftwareNode;
 
 /**
- * Chains of any size: lines of ten nodes, each node with two inputs and two outputs of its own, and
- * a latency constraint from the first to the last of each line.
+ * Chains of any size: lines of ten nodes, each with two inputs and two outputs, and an end-to-end
+ * latency constraint per line.
  */
 final class ChainModels {
 
@@ -17,7 +17,9 @@ final class ChainModels {
 
   private ChainModels() {}
 
-  /** A chain in which everything holds; its first node hears itself, which is a warning. */
+  /**
+   * Returns a chain without violations; its first node reads its own output, which is a warning.
+   */
   static EventChain sound(int nodes) {
     EventChain chain = FACTORY.createEventChain();
     chain.setName("chain");
@@ -71,7 +73,10 @@ final class ChainModels {
     return data;
   }
 
-  /** A chain with faults of every kind that the rules of the benchmarks find, some kinds often. */
+  /**
+   * Returns a chain with every kind of fault that the rules of the benchmarks find, some of them
+   * often.
+   */
   static EventChain faulty(int nodes) {
     EventChain chain = sound(nodes);
     for (int i = 0; i < nodes; i++) {

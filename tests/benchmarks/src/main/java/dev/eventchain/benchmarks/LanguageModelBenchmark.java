@@ -30,14 +30,15 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.Executors;
 
 /**
- * Times what a question to a language model costs besides the model: a server on this machine that
- * streams the same answer at once, asked through the program's transport and by hand; and answers
- * from 10 and from 10,000 recordings. Medians in one process; the first calls are not counted.
+ * Times the overhead of a language model call: to a local server that streams the same answer
+ * immediately, through the program's transport and with handwritten code; and answers from 10 and
+ * from 10,000 recordings. Medians in one process; the first calls are not counted.
  */
 public final class LanguageModelBenchmark {
   private static final int WARM_UP = 50;
   private static final int CALLS = 200;
-  private static final String PROMPT = "Write the component. ".repeat(1_500); // 30 kB, as ours are
+  private static final String PROMPT =
+      "Write the component. ".repeat(1_500); // 30 kB, like typical answers
   private static final String CHUNK =
       "data: {\"id\": \"c\", \"object\": \"chat.completion.chunk\", \"created\": 1, \"model\":"
           + " \"m\", \"choices\": [{\"index\": 0, \"delta\": {\"content\": \"%s\"},"
@@ -52,12 +53,13 @@ public final class LanguageModelBenchmark {
   private LanguageModelBenchmark() {}
 
   /**
-   * Prints milliseconds for a call.
+   * Prints the milliseconds per call.
    *
    * @param arguments nothing
    */
   public static void main(String[] arguments) throws Exception {
-    System.setProperty("sun.net.httpserver.nodelay", "true"); // else it waits 40 ms for each answer
+    System.setProperty(
+        "sun.net.httpserver.nodelay", "true"); // otherwise it waits 40 ms for each answer
     HttpServer server =
         HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
     server.createContext("/", LanguageModelBenchmark::answer);

@@ -20,7 +20,7 @@ import java.util.Locale;
 import java.util.stream.Stream;
 
 /**
- * How much faster than real time the AEB example is simulated in lock-step for two minutes, with
+ * Measures the real-time factor of the AEB example, simulated in lock-step for two minutes, with
  * lidar scans of about 4,000 and about 2,000 points at 20 Hz: generated nodes, real confined
  * processes.
  */

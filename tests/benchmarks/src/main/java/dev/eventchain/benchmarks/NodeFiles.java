@@ -8,14 +8,14 @@ import java.util.Locale;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
-/** What {@code nodes.mtl} generates, written by hand as directly as Java can. */
+/** The equivalent of {@code nodes.mtl}, written by hand in direct Java. */
 final class NodeFiles {
 
   private final StringBuilder text = new StringBuilder();
 
   private NodeFiles() {}
 
-  /** The content of each file by its name. */
+  /** Returns the content of each file by its name. */
   static SortedMap<String, byte[]> of(EventChain chain) {
     SortedMap<String, byte[]> files = new TreeMap<>();
     NodeFiles writer = new NodeFiles();

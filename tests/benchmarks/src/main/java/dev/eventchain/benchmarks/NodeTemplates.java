@@ -18,7 +18,7 @@ final class NodeTemplates {
 
   private NodeTemplates() {}
 
-  /** Chains whose nodes have one input or two, and one output. */
+  /** Returns chains whose nodes have one or two inputs, and one output. */
   static EventChain chain(int nodes) {
     EventChain chain = ChainModels.sound(nodes);
     for (int i = 0; i < nodes; i++) {
@@ -56,7 +56,7 @@ final class NodeTemplates {
     return result;
   }
 
-  /** Says which file two ways of generating differ in; empty if none. */
+  /** Returns the first file that differs between two generations; empty if there is none. */
   static Optional<String> difference(
       SortedMap<String, byte[]> one, SortedMap<String, byte[]> other) {
     if (!one.keySet().equals(other.keySet())) {

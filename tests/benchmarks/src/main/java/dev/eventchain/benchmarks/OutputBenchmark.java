@@ -32,7 +32,7 @@ public final class OutputBenchmark {
   private OutputBenchmark() {}
 
   /**
-   * Prints milliseconds, and how many times faster than writing with the same guards.
+   * Prints milliseconds, and the speed-up over writing with the same guards.
    *
    * @param arguments nothing
    */

@@ -7,12 +7,12 @@ import java.util.List;
 import org.eclipse.emf.common.util.TreeIterator;
 import org.eclipse.emf.ecore.EObject;
 
-/** The paper's two constraints as somebody would write them in Java by hand. */
+/** The paper's two constraints in handwritten Java. */
 final class PaperRules {
 
   private PaperRules() {}
 
-  /** Visits every element of a model, as a validator does that knows no more than its root. */
+  /** Visits every element of a model, as a validator does that knows only the root. */
   static List<Violation> check(EObject root) {
     List<Violation> found = new ArrayList<>();
     for (TreeIterator<EObject> all = root.eAllContents(); all.hasNext(); ) {
@@ -23,7 +23,7 @@ final class PaperRules {
     return found;
   }
 
-  /** Goes through the list of nodes, which is the least that anybody can do. */
+  /** Visits the list of nodes, which is the minimum. */
   static List<Violation> checkNodes(EventChain chain) {
     List<Violation> found = new ArrayList<>();
     for (SoftwareNode node : chain.getSoftware()) {

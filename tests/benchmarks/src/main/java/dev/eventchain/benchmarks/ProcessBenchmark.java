@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Prints how long whole processes of the program take, the launcher included, and their largest
+ * Prints the durations of whole processes of the program, including the launcher, and their peak
  * resident memory: a first run of the AEB example, a run that finds everything unchanged, a
  * validation, and validations of large files with the paper's constraints.
  */
@@ -80,7 +80,7 @@ public final class ProcessBenchmark {
         what, roundsOfLargeFiles, null, "validate", "--ocl", rules.toString(), model.toString());
   }
 
-  /** Measures a command, with a folder emptied before each round if there is one. */
+  /** Measures a command, with a folder emptied before each round if given. */
   private void measure(String what, int times, Path fresh, String... command)
       throws IOException, InterruptedException {
     double[] seconds = new double[times];
@@ -124,13 +124,13 @@ public final class ProcessBenchmark {
     return new Ended(seconds, peak, process.exitValue());
   }
 
-  /** The largest resident memory so far in kB; the launcher becomes the JVM. */
+  /** Returns the peak resident memory so far in kB; the launcher becomes the JVM. */
   private static long peakOf(long pid) {
     try {
       Matcher peak = PEAK.matcher(Files.readString(Path.of("/proc/" + pid + "/status")));
       return peak.find() ? Long.parseLong(peak.group(1)) : 0;
     } catch (IOException e) {
-      return 0; // It has ended meanwhile.
+      return 0; // The process has ended meanwhile.
     }
   }
 

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** Times of messages there and back, in ns. */
+/** Round-trip times of messages, in ns. */
 final class RoundTrips {
 
   private final List<Long> times = new ArrayList<>();
@@ -20,7 +20,7 @@ final class RoundTrips {
     processorTime = 0;
   }
 
-  /** Sends a message so often, one after the other. */
+  /** Sends a message a number of times in sequence. */
   void measure(WirePeer peer, byte[] bytes, int count) throws IOException {
     long before = peer.processorTime();
     for (int i = 0; i < count; i++) {

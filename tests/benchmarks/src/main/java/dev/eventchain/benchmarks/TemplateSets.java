@@ -7,7 +7,7 @@ import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.templates.ShippedTemplates;
 import java.util.List;
 
-/** The template sets that ship, compiled as a project's are. */
+/** The shipped template sets, compiled as for a project. */
 final class TemplateSets {
 
   private TemplateSets() {}

@@ -14,7 +14,7 @@ import java.util.Set;
 import org.eclipse.emf.common.util.TreeIterator;
 import org.eclipse.emf.ecore.EObject;
 
-/** The constraints of {@code twenty.ocl} as somebody would write them in Java by hand. */
+/** The constraints of {@code twenty.ocl} in handwritten Java. */
 final class TwentyRules {
 
   private final List<Violation> found = new ArrayList<>();

@@ -2,5 +2,5 @@ package dev.eventchain.benchmarks;
 
 import org.eclipse.emf.ecore.EObject;
 
-/** That a rule does not hold for an element. */
+/** A violation of a rule by an element. */
 record Violation(String rule, EObject element) {}

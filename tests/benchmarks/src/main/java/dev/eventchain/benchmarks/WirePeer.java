@@ -15,7 +15,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
-/** A Python process on the wire, and the topics to it and back. */
+/** A Python process on the network, with the topics to and from it. */
 final class WirePeer implements AutoCloseable {
 
   static final Duration PATIENCE = Duration.ofSeconds(60);
@@ -31,9 +31,9 @@ final class WirePeer implements AutoCloseable {
   }
 
   /**
-   * A process with these arguments of Python.
+   * Starts Python with these arguments.
    *
-   * @param output whether what it prints can be read here
+   * @param output true if its output can be read here
    */
   static Process start(
       Path repository, PythonEnvironment python, String tag, boolean output, List<String> words)
@@ -52,7 +52,7 @@ final class WirePeer implements AutoCloseable {
     return builder.start();
   }
 
-  /** Waits until the process and this one know each other. */
+  /** Waits until the process and this one have discovered each other. */
   static WirePeer of(
       Process process,
       DdsParticipant here,
@@ -61,7 +61,7 @@ final class WirePeer implements AutoCloseable {
       MessageType type,
       QosSettings qos) {
     DdsWriter writer = here.writer(out, type, qos);
-    // What this side is too slow for is not the other's loss.
+    // Messages that this side is too slow for do not count as losses of the other.
     DdsReader reader = here.reader(back, type, qos.withHistory(QosSettings.History.KEEP_ALL));
     if (!writer.waitForMatches(1, PATIENCE) || !reader.waitForMatches(1, PATIENCE)) {
       process.destroy();
@@ -70,12 +70,12 @@ final class WirePeer implements AutoCloseable {
     return new WirePeer(process, writer, reader);
   }
 
-  /** Sends until something comes back: the other side may not know this one yet. */
+  /** Sends until an answer arrives: the other side may not have discovered this one yet. */
   void greet(byte[] bytes) {
     for (int i = 0; i < 600; i++) {
       writer.write(bytes);
       if (!reader.take(Duration.ofMillis(100)).isEmpty()) {
-        int answers = 0; // to what was sent before
+        int answers = 0; // to earlier messages
         while (answers < 20 && !reader.take(Duration.ofMillis(300)).isEmpty()) {
           answers++;
         }
@@ -85,7 +85,7 @@ final class WirePeer implements AutoCloseable {
     throw new IllegalStateException("the other process does not answer");
   }
 
-  /** How long the main thread of the process has been on a processor, in ns; 0: not known here. */
+  /** Returns the processor time of the process's main thread, in ns; 0 if unknown here. */
   long processorTime() throws IOException {
     Path file = Path.of("/proc", Long.toString(process.pid()), "schedstat");
     return Files.exists(file) ? Long.parseLong(Files.readString(file).split(" ", -1)[0]) : 0;
@@ -99,7 +99,7 @@ final class WirePeer implements AutoCloseable {
     return reader.take(timeout);
   }
 
-  /** Nanoseconds there and back. */
+  /** Returns the round-trip time in ns. */
   long roundTrip(byte[] bytes) {
     long start = System.nanoTime();
     writer.write(bytes);

@@ -1,2 +1,2 @@
-/** Programs that print how fast something is. */
+/** Programs that print performance figures. */
 package dev.eventchain.benchmarks;

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What the benchmarks of templates compare makes the same files. */
+/** Tests that the compared template benchmarks generate the same files. */
 class SameFilesTest {
 
   @Test

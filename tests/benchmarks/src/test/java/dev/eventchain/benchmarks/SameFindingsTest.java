@@ -17,7 +17,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.junit.jupiter.api.Test;
 
-/** What the benchmarks compare does the same work: it finds the same faults. */
+/** Tests that the compared benchmarks find the same faults. */
 class SameFindingsTest {
 
   private static final int NODES = 1_000;
@@ -41,7 +41,7 @@ class SameFindingsTest {
     assertEquals(List.of(), sorted(TwentyRules.check(ChainModels.sound(NODES))));
   }
 
-  /** A rule that nothing breaks would compare little; no chain can hold a node of another one. */
+  /** A rule without violations would compare little; no chain can contain a node of another one. */
   @Test
   void eachOfTheTwentyIsBroken() {
     Set<String> broken =

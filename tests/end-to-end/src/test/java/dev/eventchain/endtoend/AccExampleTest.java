@@ -8,8 +8,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The example with two controllers and a driver: it passes as it is, and does not when anything is
- * broken. One scenario is enough where something is.
+ * Tests the example with two controllers and a driver: it passes unchanged, and fails with any
+ * defect. One scenario is enough for a defect.
  */
 class AccExampleTest {
 

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Validation and generation on a metamodel that has nothing to do with event chains. */
+/** Tests validation and generation on a metamodel unrelated to event chains. */
 class AnyMetamodelTest {
 
   static final String ECORE =
@@ -267,7 +267,7 @@ class AnyMetamodelTest {
         .says("xmi.href.refused");
   }
 
-  /** Metamodels refer to each other as projects of a workspace, wherever that lies. */
+  /** Metamodels refer to each other as projects of a workspace, wherever that is. */
   @Test
   void referencesIntoAWorkspaceAreFollowedWhereTheCommandSaysItIs() throws IOException {
     Path workspace = Files.createDirectories(folder.resolve("elsewhere/workspace"));

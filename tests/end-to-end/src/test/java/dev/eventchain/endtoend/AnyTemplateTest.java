@@ -13,7 +13,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A template as projects of Acceleo have it: modules in packages, Java services, properties. */
+/**
+ * Tests a template with the structure of Acceleo projects: modules in packages, Java services,
+ * properties.
+ */
 class AnyTemplateTest {
 
   private static final String METAMODEL = "('http://example.org/library')]\n";

@@ -17,7 +17,9 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The world drives nodes that it did not start: here the generated ones, run one by one. */
+/**
+ * Tests that the world drives nodes that it did not start: here the generated ones, run one by one.
+ */
 class AttachedTest {
 
   private static final Path BUNDLES = Program.ROOT.resolve("bundles");
@@ -37,7 +39,10 @@ class AttachedTest {
           - {name: warned, formula: "eventually[0, 4] /cluster/lane_departure.left"}
       """;
 
-  /** Loopback often has no multicast; the tag keeps others away that use the domain. */
+  /**
+   * Configuration of loopback, which often has no multicast; the tag excludes other users of the
+   * domain.
+   */
   private static final String LOOPBACK =
       """
       <CycloneDDS><Domain id="any"><General><Interfaces>
@@ -111,7 +116,7 @@ class AttachedTest {
     return Path.of(executable);
   }
 
-  /** The files of the nodes, as the manifest has them. */
+  /** Returns the files of the nodes, according to the manifest. */
   private static List<Path> nodeFiles(Path project) throws IOException {
     Path package_ = generated(project);
     JsonNode manifest =

@@ -21,8 +21,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * What is wrong with the input is said with its place and the right exit code, and earlier output
- * stays whole.
+ * Tests that input errors are reported with location and the right exit code, and that earlier
+ * output stays intact.
  */
 class BadInputTest {
 
@@ -164,7 +164,7 @@ class BadInputTest {
   @Test
   void aComponentThatAlwaysBrakesFailsTheVerdict() throws IOException {
     replaceDecision("return {'braking_force': 1.0}");
-    ended = new Program().run("run", project, "--from", "model"); // past its tests
+    ended = new Program().run("run", project, "--from", "model"); // after its tests
     ended
         .expect(1)
         .says("FAILED")
@@ -356,7 +356,7 @@ class BadInputTest {
     ended.expect(code).says(text);
   }
 
-  /** All files below a folder, but for what is remembered of stages. */
+  /** Returns all files below a folder, except the records of stages. */
   private static Set<Path> filesIn(Path folder) throws IOException {
     try (Stream<Path> files = Files.walk(folder)) {
       return files

@@ -18,8 +18,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Whatever is wrong with a template is a finding with its place, and nothing is written; a killed
- * run leaves whole files.
+ * Tests that template errors are findings with a location, and nothing is written; a killed run
+ * leaves complete files.
  */
 class BadTemplateTest {
 

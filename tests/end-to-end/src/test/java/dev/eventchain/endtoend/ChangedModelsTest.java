@@ -22,7 +22,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * What build servers and pre-commit call, {@code bundles/front/ci}, in repositories made for it.
+ * Tests {@code bundles/front/ci}, which build servers and pre-commit call, in repositories created
+ * for it.
  */
 class ChangedModelsTest {
 
@@ -43,7 +44,7 @@ class ChangedModelsTest {
       </ecore:EPackage>
       """;
 
-  /** Prints what it is called with, and ends as the file {@code code} says. */
+  /** Script that prints its arguments, and ends with the exit code in the file {@code code}. */
   private static final String FAKE =
       """
       #!/usr/bin/env bash

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Tests of components: proposed ones, those that people wrote, and what comes of them. */
+/** Tests of component tests: proposed and handwritten ones, and their effects. */
 class ComponentTestsTest {
   private static final String DECISION = "tests/Braking_Decision.yaml";
 
@@ -34,7 +34,7 @@ class ComponentTestsTest {
     implement().expect(0).says("= Implement");
   }
 
-  /** What people wrote is taken instead, and nobody is asked. */
+  /** Uses the tests that people wrote instead, without a request. */
   @Test
   void testsThatPeopleWroteTakeTheirPlace() throws IOException {
     project.write(
@@ -106,7 +106,7 @@ class ComponentTestsTest {
         .says("'brake' is 1.0, not 0.5, with braking_force = 1.0. [component.test.failed]");
   }
 
-  /** Whatever an earlier run found in its own version, the tests run on the one that there is. */
+  /** Whatever an earlier run found in its own version, the tests run on the current one. */
   @Test
   void editedComponentsAreTestedAsTheyStand() throws IOException {
     implement().expect(0).says("30 component tests passed");

@@ -22,8 +22,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The example on plain Cyclone DDS: the same verdict in simulated time, and values that cross the
- * middleware between processes.
+ * Tests the example on plain Cyclone DDS: the same verdict in simulated time, and values that cross
+ * the middleware between processes.
  */
 class CycloneDdsTest {
 
@@ -36,7 +36,10 @@ class CycloneDdsTest {
       Program.ROOT.resolve(
           "bundles/mde/m2t/src/test/resources/cases/cyclonedds-python/fork-and-join/expected/fork");
 
-  /** Loopback often has no multicast: all participants are on this machine and found by unicast. */
+  /**
+   * Configuration of loopback, which often has no multicast: all participants are on this machine
+   * and found by unicast.
+   */
   private static final String LOOPBACK =
       "<CycloneDDS><Domain><General><Interfaces><NetworkInterface address=\"127.0.0.1\"/>"
           + "</Interfaces><AllowMulticast>false</AllowMulticast></General><Discovery><Peers><Peer"
@@ -125,7 +128,7 @@ class CycloneDdsTest {
     forkAndJoin("lint");
     for (Path each : List.of(generated, folder.resolve("lint"))) {
       python(each, "-m", "ruff", "check", "--no-cache", ".").expect(0);
-      // Any is what components exchange; they themselves are not generated from templates.
+      // Components exchange Any; they themselves are not generated from templates.
       List<String> hints = List.of("--extend-select", "ANN,E501", "--ignore", "ANN401");
       Stream<String> words =
           Stream.of("-m", "ruff", "check", "--no-cache", "--exclude", "components", ".");
@@ -157,7 +160,7 @@ class CycloneDdsTest {
                 .redirectOutput(log.toFile())
                 .start());
       }
-      // Below 8 m at 8 m/s it is less than 1 s, and the vehicle brakes as hard as it can.
+      // Below 8 m at 8 m/s it is less than 1 s, and the vehicle brakes with full force.
       ended(builder(generated, domain, RESOURCES.resolve("peer.py")))
           .expect(0)
           .says("seen: brake_force, time_to_collision");
@@ -172,7 +175,7 @@ class CycloneDdsTest {
     }
   }
 
-  /** The package of the case with the fork, with components that nothing is asked of. */
+  /** The package of the fork example, with components that need no answers. */
   private static void forkAndJoin(String name) throws IOException {
     Path copy = folder.resolve(name);
     try (Stream<Path> files = Files.walk(FORK_AND_JOIN)) {
@@ -222,7 +225,7 @@ class CycloneDdsTest {
     return new Program.Ended(process.exitValue(), Files.readString(out), Files.readString(err));
   }
 
-  /** The environment with Cyclone DDS, made when the first test needs it. */
+  /** The environment with Cyclone DDS, created for the first test that needs it. */
   private static final class Environment {
     private static final Program.Ended FOUND = make();
 

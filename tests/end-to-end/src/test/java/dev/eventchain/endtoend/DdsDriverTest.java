@@ -19,15 +19,17 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Nodes as processes on Cyclone DDS: the same verdicts as in lock-step, in one scenario of each
- * example by default and in all of them in the profile {@code thorough}.
+ * Tests nodes as processes on Cyclone DDS: the same verdicts as in lock-step, in one scenario of
+ * each example by default and in all of them in the profile {@code thorough}.
  */
 class DdsDriverTest {
 
   private static final int SCENARIOS = Integer.getInteger("driver.scenarios", 1);
   private static final String HOST = "eventchain_ros2.node_host";
 
-  /** Brings the loopback interface of a new network namespace up, and becomes a program. */
+  /**
+   * Script that enables the loopback interface of a new network namespace, and executes a program.
+   */
   private static final String LOOPBACK_UP =
       "import fcntl, os, socket, struct, sys;"
           + "up = struct.pack('16sH14x', b'lo', 1);"
@@ -61,7 +63,7 @@ class DdsDriverTest {
     assertEquals(measured, measurements(project));
   }
 
-  /** The example with this scenario, or, if so many are wanted, with all. */
+  /** Returns the example with this scenario, or with all of them. */
   private Path copy(String example, String scenario) throws IOException {
     ProjectCopy copy = ProjectCopy.of(example, folder);
     if (SCENARIOS == 1) {
@@ -76,7 +78,7 @@ class DdsDriverTest {
         .toList();
   }
 
-  /** All that does not depend on the machine. */
+  /** Returns everything that does not depend on the machine. */
   private static String measurements(Path project) throws IOException {
     ObjectMapper json = new ObjectMapper();
     ObjectNode all = (ObjectNode) json.readTree(project.resolve("out/measurements.json").toFile());

@@ -12,7 +12,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A defect of the program says which file it was at. The program is broken on purpose for that. */
+/**
+ * Tests that a defect of the program names the input file. The program is broken on purpose for it.
+ */
 class DefectTest {
 
   private static final String TEMPLATE =
@@ -86,7 +88,7 @@ class DefectTest {
         .says(folder.resolve("main.mtl") + ": error: This is a defect in eventchain: ");
   }
 
-  /** The program with an empty class in place of one of its own. */
+  /** Returns the program with an empty class in place of one of its own. */
   private Program breaking(String name) throws IOException {
     int dot = name.lastIndexOf('.');
     String text =

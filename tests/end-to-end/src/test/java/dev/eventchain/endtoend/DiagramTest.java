@@ -12,7 +12,7 @@ import java.nio.file.attribute.FileTime;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Pictures of the example, of other models, and of what is not a model. */
+/** Tests diagrams of the example, of other models, and of invalid models. */
 class DiagramTest {
 
   private static final Path METAMODEL = Program.ROOT.resolve("metamodel/eventchain.ecore");

@@ -29,7 +29,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What users unpack does what it does in the repository, and stays as it was unpacked. */
+/** Tests that the unpacked distribution works as in the repository and stays unchanged. */
 class DistributionTest {
 
   private static final Path AGAIN = Program.ROOT.resolve("bundles/front/distribution/target/again");
@@ -246,7 +246,7 @@ class DistributionTest {
     }
   }
 
-  /** The Python packages of this user, which a run would otherwise have to fetch again. */
+  /** Returns this user's Python packages, which a run would otherwise download again. */
   private static Map<String, String> python() throws IOException {
     String configured = System.getenv().getOrDefault("XDG_CACHE_HOME", "");
     Path user =

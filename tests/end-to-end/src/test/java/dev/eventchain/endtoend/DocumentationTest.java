@@ -19,9 +19,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The commands on the pages for users do what the pages say. Blocks of {@code console} are run by
- * bash, one page after the other in one folder; {@code ...} in what they print stands for anything.
- * Takes about 25 s.
+ * Tests that the commands on the pages for users work as documented. Bash runs {@code console}
+ * blocks, page by page in one folder; {@code ...} in their output stands for anything. Takes about
+ * 25 s.
  */
 class DocumentationTest {
 
@@ -34,7 +34,7 @@ class DocumentationTest {
 
   @TempDir Path folder;
 
-  /** A command, and what it prints. */
+  /** A command and its output. */
   private record Step(String command, String printed) {}
 
   @BeforeEach
@@ -87,7 +87,7 @@ class DocumentationTest {
     assertEquals(2, blocks);
   }
 
-  /** A page that is run by no test above would not be noticed otherwise. */
+  /** A page without a test above would not be noticed otherwise. */
   @Test
   void noOtherPageHasCommands() throws IOException {
     try (var pages = Files.list(PAGES)) {
@@ -111,7 +111,7 @@ class DocumentationTest {
     }
   }
 
-  /** Runs a page, and says how many blocks it has. */
+  /** Runs a page and returns its number of blocks. */
   private int run(String page) throws Exception {
     Matcher block = BLOCK.matcher(Files.readString(PAGES.resolve(page)));
     int blocks = 0;

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** An evaluation whose answers come through people, from a chat window. */
+/** Tests an evaluation with answers by people, from a chat window. */
 class EvaluateHandoffTest {
 
   private static final ObjectMapper MAPPER = new ObjectMapper();

@@ -14,13 +14,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * A real server whose language model has random weights: each run fails, and it is said by what.
+ * Tests a real server whose language model has random weights: each run fails, with reported
+ * errors.
  */
 class EvaluateLlamaTest {
 
   private static final String KEY = "sk-of-this-server";
 
-  /** What the prompts of a small project take, of which each character is a token. */
+  /** Context size for the prompts of a small project, with one token per character. */
   private static final int CONTEXT = 65_536;
 
   @TempDir Path folder;
@@ -67,7 +68,7 @@ class EvaluateLlamaTest {
     }
   }
 
-  /** The chain that people edit needs a component that does not exist any more. */
+  /** Removes a component that the edited chain needs. */
   private static void forget(ProjectCopy project, String component) throws IOException {
     ObjectMapper mapper = new ObjectMapper();
     Path file = project.path().resolve("software-base/components.json");

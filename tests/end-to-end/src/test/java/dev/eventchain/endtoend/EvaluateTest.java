@@ -26,7 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** How often models get it right, as people ask for it. */
+/** Tests the evaluation of language models from the command line. */
 class EvaluateTest {
 
   private static final ObjectMapper MAPPER = new ObjectMapper();
@@ -60,7 +60,7 @@ class EvaluateTest {
     return Files.readString(project.resolve("out/evaluation/evaluation.html"));
   }
 
-  /** The results without what depends on the machine. */
+  /** Returns the results without machine-dependent values. */
   private static JsonNode withoutHost(JsonNode json) {
     json.findParents("host").forEach(each -> ((ObjectNode) each).remove("host"));
     return json;
@@ -181,7 +181,9 @@ class EvaluateTest {
     }
   }
 
-  /** A source that answers nonsense fails in its own way, by names that people may look up. */
+  /**
+   * A source of nonsense answers fails with its own errors, by identifiers that can be looked up.
+   */
   @Test
   void nonsenseScoresNothing() throws IOException {
     String source = "command:echo '[{\"name\": \"A\"}]'";
@@ -219,7 +221,7 @@ class EvaluateTest {
     evaluate("--models", "elsewhere/a", "--llm", "live").expect(2).says("[llm.service.unknown]");
   }
 
-  /** A wrong answer is the model's fault; that it was not asked again is not. */
+  /** A wrong answer is the model's fault; a missing correction is not. */
   @Test
   void whatCannotBeRepairedForWantOfAnAnswerDoesNotCount() throws IOException {
     Path program = folder.resolve("once.sh");

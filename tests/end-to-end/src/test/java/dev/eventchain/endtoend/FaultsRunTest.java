@@ -12,7 +12,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Faults from the command line to the exit code, the verdict and the report. */
+/** Tests faults from the command line to exit code, verdict and report. */
 class FaultsRunTest {
 
   private static final String FAULTS =

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The ROS 2 package of the example: what people do with it before they trust it. */
+/** Tests the ROS 2 package of the example by the steps of people who examine it. */
 class GeneratedPackageTest {
 
   private static final String ENVIRONMENT =
@@ -94,7 +94,7 @@ class GeneratedPackageTest {
     assertTrue(Files.readString(generated.resolve("setup.py")).contains("license=\"EPL-2.0\""));
   }
 
-  /** Also what the components import. */
+  /** Includes the imports of the components. */
   @Test
   void thePackageNamesWhatItImports() throws Exception {
     Path script =
@@ -144,7 +144,7 @@ class GeneratedPackageTest {
     return times;
   }
 
-  /** Runs the Python of the project's tools in the package's folder; what it printed. */
+  /** Runs Python of the project's tools in the package's folder and returns its output. */
   private static String python(List<String> arguments) throws Exception {
     List<String> command =
         new ArrayList<>(

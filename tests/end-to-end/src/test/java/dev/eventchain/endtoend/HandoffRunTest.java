@@ -13,7 +13,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What a run asks a person, and what it need not ask. */
+/** Tests which questions a run asks a person, and which it need not ask. */
 class HandoffRunTest {
 
   @TempDir Path folder;

@@ -12,7 +12,9 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** {@code init} makes a project that runs, or one around the software that a folder has. */
+/**
+ * Tests that {@code init} creates a project that runs, or one around existing software in a folder.
+ */
 class InitTest {
 
   @TempDir private Path folder;

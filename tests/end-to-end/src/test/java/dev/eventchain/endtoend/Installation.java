@@ -18,8 +18,8 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 
 /**
- * The zip of the distribution, unpacked where nothing can be written, on a machine that has little
- * else: the {@code PATH} leads to a Java without compiler, Python and what every system has.
+ * The distribution's zip, unpacked into a read-only folder on a minimal machine: the {@code PATH}
+ * leads to a Java without compiler, Python and basic system tools.
  */
 final class Installation {
 
@@ -66,7 +66,7 @@ final class Installation {
     script(commands.resolve("java"), "exec '" + realJava() + "' \"$@\"");
   }
 
-  /** What the build packed. */
+  /** Returns the archive that the build packed. */
   static Path zip() throws IOException {
     try (Stream<Path> files = Files.list(TARGET)) {
       return files.filter(file -> file.toString().endsWith(".zip")).findFirst().orElseThrow();
@@ -77,12 +77,12 @@ final class Installation {
     return home;
   }
 
-  /** The only folder on the {@code PATH}. */
+  /** Returns the only folder on the {@code PATH}. */
   Path commands() {
     return folder.resolve("commands");
   }
 
-  /** Where the program keeps what it can make again. */
+  /** Returns the folder of the program's cache. */
   Path cache() throws IOException {
     return Files.createDirectories(folder.resolve("cache"));
   }
@@ -108,7 +108,7 @@ final class Installation {
     }
   }
 
-  /** JUnit removes what tests leave, but only where it may write. */
+  /** Makes the folder writable, since JUnit can remove only writable ones. */
   void mayBeRemoved() throws IOException {
     try (Stream<Path> files = Files.walk(home)) {
       for (Path file : files.filter(Files::isDirectory).toList()) {
@@ -119,7 +119,7 @@ final class Installation {
     }
   }
 
-  /** All files of the installation with what they hold. */
+  /** Returns all files of the installation with their contents. */
   SortedMap<String, String> content() throws IOException {
     SortedMap<String, String> content = new TreeMap<>();
     try (Stream<Path> files = Files.walk(home)) {
@@ -134,7 +134,7 @@ final class Installation {
     return content;
   }
 
-  /** Starts {@code bin/eventchain}, or something before it, and waits for its end. */
+  /** Starts {@code bin/eventchain}, or a program before it, and waits for its end. */
   Program.Ended run(List<String> before, Map<String, String> settings, Object... arguments)
       throws IOException {
     List<String> command = new ArrayList<>(before);
@@ -152,7 +152,7 @@ final class Installation {
     return new Program.Ended(process.exitValue(), Files.readString(out), Files.readString(err));
   }
 
-  /** A program of this machine. */
+  /** Returns a program of this machine. */
   static Path onPath(String name) {
     return Stream.of(System.getenv("PATH").split(":", -1))
         .map(entry -> Path.of(entry, name))

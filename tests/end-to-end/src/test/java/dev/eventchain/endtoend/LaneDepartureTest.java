@@ -7,7 +7,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The example that commands nothing: it passes as it is, and does not when anything is broken. */
+/** Tests the example without actuation: it passes unchanged, and fails with any defect. */
 class LaneDepartureTest {
 
   @TempDir private Path folder;

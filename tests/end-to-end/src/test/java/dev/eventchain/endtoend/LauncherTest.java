@@ -19,10 +19,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The launcher with a copy of what was built, as on the machine of a user. */
+/** Tests the launcher with a copy of the build's output, as on a user's machine. */
 class LauncherTest {
 
-  /** Does as if it made archives, in no time. */
+  /** Script that pretends to create archives. */
   static final String FORGER =
       """
       case "$*" in
@@ -153,7 +153,7 @@ class LauncherTest {
     return Files.readAllLines(folder.resolve("calls")).size();
   }
 
-  /** A JDK whose {@code java} does something first, and then is the one of this test. */
+  /** Returns a JDK whose {@code java} runs a script before that of this test. */
   private String fakeJava(String version, String first) throws IOException {
     Path jdk = folder.resolve("jdk-" + version);
     Path java = Files.createDirectories(jdk.resolve("bin")).resolve("java");
@@ -190,7 +190,8 @@ class LauncherTest {
   }
 
   /**
-   * The classes that a small command loads, each with its source, when Java must use the archive.
+   * Returns the classes that a small command loads, each with its source, when Java must use the
+   * archive.
    */
   private String loadedFrom(Path archive) throws IOException {
     Path log = folder.resolve("loaded");

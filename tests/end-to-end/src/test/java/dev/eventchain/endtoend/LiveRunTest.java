@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The example with answers of a service, in the format of each kind of service. */
+/** Tests the example with answers of a service, in the format of each kind of service. */
 class LiveRunTest {
 
   private static final String KEY = "sk-not-to-be-seen-anywhere";

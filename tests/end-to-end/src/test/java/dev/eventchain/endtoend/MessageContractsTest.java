@@ -7,7 +7,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Contracts between the components of a project, and the vehicle around them. */
+/** Tests the contracts between the components of a project and the vehicle. */
 class MessageContractsTest {
 
   private static final Path CASES =
@@ -76,7 +76,7 @@ class MessageContractsTest {
         .expect(0);
   }
 
-  /** The case as a project whose chain people edit. */
+  /** Returns the case as a project with an edited chain. */
   private Path project(String name) throws IOException {
     Path project = folder.resolve("limiter");
     copy(CASES.resolve(name).resolve("signals.json"), project.resolve("software-base"));

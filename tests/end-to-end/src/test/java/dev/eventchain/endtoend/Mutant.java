@@ -16,15 +16,16 @@ import org.yaml.snakeyaml.Yaml;
 import org.yaml.snakeyaml.constructor.SafeConstructor;
 
 /**
- * A component that was changed so that somebody responsible for safety would fail it.
+ * A component with a safety-relevant defect.
  *
- * @param id what tests call it
- * @param does how it behaves, in words
+ * @param id the name in tests
+ * @param does a description of its behaviour
  * @param component the name of the component, the one that is changed unless a change names another
  * @param changes the texts that are replaced, each of which stands exactly once in its component
  * @param scenario the one that fails it
- * @param criterion how the text of the criterion begins that fails it; empty if it is equivalent
- * @param equivalent why no requirement tells it from the original; empty if one does
+ * @param criterion the beginning of the text of the failed criterion; empty if it is equivalent
+ * @param equivalent the reason why no requirement distinguishes it from the original; empty if one
+ *     does
  */
 record Mutant(
     String id,
@@ -40,14 +41,14 @@ record Mutant(
 
   private static final Set<String> CHANGE_KEYS = Set.of("component", "replace", "by");
 
-  /** A text of a component, and what takes its place. */
+  /** A text of a component and its replacement. */
   record Change(String component, String replace, String by) {}
 
   /**
-   * Those of a file.
+   * Reads the mutants of a file.
    *
-   * @throws IllegalArgumentException if an entry does not say what fails it, or why nothing does,
-   *     or says both, or has a key that is not known
+   * @throws IllegalArgumentException if an entry has neither a failing criterion nor a reason for
+   *     equivalence, or both, or an unknown key
    */
   static List<Mutant> read(Path file) throws IOException {
     Map<?, ?> content =
@@ -59,7 +60,7 @@ record Mutant(
     refuseOthers(entry, KEYS);
     String criterion = optional(entry, "criterion").orElse("");
     String equivalent = optional(entry, "equivalent").orElse("");
-    // An empty beginning of a text would fit each criterion that fails.
+    // An empty beginning would match every failed criterion.
     if (criterion.isBlank() == equivalent.isBlank()) {
       throw new IllegalArgumentException("either a criterion or why it is equivalent: " + entry);
     }
@@ -77,7 +78,7 @@ record Mutant(
         equivalent);
   }
 
-  /** A change of another component than the mutant's says so. */
+  /** Returns the component of a change: the mutant's unless the change names another one. */
   private static Change change(Map<?, ?> entry, String component) {
     refuseOthers(entry, CHANGE_KEYS);
     return new Change(
@@ -101,7 +102,7 @@ record Mutant(
     return text;
   }
 
-  /** Changes what it changes in a folder of components. */
+  /** Applies the changes to a folder of components. */
   void putInto(Path components) {
     try {
       for (Change change : changes) {

@@ -31,7 +31,8 @@ import java.util.stream.Stream;
 
 /**
  * Simulates an example whose components change from scenario to scenario. A scenario reads them
- * again, so one simulation does for many mutants, and nothing is generated or started for each.
+ * again, so one simulation is enough for many mutants, without generation or process start for
+ * each.
  */
 final class MutantRun {
 
@@ -44,7 +45,7 @@ final class MutantRun {
   private final List<Path> messages;
   private final List<Scenario> scenarios;
 
-  /** A mutant and the scenario that is to fail it. */
+  /** A mutant and the scenario that has to fail it. */
   record Trial(Mutant mutant, Scenario scenario) {
 
     @Override
@@ -93,7 +94,7 @@ final class MutantRun {
     return new Trial(mutant, scenario.orElseThrow());
   }
 
-  /** The verdicts, in the order of the trials. */
+  /** Returns the verdicts, in the order of the trials. */
   List<ScenarioVerdict> simulate(List<Trial> trials) throws IOException {
     List<CompletableFuture<List<ScenarioVerdict>>> parts = new ArrayList<>();
     for (int i = 0; i < PROCESSES; i++) {
@@ -113,7 +114,7 @@ final class MutantRun {
         .toList();
   }
 
-  /** With one process a scenario begins when the one before has been reported. */
+  /** With one process, a scenario begins when the previous one has been reported. */
   private List<ScenarioVerdict> simulate(List<Trial> trials, Path copy) {
     List<Scenario> wanted = trials.stream().map(Trial::scenario).toList();
     SimulationRequest request =
@@ -152,7 +153,7 @@ final class MutantRun {
         .collect(Collectors.toSet());
   }
 
-  /** Puts the original components into a copy of the package, and what the trial changes. */
+  /** Restores the original components in a copy of the package, and applies the trial's changes. */
   private void change(Trial trial, Path copy) {
     Path components = copy.resolve(chain.getName()).resolve("components");
     try (Stream<Path> files =

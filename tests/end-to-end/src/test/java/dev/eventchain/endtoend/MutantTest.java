@@ -11,7 +11,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Mutants are read only if they say what fails them, or why nothing does. */
+/** Tests that mutants are read only with a failing criterion or a reason for equivalence. */
 class MutantTest {
 
   @TempDir Path folder;

@@ -16,8 +16,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * The scenarios of the examples fail components that somebody responsible for safety would fail,
- * and for the right reason: by the criterion that is about what is wrong with them.
+ * Tests that the scenarios of the examples fail components with safety-relevant defects, and by the
+ * criterion that concerns the defect.
  */
 class MutantsTest {
 

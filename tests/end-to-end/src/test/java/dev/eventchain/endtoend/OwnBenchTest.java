@@ -8,8 +8,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * What is broken between the bench of somebody's own function and its components is named in the
- * verdict.
+ * Tests that the verdict names broken connections between the bench of a custom function and its
+ * components.
  */
 class OwnBenchTest {
 

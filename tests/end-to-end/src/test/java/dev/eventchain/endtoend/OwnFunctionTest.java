@@ -14,8 +14,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * A function of somebody's own: emergency braking on a radar at 50 Hz, with messages that no
- * standard has, a lamp, and a chain that people edit. What is broken in it is named in the verdict.
+ * Tests a custom function: emergency braking on a radar at 50 Hz, with non-standard messages, a
+ * lamp, and an edited chain. The verdict names its defects.
  */
 class OwnFunctionTest {
 

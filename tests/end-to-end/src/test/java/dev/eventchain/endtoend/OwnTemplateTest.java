@@ -13,7 +13,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Templates of a project: what they generate is simulated as their manifest says. */
+/** Tests that the output of a project's own templates is simulated according to its manifest. */
 class OwnTemplateTest {
 
   private static final String NAMES = "templates/python/names.mtl";
@@ -109,7 +109,7 @@ class OwnTemplateTest {
     assertTrue(Files.readString(simulated).contains("\"passed\" : false,"));
   }
 
-  /** The one of the README; a module next to it replaces one that ships. */
+  /** The template of the README; a module next to it replaces a shipped one. */
   @Test
   void aTemplateThatImportsAShippedSetRunsFromStartToVerdict() throws IOException {
     Path own = Program.exampleIn(folder.resolve("importing"));
@@ -150,7 +150,7 @@ class OwnTemplateTest {
     assertFalse(Files.exists(made.resolve("launch/aeb.launch.py")));
   }
 
-  /** Also where a set has a module of that name. */
+  /** Also if a set has a module of that name. */
   @Test
   void aSetThatIsNotThereIsNotReplacedByAnother() throws IOException {
     Path own = Files.createDirectories(folder.resolve("wrong"));

@@ -19,9 +19,9 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * The program, of the jars that the launcher starts. It runs inside the process of the tests unless
- * a test gives it an environment of its own, starts it by another program or needs it as a process:
- * starting Java takes longer than most commands.
+ * The program, from the jars that the launcher starts. It runs in the process of the tests unless a
+ * test sets its environment, starts it by another program or needs a process: starting Java takes
+ * longer than most commands.
  */
 final class Program {
 
@@ -31,7 +31,7 @@ final class Program {
   private static final Set<String> SCENARIOS =
       Set.of("empty-road.yaml", "slower-vehicle.yaml", "stopped-vehicle-50.yaml");
 
-  /** For the slowest of machines; none should wait for ever. */
+  /** Time limit in seconds for the slowest machines; nothing should wait forever. */
   static final long LONGEST_SECONDS = 1800;
 
   private static final int TRIES = 20;
@@ -40,13 +40,13 @@ final class Program {
   private final List<String> prefix = new ArrayList<>();
 
   /**
-   * How the program ended.
+   * The end of the program.
    *
    * @param code its exit code
    */
   record Ended(int code, String out, String err) {
 
-    /** Fails with everything that was printed if the exit code is another. */
+    /** Fails with the whole output unless the exit code is the expected one. */
     Ended expect(int expected) {
       assertTrue(
           code == expected,
@@ -62,7 +62,7 @@ final class Program {
       return this;
     }
 
-    /** Fails with everything that was printed if nothing printed holds the text. */
+    /** Fails with the whole output unless it contains a text. */
     Ended says(String text) {
       assertTrue(
           out.contains(text) || err.contains(text),
@@ -113,8 +113,8 @@ final class Program {
   }
 
   /**
-   * Starts the program, and halts it as Ctrl-Z does once it has printed a text to standard error.
-   * Whatever is done next is done in the middle of its work, however fast or busy the machine is.
+   * Starts the program, and halts it like Ctrl-Z once it has printed a text to standard error. The
+   * next action then happens in the middle of its work, however fast or busy the machine is.
    */
   Process haltedAt(String text, Path out, Path err, Object... arguments)
       throws IOException, InterruptedException {
@@ -145,7 +145,7 @@ final class Program {
     new ProcessBuilder("kill", "-" + name, Long.toString(process.pid())).start().waitFor();
   }
 
-  /** A shell script that starts the program with the script's arguments, in its folder. */
+  /** Returns a shell script that starts the program with the script's arguments, in its folder. */
   String script() {
     String words = command().stream().map(w -> "'" + w + "'").collect(Collectors.joining(" "));
     return "#!/usr/bin/env bash\nexec " + words + " \"$@\"\n";
@@ -159,7 +159,7 @@ final class Program {
     return command;
   }
 
-  /** Starts the program, writing to files. */
+  /** Starts the program with its output in files. */
   Process start(Path out, Path err, Object... arguments) throws IOException {
     List<String> command = command();
     Stream.of(arguments).map(String::valueOf).forEach(command::add);
@@ -169,8 +169,8 @@ final class Program {
   }
 
   /**
-   * The nodes of the longest time of each latency constraint in each scenario of a run; fails if
-   * what they waited and executed is not that time.
+   * Returns the nodes on the longest path of each latency constraint in each scenario of a run;
+   * fails if their waiting and execution times do not add up to the latency.
    */
   static List<String> slowestPaths(Path project) throws IOException {
     JsonNode measured =
@@ -193,8 +193,8 @@ final class Program {
   }
 
   /**
-   * A copy of the AEB example without what runs have put there, and with three scenarios only: they
-   * prove all of its requirements, and tests about other things need not wait for the rest.
+   * Returns a copy of the AEB example without results of runs, and with three scenarios only: they
+   * prove all of its requirements, and tests about other features need not wait for the rest.
    */
   static Path exampleIn(Path folder) throws IOException {
     Path copy = wholeExampleIn(folder);
@@ -208,7 +208,7 @@ final class Program {
     return copy;
   }
 
-  /** A copy of the AEB example with all of its scenarios, without what runs have put there. */
+  /** Returns a copy of the AEB example with all of its scenarios, without results of runs. */
   static Path wholeExampleIn(Path folder) throws IOException {
     Path copy = folder.resolve("aeb");
     copy(ROOT.resolve("examples/aeb"), copy);

@@ -22,15 +22,15 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * The program inside the process of the tests. Its classes come from the jars that the launcher
- * starts, not from the class path of the tests, and are loaded once for all tests; as in a process
- * of its own, each command is a thread's only work.
+ * The program in the process of the tests. Its classes come from the launcher's jars, not from the
+ * tests' class path, and are loaded once for all tests; as in a separate process, each command is a
+ * thread's only work.
  */
 final class ProgramInside {
 
   static final String MAIN = "dev.eventchain.cli.Main";
 
-  /** All jars, in an order of their own, so that all processes have the same class path. */
+  /** All jars in a fixed order, so that all processes have the same class path. */
   static final String CLASS_PATH =
       jars().stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator));
 
@@ -48,7 +48,7 @@ final class ProgramInside {
   }
 
   private static ClassLoader loader() {
-    // A run's results belong to the build of the program, which it knows by its class path.
+    // A run's results belong to the build of the program, which is identified by its class path.
     System.setProperty("java.class.path", CLASS_PATH);
     URL[] urls = jars().stream().map(ProgramInside::url).toArray(URL[]::new);
     return new URLClassLoader(urls, ClassLoader.getPlatformClassLoader());
@@ -84,7 +84,7 @@ final class ProgramInside {
     }
   }
 
-  /** {@code Main.run}, which is the program but for the process. */
+  /** Calls {@code Main.run}: the program without its process. */
   private static int call(List<String> arguments, StringWriter out, StringWriter err)
       throws ReflectiveOperationException {
     Class<?> terminal = LOADER.loadClass("dev.eventchain.cli.Terminal");

@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 /**
  * A copy of an example, for a test to change and to run.
  *
- * @param path its folder
+ * @param path the folder
  */
 record ProjectCopy(Path path) {
 
@@ -23,7 +23,7 @@ record ProjectCopy(Path path) {
     return new ProjectCopy(copy);
   }
 
-  /** Replaces a text that is in a file once. */
+  /** Replaces a text that occurs once in a file. */
   void replace(String file, String text, String by) throws IOException {
     String content = Files.readString(path.resolve(file));
     assertEquals(1, content.split(Pattern.quote(text), -1).length - 1, text);
@@ -36,7 +36,7 @@ record ProjectCopy(Path path) {
     Files.writeString(path.resolve(file), content);
   }
 
-  /** Leaves one scenario of all; enough where one criterion tells. */
+  /** Keeps one scenario only, if one criterion is enough. */
   void onlyScenario(String scenario) throws IOException {
     try (Stream<Path> files = Files.list(path.resolve("scenarios"))) {
       for (Path file : files.filter(each -> !path.resolve(scenario).equals(each)).toList()) {
@@ -45,12 +45,12 @@ record ProjectCopy(Path path) {
     }
   }
 
-  /** Runs the whole of it. */
+  /** Runs all stages. */
   Program.Ended run() {
     return new Program().run("run", path);
   }
 
-  /** Fails if a verdict says that it passed. */
+  /** Fails if there is a verdict PASSED. */
   void requireNotPassed() throws IOException {
     Path verdict = path.resolve("out/verdict.json");
     assertFalse(

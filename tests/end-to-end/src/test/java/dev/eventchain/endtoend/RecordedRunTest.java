@@ -16,7 +16,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Recordings of scenarios as people ask for them. */
+/** Tests recordings of scenarios on request. */
 class RecordedRunTest {
 
   private static final byte[] MAGIC = {(byte) 0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
@@ -45,7 +45,7 @@ class RecordedRunTest {
     }
   }
 
-  /** Unchanged scenarios are simulated again, and nothing but the recordings is new. */
+  /** Unchanged scenarios are simulated again, and only the recordings are new. */
   @Test
   void aRunRecordsEachScenarioAndStaysWhatItWas() throws IOException {
     byte[] verdict = Files.readAllBytes(project.resolve("out/verdict.json"));
@@ -109,7 +109,7 @@ class RecordedRunTest {
     assertFalse(Files.exists(unfinished));
   }
 
-  /** Kills a run while it writes a recording. */
+  /** Kills a run during a recording. */
   private static void kill(Path project, Path unfinished) throws Exception {
     Path log = folder.resolve("killed.log");
     for (int i = 0; i < TRIES; i++) {

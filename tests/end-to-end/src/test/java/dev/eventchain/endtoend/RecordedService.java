@@ -22,8 +22,8 @@ import java.util.stream.Stream;
 import java.util.stream.StreamSupport;
 
 /**
- * A service of language models on this machine that answers with recordings, in the format of
- * whatever kind of service it is to be. It knows a question by its last message.
+ * A local language model service that answers with recordings, in the format of any kind of
+ * service. It recognises a prompt by its last message.
  */
 final class RecordedService implements AutoCloseable {
 
@@ -36,9 +36,9 @@ final class RecordedService implements AutoCloseable {
   private final HttpServer server;
 
   /**
-   * Starts one.
+   * Starts the service.
    *
-   * @param wire how it is spoken to, as in {@code eventchain.yaml}
+   * @param wire the protocol, as in {@code eventchain.yaml}
    * @param recordings a folder of recordings
    */
   RecordedService(String wire, Path recordings) throws IOException {
@@ -69,17 +69,17 @@ final class RecordedService implements AutoCloseable {
             "\n", StreamSupport.stream(text.spliterator(), false).map(JsonNode::asText).toList());
   }
 
-  /** Where it is, as a project's {@code url}. */
+  /** Returns the address, as a project's {@code url}. */
   String url() {
     return "http://localhost:" + server.getAddress().getPort();
   }
 
-  /** All headers of all requests. */
+  /** Returns all headers of all requests. */
   String headers() {
     return String.join("\n", headers);
   }
 
-  /** How often it was asked. */
+  /** Returns the number of requests. */
   int requests() {
     return headers.size();
   }
@@ -97,7 +97,7 @@ final class RecordedService implements AutoCloseable {
     }
   }
 
-  /** The last text of the last message, wherever the wire has it. */
+  /** Returns the last text of the last message, wherever the format has it. */
   private static String question(JsonNode request) {
     JsonNode messages = request.has("contents") ? request.get("contents") : request.get("messages");
     JsonNode last = messages.get(messages.size() - 1);
@@ -167,7 +167,7 @@ final class RecordedService implements AutoCloseable {
     event(out, json, "");
   }
 
-  /** An event with a text in place of the mark. */
+  /** Appends an event with a text in place of the mark. */
   private void event(StringBuilder out, String json, String text) {
     try {
       JsonNode tree = MAPPER.readTree(json.replace('\'', '"'));

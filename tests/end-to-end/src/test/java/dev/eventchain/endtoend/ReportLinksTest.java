@@ -15,7 +15,7 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** From each requirement the report leads to components and to the lines generated for them. */
+/** Tests the links of the report from each requirement to components and their generated lines. */
 class ReportLinksTest {
 
   @TempDir Path folder;

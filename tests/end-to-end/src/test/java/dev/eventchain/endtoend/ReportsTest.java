@@ -14,7 +14,10 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What a build server gets: reports of every outcome, suppressions, and pages about findings. */
+/**
+ * Tests the output for build servers: reports of every outcome, suppressions, and pages about
+ * findings.
+ */
 class ReportsTest {
 
   private static final String FAST = "context SoftwareNode inv Fast: self.frequency >= 30.0\n";

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** From requirements to a verdict, as in the README. */
+/** Tests a run from requirements to a verdict, as in the README. */
 class RunTest {
 
   @TempDir static Path folder;
@@ -45,7 +45,7 @@ class RunTest {
         .says("report.html");
   }
 
-  /** But for times, and how components can be confined on this machine. */
+  /** Except for times and the confinement of components on this machine. */
   @Test
   void theReadmeShowsWhatIsPrinted() throws IOException {
     List<String> printed =
@@ -84,7 +84,7 @@ class RunTest {
     ended.says(shown.replace("aeb/model/chain.xmi", model.toString()));
   }
 
-  /** The part of the README that the only group of a pattern matches. */
+  /** Returns the part of the README that matches the only group of a pattern. */
   private static String readme(String pattern) throws IOException {
     String text = Files.readString(Program.ROOT.resolve("README.md"));
     Matcher matcher = Pattern.compile(pattern).matcher(text);
@@ -135,7 +135,7 @@ class RunTest {
     assertEquals(one, two);
   }
 
-  /** Host times stand apart, because they differ. */
+  /** Host times are separate because they differ. */
   private static JsonNode measurements(Path out) throws IOException {
     JsonNode json = new ObjectMapper().readTree(out.resolve("measurements.json").toFile());
     assertTrue(json.has("host"), "host times stand apart");

@@ -13,7 +13,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** The site as it was built: its pages, and the Javadoc that they link to. */
+/** Tests the built site: its pages, and the Javadoc that they link to. */
 class SiteTest {
 
   private static final Path SITE = Program.ROOT.resolve("bundles/documentation/target/site");

@@ -11,7 +11,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * With too little memory a command says so and passes nothing; where it is enough, all is there.
+ * Tests that a command reports too little memory and passes nothing; with enough, all results
+ * exist.
  */
 class SmallMemoryTest {
 

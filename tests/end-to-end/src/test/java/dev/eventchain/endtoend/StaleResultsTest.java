@@ -23,14 +23,14 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Nothing of an earlier run passes for a result about today's files: neither its verdict, nor what
- * its stages made of files that have changed since.
+ * Tests that no earlier result passes for one about the current files: neither a verdict nor
+ * results of stages whose sources have changed.
  */
 class StaleResultsTest {
 
   private static final String OUTDATED = "project.stage.outdated";
 
-  /** A property that the component does not have, and no requirement asks for. */
+  /** Property that the component does not have, and that no requirement demands. */
   private static final String NEVER_BRAKES =
       "- {name: never, requirement: AEB-5, output: braking_force, over: {ttc: {from: 0, to: 1}},"
           + " within: {at_least: 0, at_most: 0}}";
@@ -310,7 +310,7 @@ class StaleResultsTest {
 
   @Test
   void aProjectWithoutDesignRulesKeepsNoneOfTheirConstraints() throws IOException {
-    // The rules stand in the prompts, so that without them only a chain of people's own needs none.
+    // The prompts contain the rules, so that without them only an edited chain needs no prompt.
     Files.createDirectories(project.resolve("model"));
     Files.copy(out("chain.xmi"), project.resolve("model/chain.xmi"));
     Files.delete(project.resolve("design-rules.md"));

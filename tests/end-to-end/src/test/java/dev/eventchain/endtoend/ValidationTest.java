@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What an editor is told of a project is what the command line says of it. */
+/** Tests that editors and the command line report the same findings about a project. */
 class ValidationTest {
 
   @TempDir Path folder;
@@ -53,7 +53,7 @@ class ValidationTest {
     assertEquals("[ ]", agreed(project, false));
   }
 
-  /** The findings of both, which are the same, as is what was checked. */
+  /** Returns the findings of both, which are the same, as are the checks. */
   private static String agreed(Path project, boolean broken) throws IOException {
     ProjectFolder opened = new ProjectFolder(project);
     Validation validation =

@@ -17,13 +17,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * A failed verdict goes back to who wrote the components. The answers come by hand-off, so that
- * each prompt lies in a file; all others come from the recordings of the example.
+ * Tests that a failed verdict is sent back to the authors of the components. The answers come by
+ * hand-off, with each prompt in a file; all others come from the recordings of the example.
  */
 class VerdictCorrectionTest {
   private static final String DECISION = "Braking_Decision";
 
-  /** Passes the one test that there is, and brakes too late. */
+  /** Component that passes its only test, and brakes too late. */
   private static final String LATE =
       """
       class Braking_Decision:
@@ -94,7 +94,7 @@ class VerdictCorrectionTest {
     assertTrue(
         prompt(2).contains("class TTC_Calculation"), "the first in the chain is asked first");
 
-    answer(2, component("TTC_Calculation")); // finds nothing wrong with it
+    answer(2, component("TTC_Calculation")); // finds no errors in it
     run().expect(4);
     String told = prompt(3);
     assertTrue(told.contains(LATE), told);
@@ -111,13 +111,13 @@ class VerdictCorrectionTest {
     assertEquals(3, spoken("Braking_Decision.py"), "the prompt, the verdict and the correction");
   }
 
-  /** How many answers the report shows for a file. */
+  /** Returns the number of answers that the report shows for a file. */
   private long spoken(String file) throws IOException {
     String report = Files.readString(project.resolve("out/report.html"));
     return Stream.of(report.split("\"file\":\"components/" + file, -1)).count();
   }
 
-  /** From recordings alone nothing is corrected, and the verdict says what failed. */
+  /** With recordings only, nothing is corrected, and the verdict names the failures. */
   @Test
   void verdictStandsWhereNobodyAnswers() throws IOException {
     run().expect(4);

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A verdict says what was tested: what was not is neither passed nor failed, and named. */
+/** Tests that the verdict names untested parts, which are neither passed nor failed. */
 class VerdictTest {
 
   @TempDir private Path folder;

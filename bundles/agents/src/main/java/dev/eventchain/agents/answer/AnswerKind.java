@@ -2,7 +2,7 @@ package dev.eventchain.agents.answer;
 
 import java.util.regex.Pattern;
 
-/** What an answer is expected to hold, and how that is told from the talk around it. */
+/** Kinds of artefacts in answers, and their recognition in the surrounding text. */
 public enum AnswerKind {
   /** A JSON array or object. */
   JSON("JSON", "json|json5|jsonc|javascript|js", "^\\s*[\\[{]"),
@@ -24,17 +24,17 @@ public enum AnswerKind {
     this.start = Pattern.compile(start);
   }
 
-  /** What people and models call it. */
+  /** Returns the name of the kind in messages. */
   public String description() {
     return description;
   }
 
-  /** Whether a fenced block with this language tag may hold it. */
+  /** Returns whether a fenced block with this language tag may hold the artefact. */
   boolean isLanguage(String tag) {
     return languages.matcher(tag).matches();
   }
 
-  /** Whether a line may be its first one. */
+  /** Returns whether a line may be the first one of the artefact. */
   boolean startsWith(String line) {
     return start.matcher(line).find();
   }

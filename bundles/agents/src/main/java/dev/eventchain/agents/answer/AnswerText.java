@@ -12,17 +12,16 @@ import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 
 /**
- * The artefact in an answer. Fences, a preamble, trailing prose and the model's audible thinking
- * are tolerated and dropped; an answer that is cut, holds nothing usable, or leaves a choice is
- * not.
+ * The artefact in an answer. Fences, a preamble, trailing prose and the model's reasoning are
+ * dropped; a truncated, unusable or ambiguous answer is refused.
  *
- * @param artefact the artefact, when it could be told from the rest
- * @param problems why there is none
+ * @param artefact the artefact, if it could be extracted
+ * @param problems the reasons why there is none
  */
 public record AnswerText(Optional<SourceText> artefact, List<Diagnostic> problems) {
   private static final int FLAGS = Pattern.DOTALL | Pattern.MULTILINE;
 
-  /** Its opening tag is often part of what the server puts in front of the answer. */
+  /** Reasoning of the model; its opening tag is often part of the server's prefix of the answer. */
   private static final Pattern THINKING =
       Pattern.compile("\\A(\\s*<(think|thinking)>.*?</\\2>|.*?^</(think|thinking)>)\\s*", FLAGS);
 
@@ -51,7 +50,7 @@ public record AnswerText(Optional<SourceText> artefact, List<Diagnostic> problem
     return bare(kind, file, text.lines().toList());
   }
 
-  /** With another form of the artefact. */
+  /** Returns a copy with the artefact converted. */
   public AnswerText map(UnaryOperator<SourceText> form) {
     return new AnswerText(artefact.map(form), problems);
   }

@@ -19,8 +19,8 @@ record FencedBlocks(List<FencedBlocks.Block> all) {
    * One block.
    *
    * @param language its tag in lower case, or empty
-   * @param text what is between the fences
-   * @param closed whether the closing fence is there
+   * @param text the content between the fences
+   * @param closed true if the closing fence exists
    */
   record Block(String language, String text, boolean closed) {}
 
@@ -56,8 +56,8 @@ record FencedBlocks(List<FencedBlocks.Block> all) {
   }
 
   /**
-   * The blocks that may hold what is wanted, without repetitions: those tagged so, else those
-   * without a tag.
+   * Returns the blocks that may hold an artefact, without duplicates: those with a matching tag,
+   * else those without a tag.
    */
   List<Block> candidates(AnswerKind kind) {
     List<Block> tagged = distinct(all.stream().filter(b -> kind.isLanguage(b.language())).toList());

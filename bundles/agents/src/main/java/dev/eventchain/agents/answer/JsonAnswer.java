@@ -28,8 +28,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * JSON in an answer: read with tolerance for trailing commas, single quotes, comments and the
- * constants of Python, written again in one layout.
+ * JSON in an answer. Trailing commas, single quotes, comments and the constants of Python are
+ * accepted, and the result is written in one layout.
  */
 final class JsonAnswer {
   private static final JsonMapper TOLERANT =
@@ -56,7 +56,7 @@ final class JsonAnswer {
 
   private JsonAnswer() {}
 
-  /** Finds the one JSON array or object in a text without fences. */
+  /** Returns the only JSON array or object in a text without fences. */
   static AnswerText search(String file, String text) {
     OptionalInt start = start(text);
     if (start.isEmpty()) {
@@ -76,7 +76,7 @@ final class JsonAnswer {
     }
   }
 
-  /** Where an array or object seems to begin: at the beginning of a line if there is such a one. */
+  /** Returns the likely start of an array or object, preferably at the beginning of a line. */
   private static OptionalInt start(String text) {
     for (Pattern pattern : List.of(START, START_IN_LINE)) {
       Matcher start = pattern.matcher(text);
@@ -99,7 +99,7 @@ final class JsonAnswer {
     }
   }
 
-  /** Reads a text that is all JSON. */
+  /** Parses a text that consists of JSON only. */
   static AnswerText parse(String file, String block) {
     String text = PythonWords.replaced(block);
     try {
@@ -113,7 +113,10 @@ final class JsonAnswer {
     }
   }
 
-  /** In one layout, unless a text in it cannot be shown or a file cannot hold it. */
+  /**
+   * Returns the JSON in one layout, unless it has a text that cannot be displayed or stored in a
+   * file.
+   */
   private static AnswerText found(String file, JsonNode node) {
     AnswerText found = AnswerText.found(file, JsonLayout.of(node));
     List<Diagnostic> problems = new ArrayList<>();
@@ -121,7 +124,10 @@ final class JsonAnswer {
     return problems.isEmpty() ? found : new AnswerText(Optional.empty(), problems);
   }
 
-  /** The parser lets exponents through that no number can have. */
+  /**
+   * Returns the problem of a number whose exponent is out of range; the parser accepts such
+   * exponents.
+   */
   private static AnswerText number(String file) {
     return AnswerText.problem(
         "agents.answer.json",
@@ -142,7 +148,7 @@ final class JsonAnswer {
             place == null ? source.at(0) : source.at(place.getLineNr(), place.getColumnNr())));
   }
 
-  /** Whether the parser found nothing wrong but the end. */
+  /** Returns whether the only error is an unexpected end. */
   private static boolean isCut(String text, IOException e) {
     if (e instanceof JsonEOFException) {
       return true;
@@ -154,7 +160,7 @@ final class JsonAnswer {
             && WORDS.stream().anyMatch(known -> known.startsWith(word.group(1))));
   }
 
-  /** What the parser says, without the names of its settings. */
+  /** Returns the parser's message without the names of its settings. */
   private static String reason(IOException e) {
     if (e instanceof StreamConstraintsException) {
       return "it is nested deeper than " + Document.DEEPEST + " levels, or a token is too long.";

@@ -2,15 +2,15 @@ package dev.eventchain.agents.answer;
 
 import java.util.Map;
 
-/** The constants of Python, which models write into JSON that they think of as a Python value. */
+/** The constants of Python, which models use in JSON by mistake. */
 final class PythonWords {
-  /** Each as long as the other, so that the places of all that follows stay the same. */
+  /** Words and replacements of equal length, which keeps all offsets. */
   private static final Map<String, String> WORDS =
       Map.of("True", "true", "False", "false", "None", "null");
 
   private PythonWords() {}
 
-  /** The same text with the constants of JSON, but for what is in texts and comments. */
+  /** Returns the text with the constants of JSON, except in strings and comments. */
   static String replaced(String text) {
     StringBuilder out = new StringBuilder(text);
     int at = 0;
@@ -25,7 +25,7 @@ final class PythonWords {
     return out.toString();
   }
 
-  /** Where the text, the comment, the word or the single character that begins here ends. */
+  /** Returns the end of the string, comment, word or single character that starts here. */
   private static int end(String text, int start) {
     char first = text.charAt(start);
     if (first == '"' || first == '\'') {

@@ -1,5 +1,5 @@
 /**
- * The artefact in the text of an answer: code blocks, surrounding prose, and JSON read with
- * tolerance. Does not know what the artefact means.
+ * Extraction of the artefact from the text of an answer: code blocks, surrounding prose, and
+ * lenient JSON. Independent of the meaning of the artefact.
  */
 package dev.eventchain.agents.answer;

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** What a designed chain must be beyond its format and its contracts, given the requirements. */
+/** Checks of a designed chain against its requirements, beyond its format and its contracts. */
 public final class ChainCheck {
   private final List<String> requirements;
   private final Set<String> existing;

@@ -9,8 +9,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * An event chain description as the checks see it. What is missing is empty: the reader of
- * descriptions reports it.
+ * An event-chain description for the checks. Missing parts are empty: the reader of descriptions
+ * reports them.
  *
  * @param components the components in chain order
  */
@@ -18,7 +18,7 @@ public record ChainView(List<ChainView.Component> components) {
   /**
    * A component.
    *
-   * @param pointer where it is
+   * @param pointer its JSON pointer
    */
   public record Component(
       String name, JsonNode json, String pointer, List<Port> inputs, List<Port> outputs) {
@@ -30,7 +30,7 @@ public record ChainView(List<ChainView.Component> components) {
       return outputs.stream().flatMap(port -> port.values().stream()).toList();
     }
 
-    /** What its class has to look like. */
+    /** Returns the signature required of its class. */
     public ComponentSignature signature() {
       return new ComponentSignature(
           name,
@@ -47,7 +47,7 @@ public record ChainView(List<ChainView.Component> components) {
   /**
    * A topic that a component reads or writes.
    *
-   * @param pointer where it is
+   * @param pointer its JSON pointer
    */
   record Port(String topic, String pointer, List<Value> values) {}
 
@@ -55,7 +55,7 @@ public record ChainView(List<ChainView.Component> components) {
    * A value that a component reads or writes.
    *
    * @param unit empty if none is stated
-   * @param pointer where it is
+   * @param pointer its JSON pointer
    */
   public record Value(String name, String type, String unit, String pointer) {}
 
@@ -69,7 +69,7 @@ public record ChainView(List<ChainView.Component> components) {
   }
 
   /**
-   * A component of a chain that has been read before.
+   * Returns a component of a valid chain.
    *
    * @throws IllegalArgumentException if the chain has no such component
    */

@@ -6,8 +6,8 @@ import java.util.Set;
 import java.util.stream.Stream;
 
 /**
- * What a component of a designed chain must have that a description may lack: a frequency, and, as
- * long as it does not exist, the types of its values, which its code is written and tried for.
+ * Checks properties of a designed component that a description may lack: its frequency, and, for a
+ * new component, the types of its values, which its code and its tests depend on.
  */
 final class ComponentCheck {
   private static final double HIGHEST_FREQUENCY = 10_000;
@@ -22,7 +22,7 @@ final class ComponentCheck {
 
   void check(ChainView chain) {
     for (Component component : chain.components()) {
-      if (component.json().isObject()) { // else the reader of descriptions says so
+      if (component.json().isObject()) { // else the reader of descriptions reports it
         frequency(component);
         types(component);
       }

@@ -5,7 +5,7 @@ import dev.eventchain.documents.Document;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Collects what is found in a JSON text, each finding with its place. */
+/** Collects findings about a JSON text, each with its place. */
 final class Findings {
   private final Document text;
   private final List<Diagnostic> diagnostics = new ArrayList<>();

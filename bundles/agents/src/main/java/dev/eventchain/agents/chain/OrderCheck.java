@@ -5,7 +5,7 @@ import dev.eventchain.agents.chain.ChainView.Port;
 import java.util.HashMap;
 import java.util.Map;
 
-/** Whether the components of a described chain are in the order of their data flow. */
+/** Checks that the components of a chain description are in the order of their data flow. */
 final class OrderCheck {
   private final Findings findings;
 

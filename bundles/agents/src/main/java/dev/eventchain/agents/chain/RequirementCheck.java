@@ -9,7 +9,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 
-/** Whether each requirement is taken on by a component. */
+/** Checks that each requirement is assigned to a component. */
 public final class RequirementCheck {
   private final Set<String> known;
   private final Findings findings;
@@ -36,7 +36,7 @@ public final class RequirementCheck {
     }
   }
 
-  /** The requirements that a component contributes to, by its description. */
+  /** Returns the requirements that a component contributes to, according to its description. */
   public static List<WrittenRequirement> own(JsonNode component, Requirements requirements) {
     List<String> ids = new ArrayList<>();
     component.path("requirements").forEach(id -> ids.add(id.asText()));

@@ -1,5 +1,5 @@
 /**
- * Descriptions of chains as language models write them, and the checks of a designed chain. Knows
- * no prompt and no model.
+ * Chain descriptions as written by language models, and the checks of a designed chain. Independent
+ * of prompts and models.
  */
 package dev.eventchain.agents.chain;

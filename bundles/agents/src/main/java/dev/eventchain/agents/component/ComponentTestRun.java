@@ -20,7 +20,7 @@ import java.util.Map;
 
 /** Runs the tests of a component on its code. */
 final class ComponentTestRun {
-  /** In how many values a range is tried, its ends among them. */
+  /** Number of samples of a range, including its ends. */
   private static final int SAMPLES = 41;
 
   private static final int LONGEST_VALUE = 200;
@@ -39,16 +39,16 @@ final class ComponentTestRun {
       }
     }
     if (!tests.tests().isEmpty()) {
-      sequences.add(sequences.get(0)); // all before it was of other components
+      sequences.add(sequences.get(0)); // again, after calls of other component objects
     }
   }
 
   /**
-   * Runs them.
+   * Runs the tests.
    *
    * @param file the component
-   * @return what is not as it must be, at the places of the tests; and what keeps the component
-   *     from being called, at its own
+   * @return failed expectations, located in the tests; and problems that prevent calls, located in
+   *     the component
    */
   List<Diagnostic> run(ComponentProbe probe, Path file) {
     if (sequences.isEmpty()) {
@@ -56,7 +56,7 @@ final class ComponentTestRun {
     }
     List<CallResults> results = probe.call(file, component.signature(), sequences);
     if (results.size() != sequences.size()) {
-      return List.of(results.get(0).problem().orElseThrow()); // the probe says why
+      return List.of(results.get(0).problem().orElseThrow()); // the probe reports the reason
     }
     List<Diagnostic> found = new ArrayList<>();
     int next = 0;
@@ -74,7 +74,7 @@ final class ComponentTestRun {
     return found;
   }
 
-  /** The calls of the first test or property; none if there is no test. */
+  /** Returns the calls of the first test or property; empty if there is no test. */
   List<ComponentCall> first() {
     return sequences.isEmpty() ? List.of() : sequences.get(0);
   }
@@ -159,7 +159,10 @@ final class ComponentTestRun {
             "Correct the component; or the test, if it asks for something that is not wanted.");
   }
 
-  /** A component that remembers outside its object gives another one something else. */
+  /**
+   * Checks that the first test gives the same result again: state outside the object would change
+   * it.
+   */
   private static List<Diagnostic> sameAgain(Case test, CallResults first, CallResults again) {
     return again.problem().isEmpty() && first.outputs().equals(again.outputs())
         ? List.of()
@@ -189,7 +192,7 @@ final class ComponentTestRun {
     return arguments;
   }
 
-  /** The varied input that is to grow grows fastest, then the others, one after the other. */
+  /** Returns samples of the inputs. The monotonic input varies fastest, then the others in turn. */
   private List<Map<String, JsonNode>> samples(Property property) {
     List<String> varied = new ArrayList<>(property.over().keySet());
     if (property.kind() != Kind.RANGE) {
@@ -199,7 +202,7 @@ final class ComponentTestRun {
     List<Map<String, JsonNode>> samples = List.of(property.inputs());
     int size = SAMPLES;
     for (int i = varied.size() - 1; i >= 0; i--) {
-      // All of one input, and the ends and the middle of the others.
+      // All values of one input, and the ends and the middle of the others.
       size = i == 0 ? SAMPLES : 3;
       samples = crossed(samples, varied.get(i), property.over().get(varied.get(i)), size);
     }

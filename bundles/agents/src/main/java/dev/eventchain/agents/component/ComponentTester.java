@@ -13,9 +13,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The tests of a component: calls of {@code execute} with their expected results, and properties
- * over ranges of inputs, each for the requirement that asks for it. Whatever language it is written
- * in, a component is called as the chain describes it.
+ * The tests of a component: calls of {@code execute} with expected results, and properties over
+ * ranges of inputs, each with its requirement. A component of any language is called as the chain
+ * describes it.
  */
 public final class ComponentTester {
   private final SourceText source;
@@ -37,7 +37,7 @@ public final class ComponentTester {
    * @param source a file {@code tests/NAME.yaml}
    * @param chain the event-chain description
    * @param component the name of the component in it
-   * @param requirements of the project
+   * @param requirements the requirements of the project
    * @throws IllegalArgumentException if the chain has no such component
    */
   public static ComponentTester read(
@@ -62,8 +62,8 @@ public final class ComponentTester {
   }
 
   /**
-   * What is wrong with the tests: errors, each at its place; and what they leave out, warnings, of
-   * tests that nothing is wrong with.
+   * Returns errors in the tests, each at its place; for tests without errors, warnings about gaps
+   * in them.
    */
   public List<Diagnostic> diagnostics() {
     return diagnostics.stream()
@@ -76,7 +76,7 @@ public final class ComponentTester {
         .toList();
   }
 
-  /** The same, where what is left out is wrong, too. */
+  /** Returns the same findings, with gaps as errors. */
   public List<Diagnostic> complaints() {
     return diagnostics;
   }
@@ -85,7 +85,7 @@ public final class ComponentTester {
     return finding.id().equals("component.tests.gap");
   }
 
-  /** How many tests and properties there are. */
+  /** Returns the number of tests and properties. */
   public int count() {
     return tests.tests().size() + tests.properties().size();
   }
@@ -94,21 +94,20 @@ public final class ComponentTester {
    * Runs the tests on a component.
    *
    * @param file its Python file
-   * @return what is not as it must be, at the places of the tests; and what keeps the component
-   *     from being called, at its own
+   * @return failed expectations, located in the tests; and problems that prevent calls, located in
+   *     the component
    */
   public List<Diagnostic> run(ComponentProbe probe, Path file) {
     return new ComponentTestRun(component, tests).run(probe, file);
   }
 
   /**
-   * Runs the tests on a component that was never called before, such as one that a person has
-   * edited. If it cannot be called as the first test asks, the others are left out: it might hang
-   * in each of them.
+   * Runs the tests on a component that was never called before, such as a manually edited one. If
+   * the calls of the first test fail, the other tests are skipped: each might hang.
    *
    * @param file its Python file
-   * @return what keeps the component from passing the calls of the first test, at its place in the
-   *     component; if nothing does, as {@link #run}
+   * @return the problems in the calls of the first test, located in the component; if there are
+   *     none, as {@link #run}
    */
   public List<Diagnostic> check(ComponentProbe probe, Path file) {
     ComponentTestRun run = new ComponentTestRun(component, tests);
@@ -116,7 +115,7 @@ public final class ComponentTester {
     return found.isEmpty() ? run.run(probe, file) : found;
   }
 
-  /** Whether a place is in the file of the tests. */
+  /** Returns whether a place is in the file of the tests. */
   boolean holds(SourceLocation place) {
     return place.file().equals(source.name());
   }

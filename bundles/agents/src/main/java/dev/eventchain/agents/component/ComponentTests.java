@@ -7,10 +7,10 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The tests of a component, as a file {@code tests/NAME.yaml} states them.
+ * The tests of a component in a file {@code tests/NAME.yaml}.
  *
- * @param tests calls and what must come of them
- * @param properties what must be true over ranges of inputs
+ * @param tests calls and their expected results
+ * @param properties properties over ranges of inputs
  */
 record ComponentTests(List<Case> tests, List<Property> properties) {
   /** Copies the lists. */
@@ -20,11 +20,11 @@ record ComponentTests(List<Case> tests, List<Property> properties) {
   }
 
   /**
-   * Calls on a new component, and what its outputs must be after the last one.
+   * Calls of a new component instance, and the expected outputs after the last one.
    *
-   * @param requirement the id of the requirement that asks for it
-   * @param calls the inputs of each call, as {@link TestValues} reads them
-   * @param outputs what is expected, by the names of outputs; not of all of them
+   * @param requirement the id of the tested requirement
+   * @param calls the inputs of each call, see {@link TestValues}
+   * @param outputs the expectations by output name; not necessarily for all outputs
    */
   record Case(
       String name,
@@ -33,13 +33,13 @@ record ComponentTests(List<Case> tests, List<Property> properties) {
       Map<String, TestExpectation> outputs,
       SourceLocation place) {}
 
-  /** What a property says of its output. */
+  /** Kinds of properties of an output. */
   enum Kind {
-    /** It is within bounds. */
+    /** The output is within bounds. */
     RANGE("within"),
-    /** It never gets smaller when an input gets larger. */
+    /** The output never decreases when an input increases. */
     RISES("rises_with"),
-    /** It never gets larger when an input gets larger. */
+    /** The output never increases when an input increases. */
     FALLS("falls_with");
 
     private final String key;
@@ -48,19 +48,19 @@ record ComponentTests(List<Case> tests, List<Property> properties) {
       this.key = key;
     }
 
-    /** What says it in a file. */
+    /** Returns the key of the kind in a file. */
     String key() {
       return key;
     }
   }
 
   /**
-   * What must be true of an output, each time of a new component that is called once.
+   * A property of an output, evaluated for single calls of new component instances.
    *
-   * @param bounds of the output where the property is a range
-   * @param input the one that gets larger where it is not
-   * @param over the ranges of the inputs that are varied, from first to last
-   * @param inputs the others
+   * @param bounds the bounds of the output, for a range property
+   * @param input the increasing input, for the other kinds
+   * @param over the ranges of the varied inputs, from first to last value
+   * @param inputs the values of the other inputs
    */
   record Property(
       String name,

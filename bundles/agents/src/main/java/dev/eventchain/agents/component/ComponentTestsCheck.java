@@ -22,20 +22,19 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 
 /**
- * Whether tests are about their requirements: each names one that there is, none contradicts the
- * thresholds that its requirement states, and all requirements and thresholds of the component are
- * tested.
+ * Checks tests against requirements: each test names an existing requirement and does not
+ * contradict its thresholds, and all requirements and thresholds of the component are tested.
  */
 final class ComponentTestsCheck {
   private static final Pattern NORMALIZED =
       Pattern.compile("(?i)normali[sz]ed|\\b0(\\.0)? to 1(\\.0)?\\b");
 
-  /** How near to a threshold a test must be, as a part of it. */
+  /** Maximal relative distance of a test from a threshold. */
   private static final double NEAR = 0.1;
 
   private static final double SAME = 1e-9;
 
-  /** What a tolerance for rounding may leave of nothing. */
+  /** Magnitude below which an output counts as zero, as a tolerance for rounding. */
   private static final double ZERO = 1e-5;
 
   private final Component component;
@@ -43,9 +42,9 @@ final class ComponentTestsCheck {
   private final boolean isNormalized;
 
   /**
-   * Checks the tests of a component.
+   * Creates a check for the tests of a component.
    *
-   * @param requirements all of the project; the component's own are those that the chain says
+   * @param requirements all requirements of the project; the chain names those of the component
    */
   ComponentTestsCheck(Component component, Requirements requirements) {
     this.component = component;
@@ -54,7 +53,7 @@ final class ComponentTestsCheck {
         requirements.items().stream().anyMatch(item -> NORMALIZED.matcher(item.text()).find());
   }
 
-  /** What must not be: errors. */
+  /** Returns the errors in the tests. */
   List<Diagnostic> wrong(ComponentTests tests) {
     List<Diagnostic> found = new ArrayList<>();
     Set<String> names = new TreeSet<>();
@@ -120,7 +119,10 @@ final class ComponentTestsCheck {
         .withHint("Correct the expected output, the input, or the requirement.");
   }
 
-  /** A value that changes on the way may have crossed a threshold. */
+  /**
+   * Returns whether an input stays in the range of a threshold; a changing value may have crossed
+   * it.
+   */
   private static boolean isAlwaysIn(Threshold threshold, Case test) {
     return test.calls().stream()
         .map(call -> literal(call.get(threshold.input())))
@@ -141,7 +143,7 @@ final class ComponentTestsCheck {
     double least = expected.smallest();
     double most = expected.greatest();
     if (Double.isNaN(least) || Double.isNaN(most)) {
-      return true; // a text or an array, of which the requirement says nothing that is understood
+      return true; // a text or an array, about which no threshold is known
     }
     boolean zero = least <= 0 && most >= 0;
     boolean onlyZero = zero && Math.max(-least, most) <= ZERO;
@@ -153,7 +155,7 @@ final class ComponentTestsCheck {
     };
   }
 
-  /** What is not tested, as a finding at a place of the tests. */
+  /** Returns the gaps of the tests, as a finding at a place of the tests. */
   Optional<Diagnostic> gaps(ComponentTests tests, SourceLocation place) {
     List<String> missing = new ArrayList<>();
     Set<String> tested = new TreeSet<>();
@@ -177,7 +179,7 @@ final class ComponentTestsCheck {
                     "Add them; just below and just above mean at most a tenth of the value away."));
   }
 
-  /** The values of inputs at which a requirement of the component wants something else. */
+  /** Returns the values of inputs at which a requirement of the component changes its effect. */
   private Map<String, Set<Double>> thresholds() {
     Map<String, Set<Double>> thresholds = new LinkedHashMap<>();
     for (JsonNode id : component.json().path("requirements")) {

@@ -23,17 +23,17 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
-/** Reads the tests of a component, and refuses those that are not about it. */
+/** Reads the tests of a component, and refuses those that do not match it. */
 final class ComponentTestsReader {
   static final String FORMAT = "component.tests.format";
   private static final FindingIds IDS = FindingIds.all(FORMAT);
   private static final NumberRange REPEATS = NumberRange.of(1, 10_000);
   private static final NumberRange ANY = NumberRange.of(-Double.MAX_VALUE, Double.MAX_VALUE);
 
-  /** The calls of one test. */
+  /** Maximal number of calls of one test. */
   private static final int MOST_CALLS = 10_000;
 
-  /** The values of its inputs, elements of arrays counted one by one. */
+  /** Maximal number of input values of one test, counting elements of arrays. */
   private static final int MOST_VALUES = 5_000_000;
 
   private static final int MOST_VARIED = 4;
@@ -58,7 +58,7 @@ final class ComponentTestsReader {
   /**
    * Reads tests.
    *
-   * @param findings is told what is wrong; what is wrong is left out
+   * @param findings receives the errors; invalid parts are left out
    */
   static ComponentTests read(
       SourceText text, DocumentFormat format, Component component, Consumer<Diagnostic> findings) {
@@ -115,7 +115,7 @@ final class ComponentTestsReader {
         .orElse(List.of());
   }
 
-  /** What a step does not say is as in the step before. */
+  /** Reads the steps; inputs that a step omits are as in the previous step. */
   private List<Map<String, JsonNode>> steps(ObjectReader test) {
     List<Map<String, JsonNode>> calls = new ArrayList<>();
     Map<String, JsonNode> before = Map.of();
@@ -140,7 +140,7 @@ final class ComponentTestsReader {
     return values;
   }
 
-  /** The inputs of a call: those that are given, and those of the call before. */
+  /** Returns the inputs of a call: those given, and otherwise those of the previous call. */
   private Map<String, JsonNode> complete(ObjectReader given, Map<String, JsonNode> before) {
     Map<String, JsonNode> complete = new LinkedHashMap<>();
     inputs.forEach(

@@ -13,8 +13,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Whether a Python module is the component that the chain describes, and copes with inputs at their
- * edges.
+ * Checks that a Python module is the component that the chain describes, and handles inputs at
+ * their limits.
  */
 public final class ImplementationCheck {
   private final ComponentProbe probe;
@@ -22,9 +22,9 @@ public final class ImplementationCheck {
   private final Optional<ComponentTester> tests;
 
   /**
-   * Prepares a check.
+   * Creates a check.
    *
-   * @param tests of the component, if it has any
+   * @param tests the tests of the component, if it has any
    */
   public ImplementationCheck(
       ComponentProbe probe, Component component, Optional<ComponentTester> tests) {
@@ -52,7 +52,7 @@ public final class ImplementationCheck {
     }
   }
 
-  /** What is found in a test stays there. */
+  /** Moves a place to another file name, except for places in tests. */
   private SourceLocation renamed(SourceLocation place, String file) {
     return tests.isPresent() && tests.get().holds(place)
         ? place

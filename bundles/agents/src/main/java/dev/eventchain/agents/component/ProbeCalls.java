@@ -9,12 +9,12 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Calls to try a component with: usual values twice, each input at its edges by itself, twice in a
- * row for what remembers the value before, then two inputs at a time, then all together, and usual
- * values at last, which the state from before must not spoil.
+ * Probe calls of a component: usual values twice; each input at its limits, twice in a row for
+ * components with state; then two inputs at a time, then all together. Usual values come last,
+ * since earlier state must not affect them.
  */
 final class ProbeCalls {
-  /** Calls of pairs: enough for all edges of four numbers and more. */
+  /** Maximal number of calls for pairs: enough for all limits of four numbers. */
   private static final int MOST_PAIRS = 600;
 
   private final List<Value> inputs;
@@ -46,7 +46,7 @@ final class ProbeCalls {
     }
   }
 
-  // All pairs of inputs take turns at an edge, so that a limit leaves no pair out.
+  // Each pair of inputs gets one limit in turn, so that the maximum leaves no pair out.
   private void addPairs() {
     int end = calls.size() + MOST_PAIRS;
     int edges = values.stream().mapToInt(List::size).max().orElse(0);
@@ -82,9 +82,7 @@ final class ProbeCalls {
     return inputs.get(input).name() + " is " + values.get(input).get(edge).name();
   }
 
-  /**
-   * Adds a call with some inputs, by position, at some edge, and the usual values of the others.
-   */
+  /** Adds a call with some inputs, by position, at a limit, and the usual values of the others. */
   private void add(String name, Map<Integer, Integer> edges) {
     Map<String, Object> arguments = new LinkedHashMap<>();
     for (int i = 0; i < inputs.size(); i++) {

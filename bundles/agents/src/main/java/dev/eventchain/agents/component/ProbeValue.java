@@ -7,18 +7,18 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * A value to try an input with.
+ * A value to probe an input with.
  *
- * @param name how findings name it
- * @param value a Boolean, a number, a text, or an array as messages hold them
+ * @param name name of the value in findings
+ * @param value a Boolean, a number, a text, or an array as in messages
  */
 record ProbeValue(String name, Object value) {
   private static final int ARRAY_LENGTH = 8;
   private static final int LONGEST = 100_000;
 
   /**
-   * Values of a field type as message definitions write it, the usual one first; an unknown type is
-   * taken for a number.
+   * Returns values of a field type in the syntax of message definitions, the usual one first; an
+   * unknown type counts as a number.
    */
   static List<ProbeValue> of(String type) {
     int bracket = type.indexOf('[');
@@ -58,7 +58,10 @@ record ProbeValue(String name, Object value) {
     };
   }
 
-  /** Twice the largest number is infinite, and infinity less infinity is none. */
+  /**
+   * Returns numbers whose arithmetic may overflow: twice the largest is infinite, and infinity
+   * minus infinity is NaN.
+   */
   private static List<ProbeValue> numbers(double largest) {
     return all(
         1.0,

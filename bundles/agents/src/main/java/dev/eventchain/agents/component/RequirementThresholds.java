@@ -12,9 +12,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The thresholds that a requirement states of an input of a component, such as "full brake if TTC <
- * 1.0 s, no brake if TTC ≥ 2.0 s" or "warn while the time to collision is below 2.6 s". Only what
- * is written in one of these ways, and names one input, is understood; all else is not a threshold.
+ * Parser for thresholds that a requirement states for an input of a component, such as "full brake
+ * if TTC < 1.0 s, no brake if TTC ≥ 2.0 s" or "warn while the time to collision is below 2.6 s".
+ * Only these forms with one input are recognized.
  */
 final class RequirementThresholds {
   private static final String NUMBER = "([-+]?\\d+(?:\\.\\d+)?)\\s*";
@@ -41,13 +41,13 @@ final class RequirementThresholds {
 
   private RequirementThresholds() {}
 
-  /** What a clause wants of an output. */
+  /** Effects of a clause on an output. */
   enum Effect {
     /** Zero, or false. */
     NONE,
-    /** More than zero and less than all. */
+    /** More than zero and less than full. */
     PARTIAL,
-    /** All that there is. */
+    /** Full value. */
     FULL,
     /** Anything but zero or false. */
     SOME;
@@ -65,14 +65,14 @@ final class RequirementThresholds {
   }
 
   /**
-   * A range of an input in which a requirement wants something.
+   * A range of an input in which a requirement demands an effect.
    *
    * @param clause the words of the requirement
    * @param input the input's name
-   * @param least the least value, in the unit of the input; -infinity where there is none
-   * @param leastIn whether that value belongs to it
-   * @param most the greatest value; infinity where there is none
-   * @param outputs the outputs that the clause speaks of; empty where that cannot be told
+   * @param least the least value, in the unit of the input; -infinity if unbounded
+   * @param leastIn true if the range includes that value
+   * @param most the greatest value; infinity if unbounded
+   * @param outputs the outputs that the clause mentions; empty if unknown
    */
   record Threshold(
       String clause,
@@ -87,13 +87,13 @@ final class RequirementThresholds {
       return (leastIn ? value >= least : value > least) && (mostIn ? value <= most : value < most);
     }
 
-    /** The values at which something changes. */
+    /** Returns the bounds, at which the effect changes. */
     List<Double> bounds() {
       return List.of(least, most).stream().filter(Double::isFinite).toList();
     }
   }
 
-  /** Those of a requirement. */
+  /** Returns the thresholds of a requirement. */
   static List<Threshold> of(WrittenRequirement requirement, Component component) {
     List<Threshold> found = new ArrayList<>();
     for (String clause : CLAUSE_END.split(requirement.text(), -1)) {
@@ -134,9 +134,9 @@ final class RequirementThresholds {
   }
 
   /**
-   * A range as it is written.
+   * A range as written in a requirement.
    *
-   * @param unit null where none is stated
+   * @param unit null if none is stated
    */
   private record Range(double least, boolean leastIn, double most, boolean mostIn, String unit) {
     static Range of(String sign, double number, String unit) {
@@ -146,7 +146,7 @@ final class RequirementThresholds {
           : new Range(number, closed, Double.POSITIVE_INFINITY, true, unit);
     }
 
-    /** The same in another unit; empty if it is of something else. */
+    /** Converts the range to another unit; empty if the dimension differs. */
     Optional<Range> in(String wanted) {
       if (unit == null || wanted.isEmpty()) {
         return Optional.of(this);
@@ -201,7 +201,7 @@ final class RequirementThresholds {
                     outputs));
   }
 
-  /** Whether the words before a comparison name a value: TTC, or the time to collision. */
+  /** Returns whether the words before a comparison name a value: TTC, or the time to collision. */
   private static boolean isNamed(String name, String quantity) {
     List<String> words = lastWords(quantity);
     String plain = String.join("", tokens(name));
@@ -236,7 +236,7 @@ final class RequirementThresholds {
     return tokens.size() > 2 ? initials.toString() : "\0";
   }
 
-  /** Whether a clause has a word of the same stem: brake and braking_force. */
+  /** Returns whether a clause has a word of the same stem: brake and braking_force. */
   private static boolean isSpokenOf(String output, String clause) {
     List<String> words = NO_WORD.splitAsStream(clause.toLowerCase(Locale.ROOT)).toList();
     return tokens(output).stream()

@@ -6,15 +6,15 @@ import dev.eventchain.documents.ObjectReader;
 import java.util.Optional;
 
 /**
- * What an output must be after a test: exactly a value, a number within a tolerance of another one,
- * or a number within bounds.
+ * The expected output of a test: an exact value, a number within a tolerance, or a number within
+ * bounds.
  *
  * @param exact the value, if one is stated; a number, a Boolean, a string or an array
- * @param tolerance how far numbers may be from it
- * @param least the least number; only where no value is stated, as those below
- * @param above whether the least number itself is too small
+ * @param tolerance the largest accepted distance from it
+ * @param least the least number; used without a value only, as the following ones
+ * @param above true if the least number itself is too small
  * @param most the greatest number
- * @param below whether the greatest number itself is too large
+ * @param below true if the greatest number itself is too large
  */
 record TestExpectation(
     Optional<JsonNode> exact,
@@ -26,10 +26,10 @@ record TestExpectation(
   private static final NumberRange ANY = NumberRange.of(-Double.MAX_VALUE, Double.MAX_VALUE);
   private static final NumberRange TOLERANCE = NumberRange.of(0, Double.MAX_VALUE);
 
-  /** For numbers of which nothing else is said: what arithmetic in another order may change. */
+  /** Default tolerance of numbers, for rounding that depends on the order of operations. */
   private static final double ROUNDING = 1e-6;
 
-  /** A value that stands alone. */
+  /** Returns the expectation of a value alone. */
   static TestExpectation exactly(JsonNode value) {
     return exactly(value, ROUNDING * Math.max(1, Math.abs(value.asDouble())));
   }
@@ -38,7 +38,7 @@ record TestExpectation(
     return new TestExpectation(Optional.of(value), tolerance, 0, false, 0, false);
   }
 
-  /** Reads an object: {@code value} and {@code tolerance}, or bounds. */
+  /** Reads an object with {@code value} and {@code tolerance}, or with bounds. */
   static Optional<TestExpectation> read(ObjectReader object) {
     Optional<TestExpectation> read =
         object.has("value") ? valueWithTolerance(object) : bounds(object);
@@ -68,7 +68,7 @@ record TestExpectation(
     return Optional.of(new TestExpectation(Optional.empty(), 0, least, above, most, below));
   }
 
-  /** Whether an output is as expected. */
+  /** Returns whether an output is as expected. */
   boolean accepts(JsonNode actual) {
     return exact.map(value -> equal(value, actual)).orElseGet(() -> isWithin(actual));
   }
@@ -97,12 +97,12 @@ record TestExpectation(
     return expected.equals(actual);
   }
 
-  /** The least number that is accepted; NaN where no number is expected. */
+  /** Returns the least accepted number; NaN if no number is expected. */
   double smallest() {
     return exact.map(value -> middle(value) - tolerance).orElse(least);
   }
 
-  /** The greatest number that is accepted; NaN where no number is expected. */
+  /** Returns the greatest accepted number; NaN if no number is expected. */
   double greatest() {
     return exact.map(value -> middle(value) + tolerance).orElse(most);
   }
@@ -111,7 +111,7 @@ record TestExpectation(
     return TestValues.literal(value).orElse(Double.NaN);
   }
 
-  /** In a few words. */
+  /** Returns a short description. */
   String words() {
     if (exact.isPresent()) {
       boolean stated = tolerance > ROUNDING * Math.max(1, Math.abs(exact.get().asDouble()));

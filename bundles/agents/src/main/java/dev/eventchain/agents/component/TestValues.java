@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The values of inputs as tests write them. A number may be the texts {@code inf}, {@code -inf} and
+ * Syntax of input values in tests. A number may be one of the texts {@code inf}, {@code -inf} and
  * {@code nan}, with or without the dot of YAML; {@code {from: A, step: B}} is A in the first call
  * of a step and B more in each that follows; {@code {count: N, of: V, at: {I: W}}} is an array of N
  * times V with W at index I.
@@ -22,9 +22,9 @@ final class TestValues {
   private TestValues() {}
 
   /**
-   * The value in a call.
+   * Returns the value in a call.
    *
-   * @param type of the field, as message definitions write it
+   * @param type the field type in the syntax of message definitions
    * @throws Unfit if the text is not a value of the type
    */
   static Object of(JsonNode written, String type) throws Unfit {
@@ -34,7 +34,7 @@ final class TestValues {
         : packed(elements(written, type.substring(0, bracket)), type.substring(0, bracket));
   }
 
-  /** The value in a call of a step, without what changes from call to call. */
+  /** Returns the value in a call of a step, with values per call resolved. */
   static JsonNode inCall(JsonNode written, int call) {
     if (written.isArray()) {
       ArrayNode elements = JsonNodeFactory.instance.arrayNode();
@@ -57,12 +57,12 @@ final class TestValues {
     return number.isNumber() && Double.isFinite(number.asDouble());
   }
 
-  /** With the digits of a double: sums of exact numbers may have millions. */
+  /** Returns a number with the digits of a double: sums of exact numbers may have millions. */
   private static BigDecimal decimal(JsonNode number) {
     return BigDecimal.valueOf(number.asDouble());
   }
 
-  /** A value that a test cannot have. */
+  /** An invalid value in a test. */
   static final class Unfit extends Exception {
     private static final long serialVersionUID = 1;
 
@@ -100,7 +100,7 @@ final class TestValues {
         .orElseThrow(() -> new Unfit("a number, 'inf', '-inf', 'nan' or {from, step}"));
   }
 
-  /** A number as it is. */
+  /** Returns the value of a literal number. */
   static Optional<Double> literal(JsonNode written) {
     if (written.isNumber()) {
       return Optional.of(written.asDouble());
@@ -139,7 +139,7 @@ final class TestValues {
     return elements;
   }
 
-  /** As fields of messages hold them. */
+  /** Returns the elements as fields of messages hold them. */
   private static Object packed(List<Object> elements, String type) {
     return switch (type) {
       case "uint8", "byte", "octet", "char" -> bytes(elements);

@@ -1,5 +1,5 @@
 /**
- * Tests of components, and the checks of the Python code that a language model wrote. Knows the
- * description of the chain, and no prompt.
+ * Tests of components, and the checks of generated Python code. Depends on the description of the
+ * chain, not on prompts.
  */
 package dev.eventchain.agents.component;

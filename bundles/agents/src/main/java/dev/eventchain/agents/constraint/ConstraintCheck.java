@@ -13,10 +13,7 @@ import java.util.stream.Collectors;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 
-/**
- * Whether an OCL document parses, covers every design rule, and says something with each of its
- * constraints.
- */
+/** Checks that an OCL document parses, covers every design rule, and has no trivial constraint. */
 public final class ConstraintCheck {
 
   private final List<String> ruleIds;
@@ -24,11 +21,11 @@ public final class ConstraintCheck {
   private final List<EObject> model;
 
   /**
-   * Prepares the check.
+   * Creates a check.
    *
    * @param ruleIds the ids of the design rules
    * @param packages the metamodel
-   * @param model the roots of a model to start the search for witnesses from; it is not changed
+   * @param model the roots of a model to start the search for witnesses from; it stays unchanged
    */
   public ConstraintCheck(List<String> ruleIds, Collection<EPackage> packages, List<EObject> model) {
     this.ruleIds = List.copyOf(ruleIds);

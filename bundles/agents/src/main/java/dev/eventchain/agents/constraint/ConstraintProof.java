@@ -10,18 +10,18 @@ import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
 
 /**
- * Searches, for a constraint, one model for which it holds and one for which it fails: the given
- * model, and changes of what the constraint reads, one and then two at a time. A constraint for
- * which only one of both is found says nothing.
+ * Searches one model that satisfies a constraint and one that violates it: the given model, and
+ * changes of the features that the constraint reads, one and then two at a time. A constraint
+ * without both is trivial.
  */
 final class ConstraintProof {
   /**
-   * Changed models that are tried for a constraint: more than any true constraint needed, and done
-   * in a second or two.
+   * Maximal number of changed models per constraint: more than any useful constraint needed, and
+   * tried within a second or two.
    */
   private static final int MOST_MODELS = 4000;
 
-  /** The processor time of a proof. Some constraints take long on each of the models. */
+  /** Limit of processor time for a proof. Some constraints are slow on each model. */
   private static final Duration TIME_LIMIT = Duration.ofSeconds(30);
 
   private final OclConstraint constraint;
@@ -35,7 +35,7 @@ final class ConstraintProof {
     this.budget = budget;
   }
 
-  /** What is wrong with the constraint: nothing if both models were found. */
+  /** Returns the objection to the constraint; empty if both models were found. */
   static Optional<String> objection(OclConstraint constraint, List<EObject> roots) {
     return objection(constraint, roots, TimeBudget.of(TIME_LIMIT));
   }
@@ -89,7 +89,7 @@ final class ConstraintProof {
     boolean all = true;
     boolean any = false;
     if (!(constraint.context() instanceof EClass type)) {
-      return; // nothing changes the values of a data type here
+      return; // values of data types are never changed here
     }
     for (EObject element : model.instancesOf(type)) {
       Verdict verdict = constraint.evaluate(element, budget);

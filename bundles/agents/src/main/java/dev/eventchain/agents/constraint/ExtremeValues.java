@@ -14,20 +14,20 @@ import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
-/** Values at and beyond the edges of what a model usually holds. */
+/** Values at and beyond the limits of usual model values. */
 final class ExtremeValues {
-  /** Which edge. */
+  /** The lower or upper limit. */
   enum Extreme {
     LOW,
     HIGH
   }
 
-  /** Contained objects in contained objects are filled down to here. */
+  /** Maximal depth to which nested containments are filled. */
   private static final int DEPTH = 3;
 
   private ExtremeValues() {}
 
-  /** Values for an attribute; the first is the lowest one and the last the highest one. */
+  /** Returns values for an attribute, the lowest first and the highest last. */
   static List<Object> of(EAttribute attribute) {
     EDataType type = attribute.getEAttributeType();
     if (type instanceof EEnum literals) {
@@ -69,7 +69,8 @@ final class ExtremeValues {
   }
 
   /**
-   * A new object for a containment, with every feature at an edge; none if no class can be made.
+   * Returns a new object for a containment with every feature at a limit; empty if no class is
+   * instantiable.
    */
   static Optional<EObject> filled(EReference reference, Extreme extreme, ModelCopy model) {
     return filled(reference, extreme, model, DEPTH);

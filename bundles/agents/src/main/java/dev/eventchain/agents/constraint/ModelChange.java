@@ -22,22 +22,25 @@ import org.eclipse.emf.ecore.EStructuralFeature;
  * @param value the new value
  */
 record ModelChange(int object, EStructuralFeature feature, NewValue value) {
-  /** Makes the value that a feature is given, from objects of the model that is changed. */
+  /** Creates the new value of a feature from objects of the changed model. */
   private interface NewValue {
     void set(ModelCopy model, EObject object, EStructuralFeature feature);
   }
 
-  /** How many objects are added where a bound on their number may be what a constraint says. */
+  /** Number of objects added to test an upper bound on their number. */
   private static final int MANY = 20;
 
-  /** How many other objects a reference is tried with. */
+  /** Maximal number of other targets that are tried for a reference. */
   private static final int TARGETS = 6;
 
   void apply(ModelCopy model) {
     value.set(model, model.objects().get(object), feature);
   }
 
-  /** All changes of the features that a constraint reads, then of what else the model contains. */
+  /**
+   * Returns all changes, first of the features that a constraint reads, then of the other features
+   * of the model.
+   */
   static List<ModelChange> all(ModelCopy model, OclConstraint constraint) {
     Set<EStructuralFeature> read = new LinkedHashSet<>();
     for (Navigation navigation : constraint.navigations()) {

@@ -10,7 +10,7 @@ import org.eclipse.emf.ecore.resource.Resource;
 import org.eclipse.emf.ecore.resource.impl.ResourceImpl;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
-/** A model by itself, whose objects are known by their position in it. */
+/** A copy of a model whose objects are identified by position. */
 final class ModelCopy {
   private final List<EObject> roots;
   private final List<EObject> objects = new ArrayList<>();
@@ -25,12 +25,12 @@ final class ModelCopy {
     }
   }
 
-  /** A copy of some roots. */
+  /** Returns a copy of some roots. */
   static ModelCopy of(List<EObject> roots) {
     return new ModelCopy(List.copyOf(EcoreUtil.copyAll(roots)));
   }
 
-  /** A copy with a change. */
+  /** Returns a copy with a change. */
   ModelCopy with(ModelChange change) {
     ModelCopy copy = of(roots);
     change.apply(copy);

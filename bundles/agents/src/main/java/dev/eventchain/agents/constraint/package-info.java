@@ -1,5 +1,5 @@
 /**
- * Generated constraints: whether they parse, and the proof that a changed model can violate them.
- * Knows no prompt and no chain description.
+ * Checks of generated constraints: parsing, and the proof that a changed model can violate them.
+ * Independent of prompts and chain descriptions.
  */
 package dev.eventchain.agents.constraint;

@@ -19,16 +19,16 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 
-/** The schema of a designed chain, and the way back from it to the array of the paper. */
+/** The schema of a designed chain, and the conversion of such answers to the array of the paper. */
 public final class DesignSchema {
 
   private DesignSchema() {}
 
   /**
-   * The schema.
+   * Returns the schema.
    *
-   * @param base what it uses is allowed, whether its definition is known or not: the checks say
-   *     what is wrong with it, and the answer cannot help it
+   * @param base the existing software; the types that it uses are allowed even if undefined, which
+   *     the checks report
    */
   public static AnswerSchema of(
       Requirements requirements, SoftwareBase base, MessageCatalog messages) {
@@ -45,8 +45,8 @@ public final class DesignSchema {
   }
 
   /**
-   * An answer in the shape of the schema as the description that people know: the array, without
-   * what is null. Any other answer stays as it is.
+   * Converts an answer in the shape of the schema to a chain description: the array, without nulls.
+   * Any other answer stays unchanged.
    */
   public static SourceText asArray(SourceText answer) {
     JsonNode json = JsonDocument.parse(answer).root();

@@ -6,10 +6,9 @@ import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** Findings as a language model is told them: numbered, with place, source line and hint. */
+/** Text of findings for a language model: numbered, with place, source line and hint. */
 public final class FindingsText {
-  // Enough to work on; the rest usually has the same causes, and comes back in the next round if
-  // not.
+  // Enough to work on; the rest usually has the same causes, or comes back in the next round.
   private static final int MOST = 25;
 
   private static final Pattern CLAUSE_END = Pattern.compile("(?<=[.;?]) ");
@@ -18,7 +17,7 @@ public final class FindingsText {
           "(^| )--[a-z]|PACKAGE/msg/NAME|Looked for among|\\b[Ff](iles?|olders?)\\b"
               + "|\\.(json|yaml|md|xmi|ecore|msg|py|ocl)\\b");
 
-  /** The file that is spoken of; what is in quotes is a name. */
+  /** Mentions of the file; text in quotes is a name. */
   private static final Pattern THE_FILE = Pattern.compile("\\b([Tt]h)(?:e|is) file(?!['`])\\b");
 
   private static final Pattern A_FILE =
@@ -27,7 +26,7 @@ public final class FindingsText {
   private FindingsText() {}
 
   /**
-   * The findings, those in an answer with the line of it.
+   * Returns the text of findings; those about an answer include its source line.
    *
    * @param file the name of the file that the answer becomes
    */
@@ -66,14 +65,15 @@ public final class FindingsText {
     }
   }
 
-  /** What is said of a file is said of what the model sees: its answer. */
+  /** Rewords a text about a file as one about the answer, which the model sees. */
   private static String ofTheAnswer(String text) {
     String answer = THE_FILE.matcher(text).replaceAll("$1e answer");
     return A_FILE.matcher(answer).replaceAll("document$1");
   }
 
   /**
-   * A hint without what speaks of files and options: who answers sees and changes the answer only.
+   * Returns a hint without sentences about files and options: the model sees and changes its answer
+   * only.
    */
   private static String aboutTheAnswer(String hint) {
     String kept =

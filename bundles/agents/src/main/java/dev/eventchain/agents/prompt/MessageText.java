@@ -15,7 +15,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Message definitions as prompts show them, each type with the types inside it. */
+/** Message definitions in prompts, each type with its nested types. */
 public final class MessageText {
   private final MessageCatalog catalog;
   private final Map<String, MessageType> types = new TreeMap<>();
@@ -24,7 +24,7 @@ public final class MessageText {
     this.catalog = catalog;
   }
 
-  /** The types that existing software uses, and those that a project defines itself. */
+  /** Collects the types that existing software uses, and those that a project defines itself. */
   public static MessageText of(MessageCatalog catalog, SoftwareBase base) {
     MessageText text = new MessageText(catalog);
     Stream<String> signals = base.signals().orElse(List.of()).stream().map(Signal::messageType);
@@ -36,7 +36,7 @@ public final class MessageText {
     return text;
   }
 
-  /** A type that is not known, or wrong, is said by the checks. */
+  /** Skips unknown or invalid types, which the checks report. */
   private void add(String name) {
     Deque<MessageType> open = new ArrayDeque<>();
     catalog.find(name).ifPresent(open::add);
@@ -52,7 +52,7 @@ public final class MessageText {
     }
   }
 
-  /** Each type with its fields, a line each, by name. */
+  /** Returns each type with its fields, one per line, sorted by name. */
   public String definitions() {
     return types.values().stream().map(MessageText::text).collect(Collectors.joining("\n"));
   }
@@ -68,7 +68,7 @@ public final class MessageText {
         .collect(Collectors.joining("\n"));
   }
 
-  /** The packages whose types there are. */
+  /** Returns the packages of the available types. */
   public String packages() {
     return catalog.names().stream()
         .map(name -> name.substring(0, name.indexOf('/')))

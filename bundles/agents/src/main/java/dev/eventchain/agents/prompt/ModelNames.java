@@ -12,9 +12,8 @@ import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EObject;
 
 /**
- * The names in event chains that constraints may refer to: components in chain order, and the
- * topics that they read and write. Frequencies and budgets are left out, so that another number
- * asks for no new constraints.
+ * The names in event chains that constraints may refer to: components in chain order, and their
+ * topics. Frequencies and budgets are left out, so that changing them needs no new constraints.
  */
 public final class ModelNames {
   private ModelNames() {}
@@ -43,7 +42,7 @@ public final class ModelNames {
     return words(chain.getRequirements().stream().map(requirement -> requirement.getId()));
   }
 
-  /** Each topic with the names of its values there. */
+  /** Returns each topic with the names of its values. */
   private static String topics(List<Data> data) {
     return words(
         data.stream()

@@ -11,10 +11,10 @@ import java.util.List;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
- * The schema of an instance model of an event chain. It is narrower than the metamodel: without
- * what is measured, derived or added later, and with what every description states. The ids of
- * requirements and of components are those that exist; the ids of data are free, since to find the
- * data is the task.
+ * The schema of an instance model of an event chain. It is narrower than the metamodel: it excludes
+ * values that are measured, derived or added later, and constants. The ids of requirements and of
+ * components are the existing ones; the ids of data are free, since identifying the data is the
+ * task.
  */
 public final class ModelSchema {
 
@@ -44,9 +44,9 @@ public final class ModelSchema {
   private ModelSchema() {}
 
   /**
-   * The schema.
+   * Returns the schema.
    *
-   * @param direct the chain as its description gives it
+   * @param direct the chain derived directly from its description
    */
   public static AnswerSchema of(EventChain direct) {
     MetamodelSchema schema =

@@ -13,8 +13,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * A prompt with places to fill, {@code {{name}}}. Lines that begin with {@code %%} are remarks and
- * are not sent. Values are put in as they are: braces and remarks inside a value mean nothing.
+ * A prompt with placeholders, {@code {{name}}}. Lines that begin with {@code %%} are comments and
+ * are not sent. Values are inserted verbatim: braces and comments inside a value have no meaning.
  */
 public final class PromptTemplate {
   private static final String FOLDER = "/dev/eventchain/agents/prompts/";
@@ -42,7 +42,7 @@ public final class PromptTemplate {
     return of(name, resource(name + ".md"));
   }
 
-  /** The text of a file below {@code prompts/}. */
+  /** Returns the text of a file below {@code prompts/}. */
   public static String resource(String path) {
     try (InputStream stream = PromptTemplate.class.getResourceAsStream(FOLDER + path)) {
       if (stream == null) {
@@ -54,15 +54,15 @@ public final class PromptTemplate {
     }
   }
 
-  /** The prompt's name, which holds its version. */
+  /** Returns the prompt's name, which includes its version. */
   public String name() {
     return name;
   }
 
   /**
-   * Fills every place.
+   * Fills every placeholder.
    *
-   * @throws IllegalArgumentException if a place gets no value, or a value has no place
+   * @throws IllegalArgumentException if a placeholder has no value, or a value has no placeholder
    */
   public String render(Map<String, String> values) {
     Set<String> places =
@@ -75,7 +75,7 @@ public final class PromptTemplate {
     return PLACE.matcher(text).replaceAll(place -> Matcher.quoteReplacement(value(place, values)));
   }
 
-  // A text file ends with a line break and a value inside a prompt does not.
+  // A text file ends with a line break, but a value inside a prompt does not.
   private static String value(MatchResult place, Map<String, String> values) {
     return values.get(place.group(1)).replace("\r\n", "\n").stripTrailing();
   }

@@ -5,18 +5,18 @@ import java.math.BigDecimal;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** Written rules and numbers as prompts show them. */
+/** Text of written rules and numbers in prompts. */
 public final class RuleText {
   private RuleText() {}
 
-  /** An item a line, with its id. */
+  /** Returns one line per item, with its id. */
   public static String items(List<WrittenRequirement> items) {
     return items.stream()
         .map(item -> "- " + item.id() + ": " + item.text())
         .collect(Collectors.joining("\n"));
   }
 
-  /** A number without needless zeros: 20, 12.5. */
+  /** Returns a number without trailing zeros: 20, 12.5. */
   public static String number(double value) {
     return BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
   }

@@ -1,5 +1,5 @@
 /**
- * The texts of prompts and the schemas of answers. Does not know who is asked, nor how answers are
- * checked.
+ * The texts of prompts and the schemas of answers. Independent of the model that is asked and of
+ * the checks of answers.
  */
 package dev.eventchain.agents.prompt;

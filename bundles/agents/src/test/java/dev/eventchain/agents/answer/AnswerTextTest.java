@@ -20,7 +20,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What is taken for the artefact in an answer, and which answers leave none. */
+/** Artefacts found in answers, and answers without one. */
 class AnswerTextTest {
   private static final Path RESOURCES = Path.of("src/test/resources");
 

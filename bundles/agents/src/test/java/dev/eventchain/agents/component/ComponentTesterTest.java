@@ -25,7 +25,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Tests of components: what is refused in them, and what they find in components. */
+/** Tests of components: errors in them, and their findings about components. */
 class ComponentTesterTest {
   private static final Path FOLDER = Path.of("src/test/resources/component-tests");
   private static final String COMPONENT = "Braking_Decision";
@@ -77,7 +77,7 @@ class ComponentTesterTest {
     assertEquals("component.tests.format", e.diagnostics().get(0).id());
   }
 
-  /** What is left out is a warning to people, and sends an answer of a model back. */
+  /** A gap is a warning to the user, but returns an answer to the model. */
   @Test
   void gapsAreErrorsOfProposals() {
     Path file = FOLDER.resolve("bad/gaps.yaml");

@@ -16,8 +16,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * OCL documents and what is found in them: faults of the language, rules without a constraint,
- * constraints that say nothing.
+ * OCL documents and the findings about them: syntax errors, rules without a constraint, trivial
+ * constraints.
  */
 class ConstraintCheckTest {
   private static final Path RESOURCES = Path.of("src/test/resources");

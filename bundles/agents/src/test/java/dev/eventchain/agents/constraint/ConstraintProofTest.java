@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
-/** A proof ends, whatever a language model wrote. */
+/** A proof terminates for any generated constraint. */
 class ConstraintProofTest {
 
   @Test

@@ -20,14 +20,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Prompts say every rule that answers are checked for. Each rule of the bundles that check answers
- * is in a table, with the words of a prompt that say it, or why no answer is refused for it; a new
- * rule has to be put in.
+ * Prompts state every rule that answers are checked for. A table maps each rule of the checking
+ * bundles to the words of a prompt, or to the reason why it refuses no answer; new rules have to be
+ * added.
  */
 class PromptRulesTest {
   private static final Path TABLE = Path.of("src/test/resources/prompt-rules.txt");
 
-  /** The bundles that check answers; what they say of a project's own files is left out. */
+  /** The checking bundles; findings about a project's own files are left out. */
   private static final List<String> CHECKING =
       List.of(
           "agents",

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Prompts as files with places to fill. */
+/** Prompts as files with placeholders. */
 class PromptTemplateTest {
   private static final String PAPER = "%% paper: ";
   private static final PromptTemplate TEMPLATE =

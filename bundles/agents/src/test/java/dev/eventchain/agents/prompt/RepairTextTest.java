@@ -18,13 +18,13 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
- * What a language model is told about faults names no files and options, which it does not see. The
- * tests of the single tasks look at the findings of their fixtures.
+ * Findings for a language model mention no files and options, which it does not see. The tests of
+ * the single tasks check the findings of their fixtures.
  */
 class RepairTextTest {
   private static final Pattern FILES = FindingLines.FILES;
 
-  /** The bundles whose findings may be about an answer. */
+  /** The bundles whose findings may concern an answer. */
   private static final List<String> CHECKING =
       List.of(
           "agents",
@@ -50,7 +50,7 @@ class RepairTextTest {
     assertTrue(text.endsWith("   Did you mean `a`? Known is b.\n"), text);
   }
 
-  /** Whatever the checks can say, in whichever finding: all texts that their bundles have. */
+  /** All text literals of the checking bundles, whatever finding they belong to. */
   @Test
   void noTextOfAnyFindingSpeaksOfFiles() throws IOException {
     Set<String> texts = new TreeSet<>();

@@ -12,7 +12,7 @@ final class Attempts {
 
   private final List<Diagnostic> problems = new ArrayList<>();
 
-  /** What some work comes to; nothing if it fails, which is a problem. */
+  /** Returns the result of some work; empty if it fails, after collecting its findings. */
   <T> Optional<T> of(Supplier<T> work) {
     try {
       return Optional.of(work.get());
@@ -22,13 +22,13 @@ final class Attempts {
     }
   }
 
-  /** The problems so far, in their order, each once. */
+  /** Returns the distinct problems so far, in their order. */
   List<Diagnostic> problems() {
     return problems.stream().distinct().toList();
   }
 
   /**
-   * Goes on if nothing has failed.
+   * Throws if any attempt has failed.
    *
    * @throws DiagnosticException INPUT with all problems
    */

@@ -25,9 +25,9 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
- * What has to hold for the event chain of a project: its metamodel, its constraints, its contracts
- * on messages, and the use of existing components as they are. What the project says is read once;
- * chains are then checked against it as often as wanted, by one thread at a time.
+ * Checks of the event chain of a project: metamodel, constraints, message contracts, and use of
+ * existing components. The files of the project are read once; then any number of chains can be
+ * checked, by one thread at a time.
  */
 public final class ChainChecks {
 
@@ -51,14 +51,14 @@ public final class ChainChecks {
   }
 
   /**
-   * What was checked and found.
+   * Checks and findings.
    *
-   * @param ecore what the metamodel demands
-   * @param constraints the standard constraints, the project's own and the generated ones
-   * @param analysis the contracts
-   * @param reuse how existing components are used otherwise than they are
-   * @param trace how the model's requirements are others than those that are written
-   * @param unchecked what people wrote and nothing checks, as {@link #unchecked}
+   * @param ecore the checks of the metamodel
+   * @param constraints the results of the standard, the project's own and the generated constraints
+   * @param analysis the results of the contracts
+   * @param reuse the deviations from the descriptions of existing components
+   * @param trace the deviations from the written requirements
+   * @param unchecked the findings of {@link #unchecked}
    */
   public record Outcome(
       EcoreChecks ecore,
@@ -68,7 +68,7 @@ public final class ChainChecks {
       List<Diagnostic> trace,
       List<Diagnostic> unchecked) {
 
-    /** All findings. */
+    /** Returns all findings. */
     public List<Diagnostic> diagnostics() {
       List<Diagnostic> all = new ArrayList<>(ecore.diagnostics());
       all.addAll(constraints.diagnostics());
@@ -79,7 +79,7 @@ public final class ChainChecks {
       return all;
     }
 
-    /** What was done, in words. */
+    /** Returns a summary in words. */
     public String words() {
       Coverage all = coverage(List.of());
       return Constraints.words(constraints)
@@ -90,9 +90,9 @@ public final class ChainChecks {
     }
 
     /**
-     * What was checked.
+     * Returns the coverage.
      *
-     * @param files the files that were
+     * @param files the checked files
      */
     public Coverage coverage(List<String> files) {
       return Constraints.coverage(files, constraints)
@@ -102,11 +102,11 @@ public final class ChainChecks {
   }
 
   /**
-   * The checks of a project as its files say it now.
+   * Returns the checks for the current files of a project.
    *
    * @param output the folder of the project's results, which may hold generated constraints
    * @param timeLimit the processor time that a constraint, or the patterns of a data type, may take
-   * @throws DiagnosticException INPUT with what is wrong with any of the files
+   * @throws DiagnosticException INPUT with the errors of all files
    */
   public static ChainChecks of(ProjectFolder folder, Path output, Duration timeLimit) {
     Attempts attempts = new Attempts();
@@ -127,8 +127,8 @@ public final class ChainChecks {
   }
 
   /**
-   * The checks of a chain that is in no project: the standard constraints, the contracts inside the
-   * chain, and the metamodel. Nothing is known of the vehicle and of existing components.
+   * Returns the checks for a chain outside any project: standard constraints, contracts inside the
+   * chain, and metamodel. The vehicle and existing components are unknown.
    *
    * @param timeLimit as for a project
    */
@@ -142,8 +142,8 @@ public final class ChainChecks {
   }
 
   /**
-   * What people wrote and nothing checks: design rules without constraints, and documents that are
-   * not read.
+   * Returns findings about unchecked input: design rules without constraints, and documents that
+   * are not read.
    *
    * @param output the folder of the project's results
    */
@@ -165,10 +165,10 @@ public final class ChainChecks {
   }
 
   /**
-   * The checks of a project whose files have been read.
+   * Returns the checks for a project whose files have been read.
    *
-   * @param requirements those that are written; none if there is no such file
-   * @param unchecked what people wrote and nothing checks, as {@link #unchecked}
+   * @param requirements the written requirements; none if there is no such file
+   * @param unchecked the findings of {@link #unchecked}
    */
   public static ChainChecks of(
       Constraints constraints,
@@ -185,10 +185,10 @@ public final class ChainChecks {
   }
 
   /**
-   * Checks a chain that is held in memory, by a file or by none. Nobody may change it meanwhile.
+   * Checks a chain in memory, with or without a file. It must not be changed meanwhile.
    *
-   * @param locator where its elements are
-   * @param featureLocator where their features are
+   * @param locator returns the locations of its elements
+   * @param featureLocator returns the locations of their features
    */
   public Outcome check(
       EventChain chain,

@@ -31,20 +31,19 @@ import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
- * The model of a chain that a file holds, and where its elements come from: the model's file if
- * people edit that; the chain's description if the model was made from it and still says the same.
- * The chain is not changed.
+ * Chain model of a file with the sources of its elements. The source is the model file if that is
+ * edited, or the description if it still yields the same model. The chain is not modified.
  */
 public final class ChainModel {
 
   private final EventChain chain;
 
-  /** Where in the model's file each element stands. */
+  /** Locations of the elements in the model file. */
   private final Origins origins;
 
   private final EcoreChecks ecore;
 
-  /** The elements that the description gives, by their paths in the model. */
+  /** Elements of the description, by their paths in the model. */
   private final Map<String, EObject> described;
 
   private final Origins descriptions;
@@ -63,9 +62,9 @@ public final class ChainModel {
   }
 
   /**
-   * Reads a model; its elements come from its own file.
+   * Reads a model, whose elements are located in its own file.
    *
-   * @param file in the project, or among its results
+   * @param file a file of the project or its results
    * @param output the folder of the project's results
    * @param timeLimit the processor time that the patterns of a data type may take
    * @throws DiagnosticException INPUT if it cannot be read, or is not an event chain
@@ -83,7 +82,7 @@ public final class ChainModel {
         new Origins());
   }
 
-  /** The event chain that a model is; INPUT if it is something else. */
+  /** Returns the event chain at the root of a model; throws INPUT for any other root. */
   public static EventChain chainOf(LoadedModel loaded, Path model) {
     if (loaded.resource().getContents().get(0) instanceof EventChain chain) {
       return chain;
@@ -94,34 +93,34 @@ public final class ChainModel {
             "project.model", "The model's root is not an EventChain.", SourceLocation.of(model)));
   }
 
-  /** The chain. */
+  /** Returns the chain. */
   public EventChain chain() {
     return chain;
   }
 
-  /** Whether the model is what its metamodel demands. */
+  /** Returns the results of checking the model against its metamodel. */
   public EcoreChecks ecore() {
     return ecore;
   }
 
-  /** Where an element is stated. */
+  /** Returns the location of an element in its source. */
   public SourceLocation locate(EObject element) {
     EObject origin = described.get(path(element));
     return origin == null ? origins.locate(element) : descriptions.locate(origin);
   }
 
-  /** Where a feature of an element is stated. */
+  /** Returns the location of a feature of an element in its source. */
   public SourceLocation locate(EObject element, EStructuralFeature feature) {
     EObject origin = described.get(path(element));
     return origin == null ? origins.locate(element, feature) : descriptions.locate(origin, feature);
   }
 
   /**
-   * The same model with elements that come from the description, if there is one and it gives this
-   * very model; else this one.
+   * Returns this model with elements located in the description, if there is one and it yields the
+   * same model; otherwise this model.
    *
-   * @param description its file, which may be absent
-   * @param direct what {@link #ofDescription} makes of it
+   * @param description the file of the description, which may be absent
+   * @param direct returns the result of {@link #ofDescription}
    */
   public ChainModel describedBy(Path description, Supplier<Modeled<EventChain>> direct) {
     if (!Files.isRegularFile(description)) {
@@ -146,7 +145,7 @@ public final class ChainModel {
   }
 
   /**
-   * The model that a description gives without a language model.
+   * Returns the model of a description, made without a language model.
    *
    * @throws DiagnosticException INPUT if it cannot be read
    */
@@ -163,7 +162,7 @@ public final class ChainModel {
     return direct;
   }
 
-  /** Adds what the project knows and a description does not say. */
+  /** Adds data of the project that a description does not contain. */
   public static void complete(EventChain chain, ProjectSettings settings, SoftwareBase base) {
     for (SoftwareNode node : chain.getSoftware()) {
       if (!node.isSetFrequency()) {

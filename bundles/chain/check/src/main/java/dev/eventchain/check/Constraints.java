@@ -21,13 +21,13 @@ import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import org.eclipse.emf.ecore.EObject;
 
-/** The constraints of a project: the standard ones, those people wrote, and the generated ones. */
+/** Constraints of a project: standard, written by users, and generated. */
 public final class Constraints {
 
   private final OclRules rules;
   private final Duration timeLimit;
 
-  /** Whether a run has generated constraints, which may be others than today's rules need. */
+  /** True if a run has generated constraints, which may not match the current design rules. */
   private final boolean generated;
 
   private Constraints(OclRules rules, Duration timeLimit, boolean generated) {
@@ -37,10 +37,10 @@ public final class Constraints {
   }
 
   /**
-   * All constraints that there are.
+   * Returns all constraints of a project.
    *
-   * @param output the folder of the project's results, which may hold generated ones
-   * @param timeLimit the processor time that each may take
+   * @param output the folder of the project's results, which may hold generated constraints
+   * @param timeLimit the processor time limit of each constraint
    * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if a file cannot be read
    */
   public static Constraints of(ProjectFolder folder, Path output, Duration timeLimit) {
@@ -50,12 +50,12 @@ public final class Constraints {
     return new Constraints(parse(documents), timeLimit, generated.isPresent());
   }
 
-  /** The standard constraints and those that people wrote, before any are generated. */
+  /** Returns the standard constraints and those written by users. */
   public static Constraints withoutGenerated(ProjectFolder folder, Duration timeLimit) {
     return new Constraints(parse(written(folder)), timeLimit, false);
   }
 
-  /** The standard constraints alone, for chains that are in no project. */
+  /** Returns the standard constraints alone, for chains outside any project. */
   static Constraints standard(Duration timeLimit) {
     return new Constraints(parse(List.of(EventChainMetamodel.constraints())), timeLimit, false);
   }
@@ -67,22 +67,22 @@ public final class Constraints {
     return documents;
   }
 
-  /** The constraints of documents about event chains. */
+  /** Returns the constraints of documents about event chains. */
   public static OclRules parse(List<SourceText> documents) {
     return OclRules.parse(documents, List.of(EventchainPackage.eINSTANCE));
   }
 
-  /** The processor time that each may take. */
+  /** Returns the processor time limit of each constraint. */
   Duration timeLimit() {
     return timeLimit;
   }
 
-  /** Evaluates them on a model. */
+  /** Evaluates the constraints on a model. */
   public OclResult check(EObject root, Function<EObject, SourceLocation> locator) {
     return OclValidator.of(rules).withTimeLimit(timeLimit).validate(List.of(root), locator);
   }
 
-  /** The constraints that stand for a design rule, as their comments say. */
+  /** Returns the constraints that implement a design rule according to their comments. */
   public List<OclConstraint> standingFor(String rule) {
     return rules.constraints().stream()
         .filter(constraint -> !constraint.named(List.of(rule)).isEmpty())
@@ -90,11 +90,11 @@ public final class Constraints {
   }
 
   /**
-   * A finding for each design rule that no constraint stands for: a document that was emptied since
-   * it was generated must not pass for one that nothing violates.
+   * Returns a finding for each design rule that no constraint implements. Without it, a generated
+   * document that was emptied would pass for one without violations.
    *
    * @param items the design rules
-   * @param command the command that runs the project, with what follows it
+   * @param command returns the command that runs the project with the given arguments
    */
   List<Diagnostic> uncovered(List<WrittenRequirement> items, UnaryOperator<String> command) {
     return items.stream()
@@ -116,7 +116,7 @@ public final class Constraints {
         .toList();
   }
 
-  /** What a validation checked. */
+  /** Returns the coverage of a validation. */
   public static Coverage coverage(List<String> files, OclResult result) {
     List<Coverage.Check> checks =
         result.checks().stream()
@@ -134,7 +134,7 @@ public final class Constraints {
     return new Coverage(files, result.elements(), checks);
   }
 
-  /** What a validation did, in words. */
+  /** Returns a summary of a validation in words. */
   static String words(OclResult result) {
     String checked =
         Coverage.counted(result.constraints(), "constraint")

@@ -28,14 +28,14 @@ import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 
-/** Models of any Ecore metamodel that were read, and what is found about them. */
+/** Validation of models of any Ecore metamodel. */
 public final class ModelValidation {
 
   private final XmiStore store;
   private final List<EPackage> packages = new ArrayList<>();
   private final List<LoadedModel> models;
 
-  /** The models, and the unnamed ones that they refer to. */
+  /** The named models, and those that they refer to. */
   private final List<LoadedModel> all;
 
   private final Origins origins;
@@ -48,7 +48,7 @@ public final class ModelValidation {
       SourceLocation place = SourceLocation.of(metamodel);
       packages.addAll(DiagnosticException.at(place, () -> store.loadMetamodel(metamodel)));
     }
-    // Models are of the metamodel that was given, also where that is the file of the shipped one.
+    // The given metamodel applies, even if it is the file of the shipped one.
     EPackage shipped = EventchainPackage.eINSTANCE;
     if (packages.stream().noneMatch(given -> shipped.getNsURI().equals(given.getNsURI()))) {
       packages.add(shipped);
@@ -63,7 +63,7 @@ public final class ModelValidation {
    * Reads models and checks them against their metamodel.
    *
    * @param metamodels the models' metamodels; none for event chains
-   * @param map the folders that beginnings of references stand for: {@code platform:/resource/}
+   * @param map the folders by the reference prefixes that they replace: {@code platform:/resource/}
    * @param timeLimit the processor time that the patterns of a data type may take
    * @throws DiagnosticException INPUT if a file cannot be read
    */
@@ -72,34 +72,37 @@ public final class ModelValidation {
     return new ModelValidation(metamodels, map, models, timeLimit);
   }
 
-  /** The metamodels, the shipped one among them. */
+  /** Returns the metamodels, including the shipped one. */
   public List<EPackage> packages() {
     return List.copyOf(packages);
   }
 
-  /** The roots of the models that were named. */
+  /** Returns the roots of the named models. */
   public List<EObject> roots() {
     return roots(models);
   }
 
-  /** Where an element is. */
+  /** Returns the location of an element. */
   public SourceLocation locate(EObject element) {
     return origins.locate(element);
   }
 
-  /** Whether the models, and those that they refer to, are what their metamodels demand. */
+  /**
+   * Returns the results of checking the models, and those that they refer to, against their
+   * metamodels.
+   */
   public EcoreChecks ecore() {
     return ecore;
   }
 
   /**
-   * Checks models against their metamodel and evaluates constraints on them, and on those in files
-   * that they refer to. The constraints are those of documents and those that the metamodels hold;
-   * without any, what the metamodels demand has to do.
+   * Checks models, and those that they refer to, against their metamodel and evaluates constraints
+   * on them. The constraints are those of documents and of the metamodels; without any, only the
+   * metamodels are checked.
    *
-   * @param metamodels the models' metamodels; none for event chains, for which the standard
-   *     constraints are evaluated and the contracts inside each chain checked, too
-   * @param map the folders that beginnings of references stand for: {@code platform:/resource/}
+   * @param metamodels the models' metamodels; none for event chains, which are checked against the
+   *     standard constraints and the contracts inside each chain, too
+   * @param map the folders by the reference prefixes that they replace: {@code platform:/resource/}
    * @param messages folders of {@code PACKAGE/msg/NAME.msg} that event chains use, next to the
    *     standard types of ROS 2
    * @param timeLimit the processor time that a constraint, or the patterns of a data type, may take
@@ -142,9 +145,9 @@ public final class ModelValidation {
   }
 
   /**
-   * What evaluating constraints has found.
+   * Returns the findings of the evaluation of constraints.
    *
-   * @param mayBeNone whether there need not be any
+   * @param mayBeNone true if constraints are optional
    */
   private List<Diagnostic> aboutConstraints(OclRules rules, OclResult result, boolean mayBeNone) {
     List<Diagnostic> found = new ArrayList<>(result.diagnostics());
@@ -157,7 +160,10 @@ public final class ModelValidation {
     return found;
   }
 
-  /** Findings about other models must not hide that no constraint is about these. */
+  /**
+   * Returns warnings for models without applicable constraints, even if there are findings about
+   * others.
+   */
   private List<Diagnostic> unconstrained(OclRules rules) {
     return models.stream()
         .filter(model -> !model.roots().isEmpty())
@@ -177,7 +183,7 @@ public final class ModelValidation {
     return models.stream().flatMap(model -> model.roots().stream()).toList();
   }
 
-  /** The files that were read. */
+  /** Returns the files that were read. */
   private List<String> files(List<Path> metamodels, List<Path> constraints, List<Path> named) {
     Stream<String> referred =
         all.stream().skip(models.size()).map(m -> origins.locate(m.roots().get(0)).file());
@@ -188,7 +194,7 @@ public final class ModelValidation {
     return Stream.concat(given, referred).distinct().toList();
   }
 
-  /** The contracts inside each chain: nothing is known of the vehicle around it. */
+  /** Checks the contracts inside each chain; the vehicle is unknown. */
   private Validation contracts(MessageCatalog messages) {
     ChainAnalysis analysis = ChainAnalysis.of(messages, Optional.empty());
     Coverage coverage = Coverage.NONE;
@@ -203,7 +209,7 @@ public final class ModelValidation {
     return new Validation(coverage, found);
   }
 
-  /** References may go between the files that the command names, and what lies below them. */
+  /** Returns the folders of the named files; references may only lead to files below them. */
   private static List<Path> folders(List<Path> metamodels, List<Path> models) {
     return Stream.concat(models.stream(), metamodels.stream())
         .map(file -> file.resolveSibling(""))

@@ -16,10 +16,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What {@code eventchain validate DIR} finds about the chain of a project. One that is kept reads
- * rules, messages, software base and requirements again only when one of their files has changed:
- * an editor validates on each save, and mostly it is the chain that was saved. For one thread at a
- * time.
+ * Validation of the chain of a project, as by {@code eventchain validate DIR}. An instance reads
+ * rules, messages, software base and requirements again only if one of their files has changed,
+ * because editors validate on each save. For one thread at a time.
  */
 public final class ProjectValidation {
 
@@ -27,15 +26,15 @@ public final class ProjectValidation {
   private final Path output;
   private final Duration timeLimit;
 
-  /** What the files of the checks were when they were read last, and the checks. */
+  /** Digest of the files of the checks when last read. */
   private String state = "";
 
   private Optional<ChainChecks> kept = Optional.empty();
 
   /**
-   * Reads nothing yet.
+   * Creates a validation without reading files.
    *
-   * @param output the folder of the project's results, which need not be there
+   * @param output the folder of the project's results, which may be absent
    * @param timeLimit the processor time that a constraint, or the patterns of a data type, may take
    */
   public ProjectValidation(ProjectFolder folder, Path output, Duration timeLimit) {
@@ -45,17 +44,16 @@ public final class ProjectValidation {
   }
 
   /**
-   * Checks the chain of a project as its files say it now: the model against its metamodel, the
-   * standard constraints, the project's own and the generated ones; the contracts with the vehicle;
-   * the use of existing components; the requirements that it names; and whether a constraint stands
-   * for each design rule. Whether the results of earlier runs are up to date only a run knows.
+   * Checks the chain in the current files of a project: the metamodel; the standard, own and
+   * generated constraints; the contracts with the vehicle; the use of existing components; the
+   * requirements; and that a constraint implements each design rule. It does not check whether
+   * results of earlier runs are up to date.
    *
-   * <p>Nothing is thrown for what is wrong with a file: it is a finding at that file, and as long
-   * as there is such a finding, the chain is not checked. Without a model there is {@code
-   * project.model.missing}.
+   * <p>Errors in a file are not thrown but reported as findings at that file; with any of them, the
+   * chain is not checked. A missing model is reported as {@code project.model.missing}.
    *
-   * @return the findings before any are suppressed; the coverage is {@link Coverage#NONE} if the
-   *     chain was not checked, and then there is a finding that says why
+   * @return the findings before suppression; the coverage is {@link Coverage#NONE}, and a finding
+   *     gives the reason, if the chain was not checked
    */
   public Validation validate() {
     Attempts attempts = new Attempts();
@@ -79,7 +77,7 @@ public final class ProjectValidation {
     return new Validation(outcome.coverage(read), outcome.diagnostics());
   }
 
-  /** As {@link #validate()}, once. */
+  /** As {@link #validate()}, for a single validation. */
   public static Validation validate(ProjectFolder folder, Path output, Duration timeLimit) {
     return new ProjectValidation(folder, output, timeLimit).validate();
   }
@@ -87,14 +85,17 @@ public final class ProjectValidation {
   private ChainChecks checks() {
     String now = stateOfFiles();
     if (kept.isEmpty() || !now.equals(state)) {
-      kept = Optional.empty(); // whatever happens now, the old ones are no longer true
+      kept = Optional.empty(); // the old checks are invalid, even if this fails
       kept = Optional.of(ChainChecks.of(folder, output, timeLimit));
       state = now;
     }
     return kept.get();
   }
 
-  /** The content of what the checks are made of, and which files there are besides. */
+  /**
+   * Returns a digest of the content of the files behind the checks, and of the names of other
+   * relevant files.
+   */
   private String stateOfFiles() {
     List<Path> files = new ArrayList<>(folder.constraintFiles(output));
     files.add(folder.designRulesFile());
@@ -124,7 +125,10 @@ public final class ProjectValidation {
     }
   }
 
-  /** The chain with its elements where they come from: a description, unless people edit it. */
+  /**
+   * Returns the chain with elements located in their source: the description, unless the model is
+   * edited.
+   */
   private ChainModel located(ChainModel model, ProjectSettings settings) {
     Path description = output.resolve(ProjectFolder.DESCRIPTION);
     return folder.editedModel().isPresent()

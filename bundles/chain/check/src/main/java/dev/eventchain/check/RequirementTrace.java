@@ -16,8 +16,8 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
- * Whether the requirements of a model are those that the project has written: what people edit has
- * copies of them, which get old.
+ * Comparison of the requirements of a model with those written in the project. An edited model has
+ * copies of them, which can become outdated.
  */
 final class RequirementTrace {
 

@@ -5,15 +5,15 @@ import dev.eventchain.diagnostics.Diagnostic;
 import java.util.List;
 
 /**
- * The result of a validation, before anything is suppressed. No finding proves only what the
- * coverage says was checked.
+ * The result of a validation before suppression. The absence of findings is evidence only for the
+ * checks in the coverage.
  *
- * @param coverage what was checked
- * @param diagnostics what was found, about the constraints and then about the models
+ * @param coverage the checks that ran
+ * @param diagnostics the findings, first about the constraints, then about the models
  */
 public record Validation(Coverage coverage, List<Diagnostic> diagnostics) {
 
-  /** Copies the list. */
+  /** Copies the findings. */
   public Validation {
     diagnostics = List.copyOf(diagnostics);
   }

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A chain in memory against the rules of a project that are read once. */
+/** Checks chains in memory against the rules of a project, which are read once. */
 class ChainChecksTest {
 
   private static final Duration LIMIT = Duration.ofMinutes(1);

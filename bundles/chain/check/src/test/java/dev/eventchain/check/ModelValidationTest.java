@@ -15,7 +15,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Models of any metamodel against what that demands, and against constraints. */
+/** Validates models of any metamodel against it and against constraints. */
 class ModelValidationTest {
 
   private static final String ECORE =
@@ -146,7 +146,7 @@ class ModelValidationTest {
     assertTrue(found.diagnostics().get(0).location().file().endsWith("anna.xmi"));
   }
 
-  /** Nothing is known of the vehicle around it: who publishes and subscribes there is left open. */
+  /** The vehicle is unknown, so its publishers and subscribers are not checked. */
   @Test
   void anEventChainNeedsNoMetamodelAndItsContractsAreChecked() {
     ProjectCopy radar = new ProjectCopy(ProjectCopy.RADAR);

@@ -16,7 +16,7 @@ import java.util.stream.Stream;
  */
 record ProjectCopy(Path path) {
 
-  /** Its chain is a model that people edit, with messages of its own and without design rules. */
+  /** Project with an edited chain model, its own messages and no design rules. */
   static final Path RADAR = Path.of("../../../examples/radar-aeb").toAbsolutePath().normalize();
 
   /** Copies the example into a folder. */
@@ -46,7 +46,7 @@ record ProjectCopy(Path path) {
     return opened().defaultOutput();
   }
 
-  /** Replaces a text that is in a file once. */
+  /** Replaces a text that occurs once in a file. */
   void replace(String name, String text, String by) throws IOException {
     String content = Files.readString(file(name));
     assertEquals(2, content.split(Pattern.quote(text), -1).length, text);

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What is found about the chain of a project, and at which file. */
+/** Findings about the chain of a project and their files. */
 class ProjectValidationTest {
 
   private static final Duration LIMIT = Duration.ofMinutes(1);
@@ -40,7 +40,10 @@ class ProjectValidationTest {
     kept.validate();
   }
 
-  /** One that has read everything before the test changes a file finds what a new one finds. */
+  /**
+   * Validates with a new instance and with one that read the files before a change; both must
+   * agree.
+   */
   private Validation validate() {
     Validation once = ProjectValidation.validate(project.opened(), project.output(), LIMIT);
     assertEquals(once, kept.validate());
@@ -115,7 +118,7 @@ class ProjectValidationTest {
     assertFalse(Suppressions.mayBeSuppressed("project.model.missing"));
   }
 
-  /** Every file is read although another one cannot be. */
+  /** Every file is read even if another one is unreadable. */
   @Test
   void allFilesThatCannotBeReadAreSaidAtOnce() throws IOException {
     Files.delete(folder.resolve("requirements.md"));
@@ -227,7 +230,7 @@ class ProjectValidationTest {
         same.diagnostics().get(0).location().file().endsWith("out/chain.json"), same.toString());
   }
 
-  /** Makes it a project whose model a run has made. */
+  /** Turns the example into a project with a generated model. */
   private void derive() throws IOException {
     ProjectFolder opened = project.opened();
     Path edited = project.file("model/chain.xmi");

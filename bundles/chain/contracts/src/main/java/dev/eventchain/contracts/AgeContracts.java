@@ -8,14 +8,19 @@ import java.nio.charset.StandardCharsets;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
-/** Whether ages are ages, and a field can hold what is to be published while inputs are too old. */
+/**
+ * Checks that maximum ages are valid, and that a field can hold the safe value for outdated inputs.
+ */
 final class AgeContracts {
 
   private static final Pattern WHOLE = Pattern.compile("-?(0|[1-9][0-9]*)");
   private static final Pattern DECIMAL =
       Pattern.compile("-?(0|[1-9][0-9]*)([.][0-9]+)?([eE][+-]?[0-9]+)?");
 
-  /** Longer texts are no number of any field, and take long to read as one. */
+  /**
+   * Longest text that is parsed as a number; no field holds longer ones, and parsing them takes
+   * long.
+   */
   private static final int LONGEST_NUMBER = 400;
 
   private final TypeContracts types;
@@ -36,7 +41,7 @@ final class AgeContracts {
     }
   }
 
-  /** OCL cannot tell an age of zero from none. */
+  /** Checks an age here, because OCL cannot tell zero from an unset value. */
   private void checkAge(Data data) {
     findings.checked(Rule.AGE);
     if (!(data.getMaximumAge() > 0) || Double.isInfinite(data.getMaximumAge())) {

@@ -5,14 +5,14 @@ import dev.eventchain.diagnostics.Diagnostic;
 import java.util.List;
 
 /**
- * What an analysis found.
+ * Result of an analysis.
  *
  * @param diagnostics the findings, in their order
- * @param checks how often each rule was checked, also those that there was nothing to check for
+ * @param checks the number of evaluations of each rule, including rules that did not apply
  */
 public record AnalysisResult(List<Diagnostic> diagnostics, List<Coverage.Check> checks) {
 
-  /** Keeps copies of the lists. */
+  /** Copies the lists. */
   public AnalysisResult {
     diagnostics = List.copyOf(diagnostics);
     checks = List.copyOf(checks);

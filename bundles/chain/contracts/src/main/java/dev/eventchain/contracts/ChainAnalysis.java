@@ -15,12 +15,11 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
- * What OCL cannot say about a chain: whether its components, and the vehicle around it, agree on
- * the meaning of each topic, which otherwise fails on the road and silently; and what follows from
- * the flow of the whole chain.
+ * Checks of a chain beyond OCL: agreement of components and vehicle on each topic, which otherwise
+ * fails silently at run time, and properties of the data flow.
  *
- * <p>What a single element looks like is left to the standard constraints: data without a topic, a
- * legal type or a field are not looked at here.
+ * <p>The standard constraints check single elements; data without a topic, a legal type or a field
+ * are skipped here.
  */
 public final class ChainAnalysis {
 
@@ -33,11 +32,11 @@ public final class ChainAnalysis {
   }
 
   /**
-   * An analysis of chains for one vehicle.
+   * Returns an analysis of chains for one vehicle.
    *
-   * @param catalog the message types that there are
-   * @param signals the topics outside the chain; empty if they are not known, so that who writes
-   *     and reads at the ends of the chain cannot be checked
+   * @param catalog the known message types
+   * @param signals the topics outside the chain; empty if unknown, so that publishers and
+   *     subscribers outside the chain are not checked
    */
   public static ChainAnalysis of(MessageCatalog catalog, Optional<List<Signal>> signals) {
     return new ChainAnalysis(catalog, signals.map(ChainAnalysis::byTopic));
@@ -52,7 +51,7 @@ public final class ChainAnalysis {
   /**
    * Checks a chain, and the definitions in the user's folders of messages.
    *
-   * @param locator the places of the features of the chain's elements
+   * @param locator returns the locations of the features of the chain's elements
    */
   public AnalysisResult check(
       EventChain chain, BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {

@@ -8,14 +8,14 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Whether a declared type is that of a field. */
+/** Comparison of declared types with the types of fields. */
 final class DeclaredType {
 
   private static final Pattern TYPE =
       Pattern.compile(
           "(?<base>[A-Za-z][\\w/]*)(<=[0-9]+)?(?<array>\\[((?<bound><=)?(?<size>[0-9]{1,9}))?\\])?");
 
-  /** Other names of the same (OMG IDL 4.2, 7.4.1.4.4; rosidl: char is uint8, byte an octet). */
+  /** Synonyms of types (OMG IDL 4.2, 7.4.1.4.4; rosidl: char is uint8, byte an octet). */
   private static final Map<String, String> SAME =
       Map.of(
           "float", "float32",
@@ -28,8 +28,8 @@ final class DeclaredType {
   private DeclaredType() {}
 
   /**
-   * Whether the declared type fits. {@code float64[]} fits an array of any kind; a number in the
-   * brackets has to be the field's.
+   * Returns whether the declared type fits the field. {@code float64[]} fits any array; a number in
+   * the brackets must equal that of the field.
    */
   static boolean fits(String declared, FieldType field) {
     Matcher type = TYPE.matcher(declared.strip());

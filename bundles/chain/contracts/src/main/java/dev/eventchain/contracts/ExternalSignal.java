@@ -11,8 +11,8 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Whether a signal that is declared to leave the chain may: a requirement asks for it, and it is no
- * other signal by a wrong name. A topic that was misspelt must not pass for one of its own.
+ * Check of signals that are declared to leave the chain. A requirement must ask for each, and its
+ * topic must not be a misspelt name of another signal.
  */
 final class ExternalSignal {
 

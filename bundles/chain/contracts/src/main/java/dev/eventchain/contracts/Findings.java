@@ -15,7 +15,7 @@ import java.util.function.BiFunction;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
-/** What was checked and found so far. */
+/** Checks and findings so far. */
 final class Findings {
 
   private final BiFunction<EObject, EStructuralFeature, SourceLocation> locator;
@@ -27,8 +27,8 @@ final class Findings {
   }
 
   /**
-   * Where a feature of an element is stated. Places are looked up for findings only: most elements
-   * have none.
+   * Returns the location of a feature of an element. Locations are looked up for findings only,
+   * because most elements have none.
    */
   SourceLocation at(EObject element, EStructuralFeature feature) {
     return locator.apply(element, feature);
@@ -65,7 +65,7 @@ final class Findings {
             .withRelated(related));
   }
 
-  /** Findings of others, about what is used here. */
+  /** Adds findings of other checks about elements that are used here. */
   void addAll(Collection<Diagnostic> others) {
     found.addAll(others);
   }

@@ -18,9 +18,9 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * What follows from the flow of a whole chain. In OCL each of these rules would look through all
- * components for each component. With an index, circles take time in proportion to the chain, and
- * latency constraints, all with the same first component, in proportion to what lies between.
+ * Rules on the data flow of a whole chain. In OCL each rule would visit all components for each
+ * component. With an index, cycles take time linear in the chain; latency constraints with the same
+ * first component take time linear in the components between.
  */
 final class FlowRules {
 
@@ -40,7 +40,7 @@ final class FlowRules {
     latencyConstraints();
   }
 
-  /** The main line has an end: else no order of execution follows it. */
+  /** Checks that the main line ends; otherwise it defines no order of execution. */
   private void mainLine() {
     if (chain.getSoftware().stream().anyMatch(node -> node.getNextstep() != null)) {
       findings.checked(Rule.NEXTSTEP_CYCLE);
@@ -55,7 +55,7 @@ final class FlowRules {
         here.add(node);
         node = node.getNextstep();
       }
-      // A next step to itself is what NextstepIsInChain finds.
+      // NextstepIsInChain reports a next step to itself.
       if (node != null && here.contains(node) && node.getNextstep() != node) {
         List<SoftwareNode> cycle = line.subList(line.indexOf(node), line.size());
         findings.error(
@@ -67,7 +67,10 @@ final class FlowRules {
     }
   }
 
-  /** A warning only: a control loop may be closed on purpose, and nodes run on their own timers. */
+  /**
+   * Warns of feedback. It is no error: control loops may be closed on purpose, and nodes run on
+   * their own timers.
+   */
   private void feedback() {
     if (!chain.getSoftware().isEmpty()) {
       findings.checked(Rule.FLOW_CYCLE);
@@ -82,7 +85,7 @@ final class FlowRules {
     }
   }
 
-  /** The shortest way from a group's first component back to it. */
+  /** Returns the shortest path from a group's first component back to it. */
   private List<SoftwareNode> shortestCycle(List<SoftwareNode> group) {
     SoftwareNode start = group.get(0);
     Map<SoftwareNode, SoftwareNode> before = reach(start, new HashSet<>(group));
@@ -98,8 +101,8 @@ final class FlowRules {
   }
 
   /**
-   * The components that get data from one, each with the one before it; the start too if it gets
-   * its own.
+   * Returns the components that receive data from one, each with its predecessor, including the
+   * start if it receives its own.
    */
   private Map<SoftwareNode, SoftwareNode> reach(SoftwareNode start, Set<SoftwareNode> within) {
     Map<SoftwareNode, SoftwareNode> before = new HashMap<>();
@@ -118,7 +121,7 @@ final class FlowRules {
   private void latencyConstraints() {
     Map<SoftwareNode, List<LatencyConstraint>> byFirst = new LinkedHashMap<>();
     for (LatencyConstraint constraint : chain.getLatencyConstraints()) {
-      // LatencyConstraintIsComplete finds those that lack an end.
+      // LatencyConstraintIsComplete reports those that lack an end.
       if (constraint.getFirst() != null && constraint.getLast() != null) {
         findings.checked(Rule.LATENCY_UNCONNECTED);
         byFirst.computeIfAbsent(constraint.getFirst(), none -> new ArrayList<>()).add(constraint);
@@ -138,7 +141,7 @@ final class FlowRules {
     }
   }
 
-  /** Takes the start, and those that get data from it, out of a set; looks no further than that. */
+  /** Removes the start and its transitive successors from a set; stops when the set is empty. */
   private void removeReached(SoftwareNode start, Set<SoftwareNode> wanted) {
     Set<SoftwareNode> known = new HashSet<>(List.of(start));
     Deque<SoftwareNode> open = new ArrayDeque<>(known);
@@ -171,7 +174,7 @@ final class FlowRules {
         findings.at(last, Literals.SOFTWARE_NODE__INPUT));
   }
 
-  /** {@code A -> B -> A}. */
+  /** Returns a path as {@code A -> B -> A}. */
   private static String path(List<SoftwareNode> cycle) {
     return cycle.stream().map(SoftwareNode::getName).collect(Collectors.joining(" -> "))
         + " -> "

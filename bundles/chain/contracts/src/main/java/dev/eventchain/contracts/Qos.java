@@ -9,15 +9,18 @@ import dev.eventchain.model.eventchain.QosProfile;
 import java.time.Duration;
 import java.util.Locale;
 
-/** What a profile of the model comes to. */
+/** Settings of the QoS profiles of the model. */
 final class Qos {
 
-  /** Longer times are none, as for the generated nodes. */
+  /** Longest time; longer ones count as unset, as in the generated nodes. */
   private static final double LONGEST_MS = 1e9;
 
   private Qos() {}
 
-  /** The named profile, with what is set next to the name; the default one where there is none. */
+  /**
+   * Returns the settings of the named profile with its overrides; those of the default profile if
+   * there is none.
+   */
   static QosSettings settings(QosProfile profile) {
     if (profile == null) {
       return QosSettings.defaults();
@@ -53,7 +56,7 @@ final class Qos {
     return settings;
   }
 
-  /** What is not set is zero. */
+  /** Returns whether a time is set; unset times are zero. */
   private static boolean isTime(double milliseconds) {
     return milliseconds > 0 && milliseconds < LONGEST_MS;
   }
@@ -62,7 +65,7 @@ final class Qos {
     return Duration.ofNanos(Math.round(milliseconds * 1e6));
   }
 
-  /** How people find a profile again: "profile sensor_data". */
+  /** Returns the profile in words: "profile sensor_data". */
   static String words(QosProfile profile) {
     if (profile == null) {
       return "has the default profile, as it states none";

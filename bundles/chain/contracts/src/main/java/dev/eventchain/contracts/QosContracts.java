@@ -12,8 +12,8 @@ import java.util.List;
 import java.util.function.Supplier;
 
 /**
- * Whether what publishers offer satisfies what subscribers request (OMG DDS 1.4, 2.2.3). If not,
- * the middleware connects them silently with nothing.
+ * Checks that offered QoS satisfies requested QoS (OMG DDS 1.4, 2.2.3). Otherwise the middleware
+ * silently does not match publisher and subscription.
  */
 final class QosContracts {
 
@@ -22,7 +22,7 @@ final class QosContracts {
   /**
    * One side of a topic.
    *
-   * @param profile what it states; null for nothing
+   * @param profile the stated profile; null if there is none
    */
   private record Side(String name, QosProfile profile, Supplier<SourceLocation> place) {
 
@@ -51,7 +51,10 @@ final class QosContracts {
     }
   }
 
-  /** A component has one publisher or subscription for a topic, and that has one profile. */
+  /**
+   * Checks that an endpoint has one profile, because a component has one publisher or subscription
+   * for a topic.
+   */
   private void oneProfile(Topic topic, Endpoint endpoint) {
     Data holder = endpoint.holderOfQos();
     if (holder.getQos() == null) {
@@ -94,7 +97,7 @@ final class QosContracts {
     QosSettings offered = Qos.settings(offer.profile());
     QosSettings requested = Qos.settings(request.profile());
     for (Incompatibility gap : QosSettings.incompatibilities(offered, requested)) {
-      // The finding is where the chain can be changed: the vehicle is as it is.
+      // The finding is at the chain, because the vehicle cannot be changed.
       Side here = request.isVehicle() ? offer : request;
       Side there = request.isVehicle() ? request : offer;
       if (gap.decided()) {
@@ -148,7 +151,7 @@ final class QosContracts {
             change);
   }
 
-  /** What the offer satisfies. Times are the weaker the longer they are. */
+  /** Returns the requests that the offer satisfies. Longer times are weaker. */
   private static String least(Incompatibility gap) {
     if (gap.offered().equals(QosSettings.NO_TIME)) {
       return "no " + gap.policy();
@@ -157,7 +160,7 @@ final class QosContracts {
     return gap.offered().endsWith(" ms") ? what + " or longer" : what;
   }
 
-  /** What satisfies the request. */
+  /** Returns the offers that satisfy the request. */
   private static String most(Incompatibility gap) {
     String what = gap.policy() + " " + gap.requested();
     return gap.requested().endsWith(" ms") ? what + " or shorter" : what;

@@ -2,7 +2,7 @@ package dev.eventchain.contracts;
 
 import dev.eventchain.diagnostics.Severity;
 
-/** The rules, in the order in which reports name them. */
+/** Rules, in the order of reports. */
 enum Rule {
   MESSAGE_UNKNOWN("contract.message.unknown", Severity.ERROR),
   FIELD_UNKNOWN("contract.field.unknown", Severity.ERROR),
@@ -34,12 +34,12 @@ enum Rule {
     this.severity = severity;
   }
 
-  /** The id of its findings. */
+  /** Returns the id of its findings. */
   String id() {
     return id;
   }
 
-  /** How bad its findings are at worst. */
+  /** Returns the highest severity of its findings. */
   Severity severity() {
     return severity;
   }

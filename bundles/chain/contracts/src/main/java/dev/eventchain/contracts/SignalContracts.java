@@ -6,7 +6,7 @@ import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventchainPackage.Literals;
 import java.util.stream.Collectors;
 
-/** Whether the chain uses the vehicle's topics as they are described. */
+/** Checks that the chain uses the vehicle's topics as described. */
 final class SignalContracts {
 
   private final TypeContracts types;
@@ -38,7 +38,7 @@ final class SignalContracts {
     }
   }
 
-  /** A field that exists but is not described: the vehicle may leave it unset, or unread. */
+  /** Checks for fields that exist but are not described; the vehicle may not set or read them. */
   private void fields(Endpoint endpoint, Signal signal) {
     for (Data data : endpoint.data()) {
       if (types.fieldType(data).isEmpty()) {

@@ -9,15 +9,17 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * A topic and everyone on it, in chain order.
+ * A topic with its publishers and subscribers, in chain order.
  *
  * @param name its full name
- * @param signal what is known of the topic outside the chain
+ * @param signal the description of the topic outside the chain
  */
 record Topic(
     String name, List<Endpoint> publishers, List<Endpoint> subscribers, Optional<Signal> signal) {
 
-  /** The topics of a chain, in the order in which they appear. Data without a topic have none. */
+  /**
+   * Returns the topics of a chain, in the order of appearance. Data without a topic are skipped.
+   */
   static List<Topic> of(EventChain chain, Map<String, Signal> signals) {
     return TopicIndex.of(chain).topics().stream()
         .map(
@@ -34,7 +36,7 @@ record Topic(
     return all.stream().map(found -> new Endpoint(found.node(), found.data())).toList();
   }
 
-  /** The publishers, then the subscribers. */
+  /** Returns the publishers, then the subscribers. */
   List<Endpoint> endpoints() {
     return Stream.concat(publishers.stream(), subscribers.stream()).toList();
   }

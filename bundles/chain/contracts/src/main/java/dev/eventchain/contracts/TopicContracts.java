@@ -17,20 +17,20 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Supplier;
 
-/** Whether each topic has one type, someone who writes it and someone who reads it. */
+/** Checks that each topic has one type, a publisher and a subscriber. */
 final class TopicContracts {
 
   private static final String LEAVES =
       "leave the output out; or, if a requirement asks for a signal that leaves the chain, say so"
           + " with the ";
 
-  /** How descriptions say so. */
+  /** Declaration of an external output in descriptions. */
   private static final String LEAVES_IN_JSON =
       LEAVES
           + "output: \"consumer\": \"external\", and in \"requirements\" the ids of those that ask"
           + " for it.";
 
-  /** How models say so. */
+  /** Declaration of an external output in models. */
   private static final String LEAVES_IN_A_MODEL =
       LEAVES + "data: external=\"true\", and in satisfies the requirements that ask for it.";
 
@@ -42,14 +42,14 @@ final class TopicContracts {
   private final Set<String> written = new TreeSet<>();
   private final Set<String> read = new TreeSet<>();
 
-  /** The topics that the vehicle consumes and no component of the chain writes. */
+  /** Topics that the vehicle consumes and no component of the chain writes. */
   private final Set<String> awaited = new TreeSet<>();
 
   /**
    * Prepares the checks.
    *
-   * @param signals what the vehicle's description says, by topic; empty if there is none, so that
-   *     it is unknown what comes from outside the chain
+   * @param signals the vehicle's signals by topic; empty without a description, so that publishers
+   *     and subscribers outside the chain are unknown
    */
   TopicContracts(
       List<Topic> topics,
@@ -93,7 +93,7 @@ final class TopicContracts {
     topic.subscribers().forEach(subscriber -> staysInside(topic, subscriber));
   }
 
-  /** Against the signal where there is one, else against whoever comes first. */
+  /** Checks types against the signal if there is one, otherwise against the first endpoint. */
   private void oneType(Topic topic) {
     Rule rule = topic.signal().isPresent() ? Rule.SIGNAL_TYPE : Rule.TOPIC_TYPE;
     String wanted = topic.signal().map(Signal::messageType).orElse("");
@@ -189,7 +189,7 @@ final class TopicContracts {
     }
   }
 
-  /** Of an input the declaration says nothing, and hides that an output has none. */
+  /** Refuses external inputs: the declaration has no meaning there, and is missing at an output. */
   private void staysInside(Topic topic, Endpoint subscriber) {
     for (Data data : subscriber.data()) {
       findings.checked(Rule.EXTERNAL_INPUT);
@@ -212,12 +212,15 @@ final class TopicContracts {
         .orElse("no existing signal has this name");
   }
 
-  /** Whether a chain is described by a language model, which cannot change the signals. */
+  /**
+   * Returns whether a location is in a description by a language model, which cannot change the
+   * signals.
+   */
   private static boolean isDescription(SourceLocation place) {
     return place.file().endsWith(".json");
   }
 
-  /** The end of a hint: to people it names the direction that a signal does not have yet. */
+  /** Returns the end of a hint: for users, the missing direction of a signal. */
   private static String orDirection(
       Topic topic, SourceLocation place, String condition, String wanted) {
     return topic.is(Signal.Direction.INTERNAL) && !isDescription(place)
@@ -225,7 +228,7 @@ final class TopicContracts {
         : ".";
   }
 
-  /** The topic that may have been meant: one that is used, or at least known. */
+  /** Returns a hint with a similar topic that is used or at least known. */
   private String hint(String topic, Set<String> used, String otherwise) {
     Set<String> known = new TreeSet<>(used);
     known.addAll(signals);
@@ -243,7 +246,7 @@ final class TopicContracts {
     return topic.signal().map(Signal::location).orElse(SourceLocation.NONE);
   }
 
-  /** A field that is not set is zero, empty or false in every message. */
+  /** Checks that fields are set; an unset field is zero, empty or false in every message. */
   private void fieldsAreSet(Topic topic, Endpoint subscriber) {
     if (topic.publishers().isEmpty() || topic.is(Signal.Direction.PROVIDED)) {
       return;

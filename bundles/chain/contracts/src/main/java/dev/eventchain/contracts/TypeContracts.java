@@ -21,7 +21,7 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.eclipse.emf.ecore.EAttribute;
 
-/** Whether message types and fields exist, and are what the chain and the signals take them for. */
+/** Checks that message types and fields exist and match their use in the chain and the signals. */
 final class TypeContracts {
 
   private final MessageCatalog catalog;
@@ -58,12 +58,12 @@ final class TypeContracts {
     }
   }
 
-  /** What {@code MessageTypeIsQualified} asks for; other names are its findings. */
+  /** Returns whether a type satisfies {@code MessageTypeIsQualified}, which reports other names. */
   static boolean isQualified(String type) {
     return type != null && RosNames.isMessageType(type);
   }
 
-  /** The type of a field that exists; empty as well if it is not legal or its type not known. */
+  /** Returns the type of an existing field; empty if the field is illegal or its type unknown. */
   Optional<FieldType> fieldType(Data data) {
     return data.getFieldName() == null || !isQualified(data.getMessageType())
         ? Optional.empty()
@@ -78,7 +78,7 @@ final class TypeContracts {
     try {
       return catalog.find(name);
     } catch (DiagnosticException e) {
-      // The catalog reports once, at its definition, that it is wrong.
+      // The catalog reports an invalid definition once, at its location.
       broken.add(name);
       return Optional.empty();
     }
@@ -95,7 +95,10 @@ final class TypeContracts {
     }
   }
 
-  /** The same name in another package, else the nearest name; and where was looked. */
+  /**
+   * Returns a hint: the same name in another package, otherwise the nearest name, and the searched
+   * folders.
+   */
   private String nearest(String type) {
     String simpleName = type.substring(type.lastIndexOf('/'));
     List<String> elsewhere =

@@ -11,13 +11,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 
-/** Whether all sides of a field mean the same number by it. */
+/** Checks that all endpoints use the same unit for a field. */
 final class UnitContracts {
 
   /**
-   * What the others are compared with.
+   * The reference for other units.
    *
-   * @param name whose it is
+   * @param name the name of its owner
    */
   private record Reference(String name, String unit, Supplier<SourceLocation> place) {}
 
@@ -27,7 +27,10 @@ final class UnitContracts {
     this.findings = findings;
   }
 
-  /** Against the signal where it gives a unit, else against the first publisher that does. */
+  /**
+   * Checks units against the signal if it gives one, otherwise against the first endpoint that
+   * does.
+   */
   void check(Topic topic) {
     Map<String, Reference> references = new HashMap<>();
     for (Signal.Field field : topic.signal().map(Signal::fields).orElse(List.of())) {

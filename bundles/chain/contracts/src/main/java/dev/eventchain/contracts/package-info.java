@@ -1,2 +1,2 @@
-/** What OCL cannot say about an event chain: message contracts, and what the data flow implies. */
+/** Checks of event chains beyond OCL: message contracts and data flow. */
 package dev.eventchain.contracts;

@@ -28,8 +28,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * A folder for each rule, with cases that break it and one, {@code good}, that does not though it
- * is checked. A case is a software base with a {@code chain.xmi}, and {@code expected.txt}.
+ * Test cases: a folder for each rule with cases that violate it, and one, {@code good}, that
+ * satisfies it. A case is a software base with a {@code chain.xmi}, and {@code expected.txt}.
  */
 class RuleCasesTest {
 
@@ -55,7 +55,7 @@ class RuleCasesTest {
     assertNotEquals(0, count(result, rule), "not checked");
   }
 
-  /** Nothing that a hash orders reaches the findings. */
+  /** Findings do not depend on hash order. */
   @ParameterizedTest
   @MethodSource("cases")
   void findsTheSameTwice(String name) {
@@ -109,7 +109,7 @@ class RuleCasesTest {
 
   private static AnalysisResult analyse(Path folder) {
     SoftwareBase base = SoftwareBase.read(folder);
-    // A case holds only what its rule is about.
+    // Each case contains only elements that its rule concerns.
     List<Diagnostic> wrong =
         base.diagnostics().stream().filter(found -> !found.id().equals("file.missing")).toList();
     assertEquals(List.of(), wrong);

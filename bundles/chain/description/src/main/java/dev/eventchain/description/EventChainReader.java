@@ -42,15 +42,15 @@ import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
- * Turns an event-chain description into a model, directly. The description is the JSON array of the
- * paper's Appendix A, or the object around it of {@link EventChainSchema}; we add {@code frequency}
- * (Hz), {@code requirements} (ids), {@code type}, {@code unit}, {@code maximum_age} (ms) and {@code
- * safe_value} of values, {@code consumer} ("external") and {@code requirements} of outputs that
- * leave the chain, and {@code worst_case_execution_time}, {@code best_case_execution_time} (ms) and
- * {@code memory} (MiB) of components, all optional.
+ * Reader that converts an event-chain description directly into a model. The description is the
+ * JSON array of the paper's Appendix A, or the object around it of {@link EventChainSchema}; we add
+ * {@code frequency} (Hz), {@code requirements} (ids), {@code type}, {@code unit}, {@code
+ * maximum_age} (ms) and {@code safe_value} of values, {@code consumer} ("external") and {@code
+ * requirements} of outputs that leave the chain, and {@code worst_case_execution_time}, {@code
+ * best_case_execution_time} (ms) and {@code memory} (MiB) of components, all optional.
  *
- * <p>Each element's origin is its JSON pointer in the description, so that what is found in the
- * model later points back to it.
+ * <p>Each element's origin is its JSON pointer in the description, so that later findings in the
+ * model point back to it.
  */
 public final class EventChainReader {
 
@@ -60,7 +60,7 @@ public final class EventChainReader {
 
   private static final String EXTERNAL = "external";
 
-  /** The properties of a topic that become features of each of its values. */
+  /** Properties of a topic that become features of each of its values. */
   private static final Map<EStructuralFeature, String> PORT =
       Map.of(
           Literals.DATA__TOPIC_NAME, "topic",
@@ -120,7 +120,7 @@ public final class EventChainReader {
     return reader.result();
   }
 
-  /** Reads the components of a software base: as an event chain, but for requirements. */
+  /** Reads the components of a software base as an event chain without requirements. */
   public static Modeled<EventChain> readExisting(Document components) {
     EventChainReader reader = new EventChainReader(components, OptionalDouble.empty());
     reader.requirementsKnown = false;
@@ -208,7 +208,7 @@ public final class EventChainReader {
     json.objects(side).forEach(port -> readPort(port, names, data, more));
   }
 
-  /** Whether an output leaves the chain, and which requirements ask for that. */
+  /** Reads whether an output leaves the chain, and the requirements that ask for it. */
   private Consumer<Data> readConsumer(ObjectReader port) {
     Optional<String> consumer = port.text("consumer");
     if (consumer.isPresent() && !consumer.get().equals(EXTERNAL)) {
@@ -280,7 +280,7 @@ public final class EventChainReader {
     return value;
   }
 
-  /** A number, a Boolean or a string; the model has what was written. */
+  /** Returns a number, a Boolean or a string as written. */
   private Optional<String> safeValue(ObjectReader json) {
     Optional<JsonNode> value = json.value("safe_value");
     if (value.isPresent() && !value.get().isValueNode()) {
@@ -321,7 +321,7 @@ public final class EventChainReader {
   private void refuseDuplicates(List<SoftwareNode> nodes) {
     Map<String, SoftwareNode> seen = new HashMap<>();
     for (SoftwareNode node : nodes) {
-      // Files and packages are named after components in lower case.
+      // File and package names are component names in lower case.
       SoftwareNode earlier = seen.putIfAbsent(node.getName().toLowerCase(Locale.ROOT), node);
       if (earlier != null && !node.getName().isEmpty()) {
         diagnostics.add(
@@ -338,7 +338,9 @@ public final class EventChainReader {
     }
   }
 
-  /** The main line: the first component further down that reads a topic which this one writes. */
+  /**
+   * Links the main line: the next step is the first later component that reads a topic of this one.
+   */
   private void linkNextSteps() {
     List<SoftwareNode> nodes = chain.getSoftware();
     for (int i = 0; i < nodes.size(); i++) {

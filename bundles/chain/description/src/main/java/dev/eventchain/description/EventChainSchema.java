@@ -21,17 +21,17 @@ import java.util.function.Consumer;
 import org.eclipse.emf.common.util.Enumerator;
 
 /**
- * The JSON Schema of the event-chain descriptions that {@link EventChainReader} reads, as far as
- * they are written by the designer of a chain. Since strict modes want an object at the root, the
- * array of components is in its property {@code components}.
+ * JSON Schema of the event-chain descriptions for {@link EventChainReader}, as far as the designer
+ * of a chain writes them. Strict modes require an object at the root, so the array of components is
+ * in its property {@code components}.
  *
- * <p>Only what is closed is an enumeration: the ids of the requirements, the message types that
- * there are, the profiles and policies of quality of service, and {@code external}. Names and
- * topics are free, because a chain may define new ones; units and types of fields, because they are
- * composed (m/s2, float32[4]); fields, because which there are depends on the message type.
+ * <p>Only closed sets are enumerations: the ids of the requirements, the known message types, the
+ * profiles and policies of quality of service, and {@code external}. Free are names and topics,
+ * because a chain may define new ones; units and types of fields, because they are composed (m/s2,
+ * float32[4]); and fields, because they depend on the message type.
  *
- * <p>The properties are in the order of the paper's template: whoever writes a threshold into the
- * description has it at hand when the ports are written.
+ * <p>The properties are in the order of the paper's template, so that a threshold in the
+ * description precedes the ports.
  */
 public final class EventChainSchema {
 
@@ -51,7 +51,7 @@ public final class EventChainSchema {
   }
 
   /**
-   * The schema of a chain.
+   * Returns the schema of a chain.
    *
    * @param requirements the ids of all requirements
    * @param messageTypes the full names of all message types
@@ -62,30 +62,30 @@ public final class EventChainSchema {
         requirements.stream().distinct().toList(), List.copyOf(new TreeSet<>(messageTypes)));
   }
 
-  /** Every property is required; where there is nothing to say, it is null. */
+  /** Returns the schema in which every property is required but may be null. */
   public ObjectNode nested() {
     return new Shape(true).root();
   }
 
-  /** What there is nothing to say of is left out. */
+  /** Returns the schema in which properties without a value are omitted. */
   public ObjectNode flat() {
     return new Shape(false).root();
   }
 
-  /** The array itself, as the paper has it; otherwise as {@link #nested()}. */
+  /** Returns the schema of the array itself, as in the paper; otherwise as {@link #nested()}. */
   public ObjectNode array() {
     return new Shape(true).defined(array(pointer("component")));
   }
 
   /**
-   * The components of a description: the array that it is, or the one in an object as the schema
-   * asks for. Anything else is returned as it is.
+   * Returns the components of a description: the root array, or the array in an object of the
+   * schema. Anything else is returned unchanged.
    */
   public static JsonNode components(JsonNode description) {
     return isWrapped(description) ? description.get(COMPONENTS) : description;
   }
 
-  /** Readers of the components; what is not a description of a chain is a finding. */
+  /** Returns readers of the components; anything else is a finding. */
   static List<ObjectReader> objects(Document description, Consumer<Diagnostic> findings) {
     if (!isWrapped(description.root())) {
       return description.objects(findings);
@@ -100,7 +100,7 @@ public final class EventChainSchema {
     return description.isObject() && description.path(COMPONENTS).isArray();
   }
 
-  /** One schema in the making. */
+  /** Builder of a schema. */
   private final class Shape {
 
     private final boolean nested;
@@ -239,7 +239,7 @@ public final class EventChainSchema {
     return type("array").set("items", items);
   }
 
-  /** A text where there is nothing to choose from. */
+  /** Returns an enumeration of values, or any text if there are none. */
   private static ObjectNode oneOf(Collection<String> values) {
     ObjectNode schema = type("string");
     if (!values.isEmpty()) {

@@ -18,12 +18,12 @@ import java.util.Optional;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
-/** Turns a model into an event-chain description that {@link EventChainReader} reads back. */
+/** Writer that converts a model into an event-chain description for {@link EventChainReader}. */
 public final class EventChainWriter {
 
   private EventChainWriter() {}
 
-  /** The description, pretty-printed with LF line ends and a line break at its end. */
+  /** Returns the description, pretty-printed with LF line ends and a final line break. */
   public static String write(EventChain chain) {
     ArrayNode components = JsonNodeFactory.instance.arrayNode();
     chain.getSoftware().forEach(node -> components.add(component(node)));
@@ -53,7 +53,7 @@ public final class EventChainWriter {
     return json;
   }
 
-  /** Neighbours of one topic, type and quality of service share a port. */
+  /** Returns the ports; adjacent data with equal topic, type and quality of service share one. */
   private static ArrayNode ports(List<Data> all) {
     ArrayNode ports = JsonNodeFactory.instance.arrayNode();
     Data previous = null;
@@ -105,7 +105,7 @@ public final class EventChainWriter {
     return json;
   }
 
-  /** The name alone where no policy differs from the profile of that name. */
+  /** Returns the quality of service; the name alone if no policy differs from the profile. */
   private static JsonNode qos(QosProfile qos) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     text(json, "profile", qos.getName());

@@ -17,20 +17,20 @@ import java.util.Optional;
 import java.util.function.Function;
 
 /**
- * Reads quality of service: the name of a ROS 2 profile, a depth, a reliability, or an object with
- * the policies.
+ * Reader of quality of service: the name of a ROS 2 profile, a depth, a reliability, or an object
+ * with the policies.
  */
 public final class QosReader {
 
   private static final String NAME = "qos_profile";
   private static final String DEFAULT = "default";
 
-  /** What stands for the profile {@code default} with that reliability. */
+  /** Names for the profile {@code default} with that reliability. */
   static final List<String> RELIABILITIES = List.of("reliable", "best_effort");
 
   private QosReader() {}
 
-  /** The profile of {@code qos_profile}; nothing where it is missing or not understood. */
+  /** Returns the profile of {@code qos_profile}; empty if it is missing or invalid. */
   public static Optional<QosProfile> read(ObjectReader port) {
     Optional<JsonNode> value = port.value(NAME);
     if (value.isEmpty()) {
@@ -46,7 +46,7 @@ public final class QosReader {
     return Optional.empty();
   }
 
-  /** Accepts the ways in which C++, Python and documentation write the same profiles. */
+  /** Returns a profile by its name as written in C++, Python or documentation. */
   private static Optional<QosProfile> named(String written, ObjectReader port) {
     QosProfile qos = EventchainFactory.eINSTANCE.createQosProfile();
     String name =

@@ -28,7 +28,7 @@ class EventChainSchemaTest {
 
   private static final List<String> IDS = List.of("R-1", "R-2");
 
-  /** What a schema can keep a description from saying. */
+  /** Findings that the schema rules out. */
   private static final Set<String> STRUCTURAL =
       Set.of(
           "modeler.consumer.unknown",

@@ -29,7 +29,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 
-/** Whatever the model says, writing and reading it gives the same model and the same bytes. */
+/** Writing and reading any model gives an equal model and equal bytes. */
 class RoundTripTest {
 
   private static final EventchainFactory FACTORY = EventchainFactory.eINSTANCE;
@@ -150,7 +150,7 @@ class RoundTripTest {
         .anyMatch(o -> inputs.stream().anyMatch(i -> i.getTopicName().equals(o.getTopicName())));
   }
 
-  /** Text with everything that formats trip over: quotes, markup, line ends, tabs, emoji. */
+  /** Returns text that is difficult for formats: quotes, markup, line ends, tabs, emoji. */
   private static String text(Random random) {
     String alphabet = "aZ0 \t\n\r\"'<>&;]}[{/\\\u00e4\u2028\uFFFD%$#`";
     StringBuilder text = new StringBuilder("x");

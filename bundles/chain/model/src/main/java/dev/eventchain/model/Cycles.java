@@ -10,7 +10,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 
-/** The strongly connected groups of a graph, after Tarjan (1972), without recursion. */
+/** Strongly connected components of a graph by Tarjan (1972), without recursion. */
 final class Cycles {
 
   private final List<SoftwareNode> nodes;
@@ -40,7 +40,7 @@ final class Cycles {
     this.successors = successors;
   }
 
-  /** The groups, and the nodes in them, in the order of the nodes. */
+  /** Returns the groups, and the nodes in them, in the order of the nodes. */
   List<List<SoftwareNode>> find() {
     for (SoftwareNode node : nodes) {
       if (!visits.containsKey(node)) {

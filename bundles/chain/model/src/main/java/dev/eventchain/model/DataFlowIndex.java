@@ -14,11 +14,10 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Which components pass data to which in an event chain. Data flows from an output to an input when
- * both are on the same topic ({@link TopicIndex}), the rule that DDS matches by, and the output
- * sets what the input reads: the same field, or one of which the other is a part ({@code header}
- * and {@code header.stamp.sec}). {@code SoftwareNode::feeds} of the standard rules says the same in
- * OCL.
+ * Index of the data flow between the components of an event chain. Data flows from an output to an
+ * input if both are on the same topic ({@link TopicIndex}), as DDS matches, and the output sets the
+ * field that the input reads. One field may be part of the other ({@code header.stamp.sec} of
+ * {@code header}). {@code SoftwareNode::feeds} of the standard rules is the same in OCL.
  *
  * <p>A snapshot: later changes of the chain are not seen. All lists are in chain order.
  */
@@ -72,44 +71,44 @@ public final class DataFlowIndex {
     }
   }
 
-  /** The data flow of a chain. */
+  /** Returns the data flow of a chain. */
   public static DataFlowIndex of(EventChain chain) {
     return new DataFlowIndex(chain);
   }
 
-  /** The components that read something that this one writes; itself too if it does. */
+  /** Returns the components that read data of this one, including itself if it does. */
   public List<SoftwareNode> successors(SoftwareNode node) {
     return view(successors, node);
   }
 
-  /** The components that write something that this one reads; itself too if it does. */
+  /** Returns the components that write data for this one, including itself if it does. */
   public List<SoftwareNode> predecessors(SoftwareNode node) {
     return view(predecessors, node);
   }
 
-  /** The outputs that an input gets its values from. */
+  /** Returns the outputs that feed an input. */
   public List<Data> producers(Data input) {
     return view(producers, input);
   }
 
-  /** The inputs that get their values from an output. */
+  /** Returns the inputs that an output feeds. */
   public List<Data> consumers(Data output) {
     return view(consumers, output);
   }
 
-  /** The components that have this data as an output: one in a sound model. */
+  /** Returns the components with this data as an output: one in a valid model. */
   public List<SoftwareNode> writers(Data data) {
     return view(writers, data);
   }
 
-  /** The components that have this data as an input: one in a sound model. */
+  /** Returns the components with this data as an input: one in a valid model. */
   public List<SoftwareNode> readers(Data data) {
     return view(readers, data);
   }
 
   /**
-   * The groups of components that each depend on their own output. Every group is as large as
-   * possible, so no component is in two of them.
+   * Returns the maximal groups of components that depend on their own output. No component is in
+   * two of them.
    */
   public List<List<SoftwareNode>> cycles() {
     return cycles;

@@ -18,8 +18,8 @@ import org.eclipse.emf.ecore.resource.Resource;
 import org.eclipse.emf.ecore.xmi.impl.EcoreResourceFactoryImpl;
 
 /**
- * The metamodel of event chains, the constraints that hold for all of them, and the metamodel of
- * message definitions: the files of the folder {@code metamodel/}, as the program carries them.
+ * Metamodel of event chains, its standard constraints, and the metamodel of message definitions:
+ * the files of the folder {@code metamodel/}, as packaged with the program.
  */
 public final class EventChainMetamodel {
 
@@ -27,40 +27,41 @@ public final class EventChainMetamodel {
 
   private EventChainMetamodel() {}
 
-  /** A store for the files below a folder, which may be event chains. See {@link XmiStore}. */
+  /**
+   * Returns a store for the files below a folder, which may be event chains. See {@link XmiStore}.
+   */
   public static XmiStore store(Path projectRoot) {
     return store(List.of(projectRoot));
   }
 
-  /** A store for the files below several folders, which may be event chains. */
+  /** Returns a store for the files below several folders, which may be event chains. */
   public static XmiStore store(Collection<Path> folders) {
     return store(folders, Map.of());
   }
 
   /**
-   * A store for the files below several folders, with the beginnings of references that stand for
-   * others.
+   * Returns a store for the files below several folders, with replacements of reference prefixes.
    */
   public static XmiStore store(Collection<Path> folders, Map<String, Path> map) {
     return new XmiStore(folders, map, List.of(EventchainPackage.eINSTANCE));
   }
 
-  /** The text of the metamodel of event chains. */
+  /** Returns the text of the metamodel of event chains. */
   public static String text() {
     return resource("metamodel/eventchain.ecore");
   }
 
-  /** The constraints that hold for all event chains, in Complete OCL. */
+  /** Returns the standard constraints on event chains, in Complete OCL. */
   public static SourceText constraints() {
     return SourceText.of(CONSTRAINTS, resource(CONSTRAINTS));
   }
 
-  /** The metamodel of message definitions, which templates may be about. */
+  /** Returns the metamodel of message definitions, which templates may use. */
   public static EPackage messages() {
     return Messages.PACKAGE;
   }
 
-  /** Read when it is first needed: most runs do without. */
+  /** Lazy holder of the metamodel of message definitions, which most runs do not need. */
   private static final class Messages {
     private static final EPackage PACKAGE = read();
 

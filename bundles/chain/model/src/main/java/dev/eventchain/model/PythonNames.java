@@ -7,9 +7,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Which names the generated Python can carry. The standard rules state this in definitions of
- * {@code metamodel/eventchain.ocl}; here it is read from there for code that cannot evaluate OCL,
- * so that there is one list.
+ * Names that generated Python code can use. The definitions in {@code metamodel/eventchain.ocl} are
+ * read, so that code without OCL uses the same list.
  */
 public final class PythonNames {
 
@@ -26,9 +25,9 @@ public final class PythonNames {
   private PythonNames() {}
 
   /**
-   * Whether a name is an ASCII identifier of Python that means nothing else: no keyword, not the
-   * first argument of {@code execute()}, nothing that the generated modules use themselves, and not
-   * one of the names that begin with two underscores.
+   * Returns whether a name is a free ASCII identifier of Python. It must not be a keyword, the
+   * first argument of {@code execute()}, a name used by the generated modules, or a name with two
+   * leading underscores.
    */
   public static boolean isFreeIdentifier(String name) {
     return SHAPE.matcher(name).matches()
@@ -36,12 +35,12 @@ public final class PythonNames {
         && !TAKEN.matcher(name).matches();
   }
 
-  /** The keywords of Python 3, soft ones not among them (Python language reference, 2.3.1). */
+  /** Returns the keywords of Python 3 without soft ones (Python language reference, 2.3.1). */
   static List<String> keywords() {
     return List.of(IDENTIFIER.get(1).split("\\|"));
   }
 
-  /** The keywords, and the names that the generated modules use themselves. */
+  /** Returns the keywords and the names used by the generated modules. */
   static List<String> reserved() {
     return Stream.concat(keywords().stream(), Stream.of(FREE.get(0).split("\\|")))
         .filter(name -> name.matches("\\w+"))
@@ -49,9 +48,9 @@ public final class PythonNames {
   }
 
   /**
-   * The patterns that a definition of the standard rules matches names with, in order.
+   * Returns the patterns in a definition of the standard rules, in order.
    *
-   * @throws IllegalStateException if it has another number of them
+   * @throws IllegalStateException if their number differs
    */
   private static List<String> patterns(String definition, int number) {
     String document = EventChainMetamodel.constraints().text();

@@ -6,14 +6,14 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A topic of the vehicle or its software, independent of the chain that is built around it.
+ * A topic of the vehicle or its software, independent of any chain.
  *
  * @param topic the topic's name
- * @param messageType the type of its messages, as it was written
- * @param direction who is on the other side
- * @param qos what the vehicle offers or requests; empty if nothing is said
- * @param fields the fields that are described; the message may have more
- * @param location where it is described
+ * @param messageType the type of its messages, as written
+ * @param direction the role of the vehicle
+ * @param qos the QoS that the vehicle offers or requests; empty if not stated
+ * @param fields the described fields; the message may have more
+ * @param location the location of its description
  */
 public record Signal(
     String topic,
@@ -23,13 +23,13 @@ public record Signal(
     List<Field> fields,
     SourceLocation location) {
 
-  /** Who is on the other side. */
+  /** Role of the vehicle. */
   public enum Direction {
-    /** The vehicle sends it. */
+    /** Published by the vehicle. */
     PROVIDED,
-    /** The vehicle receives it. */
+    /** Received by the vehicle. */
     CONSUMED,
-    /** Only software has to do with it. */
+    /** Used by software only. */
     INTERNAL
   }
 
@@ -37,18 +37,18 @@ public record Signal(
    * A field of the message.
    *
    * @param path its path
-   * @param type its type as message definitions write it; empty if nothing is said
-   * @param unit its unit; empty if nothing is said
-   * @param location where it is described
+   * @param type its type as message definitions write it; empty if not stated
+   * @param unit its unit; empty if not stated
+   * @param location the location of its description
    */
   public record Field(String path, String type, String unit, SourceLocation location) {}
 
-  /** Keeps a copy of the list. */
+  /** Copies the list. */
   public Signal {
     fields = List.copyOf(fields);
   }
 
-  /** The described field with a path. */
+  /** Returns the described field with a path. */
   public Optional<Field> field(String path) {
     return fields.stream().filter(field -> field.path().equals(path)).findFirst();
   }

@@ -13,24 +13,24 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The topics of an event chain, with their readers and writers. The data of a component that name
- * the same topic are one endpoint: one publisher or subscription at run time. Names are full ones,
- * as ROS resolves them for nodes in the root namespace, so that {@code a/x} and {@code /a/x} are
- * one topic and {@code ~/x} is one for each component. Data without a topic are on none.
+ * Index of the topics of an event chain with their publishers and subscribers. The data of a
+ * component on the same topic form one endpoint: a publisher or subscription at run time. Names are
+ * fully resolved as in ROS 2 for nodes in the root namespace: {@code a/x} and {@code /a/x} are one
+ * topic, {@code ~/x} is one for each component. Data without a topic are skipped.
  *
  * <p>A snapshot: later changes of the chain are not seen. All lists are in chain order.
  */
 public final class TopicIndex {
 
   /**
-   * What a component writes to a topic, or reads from it.
+   * The data that a component writes to a topic or reads from it.
    *
    * @param data the fields, in the order of the component; at least one
    */
   public record Endpoint(SoftwareNode node, List<Data> data) {}
 
   /**
-   * A topic and everyone on it; at least one is.
+   * A topic with its publishers and subscribers, at least one in all.
    *
    * @param name its full name
    */
@@ -64,13 +64,13 @@ public final class TopicIndex {
     return groups;
   }
 
-  /** The topics of a chain. */
+  /** Returns the topics of a chain. */
   public static TopicIndex of(EventChain chain) {
     return new TopicIndex(chain);
   }
 
   /**
-   * The full name of the topic that a component's data are on.
+   * Returns the full name of the topic of a component's data.
    *
    * @return empty if there is no topic
    */
@@ -82,13 +82,13 @@ public final class TopicIndex {
         : Optional.of(RosNames.resolve(name, owner));
   }
 
-  /** All topics, in the order in which they appear. */
+  /** Returns all topics, in the order of appearance. */
   public Collection<Topic> topics() {
     return Collections.unmodifiableCollection(topics.values());
   }
 
   /**
-   * A topic.
+   * Returns a topic.
    *
    * @param name its full name
    * @return empty if the chain neither reads nor writes it

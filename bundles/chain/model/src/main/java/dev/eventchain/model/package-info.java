@@ -1,5 +1,5 @@
 /**
- * Event chains: their metamodel, the constraints that hold for all of them, their topics and the
- * flow of data in them. It knows no file of a project and no format but its own.
+ * Event chains: metamodel, standard constraints, topics and data flow. Independent of project files
+ * and of other formats.
  */
 package dev.eventchain.model;

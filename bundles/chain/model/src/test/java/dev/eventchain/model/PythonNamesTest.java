@@ -54,7 +54,7 @@ class PythonNamesTest {
     assertEquals(output.lines().toList(), PythonNames.keywords());
   }
 
-  /** Templates cannot ask Java; what they have is written from the list, and held to it here. */
+  /** Templates cannot call Java; this test compares their copy of the list with the original. */
   @Test
   void theTemplatesHaveTheSameNames() throws IOException {
     Path file = ROOT.resolve(TEMPLATE);

@@ -46,7 +46,7 @@ class XmiStoreTest {
     }
   }
 
-  /** A folder a case; {@code expected.txt} holds what is found, or the model as it is written. */
+  /** Test cases, one per folder; {@code expected.txt} holds the findings or the saved model. */
   @ParameterizedTest
   @MethodSource("cases")
   void readsOrRefusesAFile(String name) throws IOException {

@@ -16,12 +16,12 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Files of a project that would be read if they had another name. Most files of a project may be
- * missing, so a misspelt one would silently count as none: no constraint, no scenario.
+ * Checks for misspelt names of project files. Most files of a project are optional, so a misspelt
+ * one would silently be ignored: no constraint, no scenario.
  */
 public final class ProjectFileNames {
 
-  /** What is read by its name, relative to the project. */
+  /** Names of files that are read, relative to the project. */
   private static final List<String> KNOWN =
       List.of(
           "bench.yaml",
@@ -39,7 +39,7 @@ public final class ProjectFileNames {
           "software-base/signals.json",
           "tests");
 
-  /** How files in folders of projects end that are read. */
+  /** Suffixes of the files in project folders that are read. */
   private static final List<String> READ = List.of(".yaml", ".json", ".xmi", ".py", ".msg", ".idl");
 
   private ProjectFileNames() {}
@@ -47,7 +47,8 @@ public final class ProjectFileNames {
   /**
    * Refuses files and folders whose names differ from known ones in case alone.
    *
-   * @throws DiagnosticException INPUT with each of them ({@code project.file.misnamed})
+   * @throws DiagnosticException INPUT with a finding ({@code project.file.misnamed}) for each of
+   *     them
    */
   static void refuseOtherCase(Path folder) {
     List<Diagnostic> found =
@@ -77,7 +78,7 @@ public final class ProjectFileNames {
                     .withHint("Rename it to '" + name + "'."));
   }
 
-  /** A folder for something else may have a name like one of ours. */
+  /** Returns whether a folder has anything to read; an unrelated folder may have a similar name. */
   private static boolean holdsAnyToRead(Path folder) {
     return entries(folder).stream()
         .map(entry -> entry.getFileName().toString())
@@ -86,7 +87,7 @@ public final class ProjectFileNames {
                 READ.stream().anyMatch(name::endsWith) || Files.isDirectory(folder.resolve(name)));
   }
 
-  /** Another spelling of the file by which a project is known, if the folder has one. */
+  /** Returns the name of a file that differs from the wanted one in case alone, if there is one. */
   static Optional<String> misspelt(Path wanted) {
     return entries(wanted.resolveSibling("")).stream()
         .map(entry -> entry.getFileName().toString())
@@ -95,7 +96,7 @@ public final class ProjectFileNames {
   }
 
   /**
-   * A warning for each OCL document next to {@code eventchain.yaml} that is not read.
+   * Returns a warning for each OCL document next to {@code eventchain.yaml} that is not read.
    *
    * @param output the folder of the project's results, which may hold generated constraints
    */
@@ -119,7 +120,7 @@ public final class ProjectFileNames {
         .toList();
   }
 
-  /** The file behind links. */
+  /** Returns the path with links resolved. */
   private static Path identity(Path file) {
     try {
       return file.toRealPath();
@@ -128,7 +129,7 @@ public final class ProjectFileNames {
     }
   }
 
-  /** Sorted; none of a folder that may not be listed, whose files are found unreadable later. */
+  /** Returns the sorted entries of a folder; none if it is unreadable, which is reported later. */
   private static Set<Path> entries(Path folder) {
     try (Stream<Path> entries = Files.list(folder)) {
       return entries.collect(Collectors.toCollection(TreeSet::new));

@@ -18,16 +18,16 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** A user's folder: where its files are, and those of its results that are checked. */
+/** A user's project folder: paths of its files, and of those results that are checked. */
 public class ProjectFolder {
 
-  /** The description of the chain, among the results of a run. */
+  /** Name of the chain description among the results of a run. */
   public static final String DESCRIPTION = "chain.json";
 
-  /** The model of the chain, among the results of a run. */
+  /** Name of the chain model among the results of a run. */
   public static final String MODEL = "chain.xmi";
 
-  /** The constraints that stand for the design rules, among the results of a run. */
+  /** Name of the constraints for the design rules among the results of a run. */
   public static final String GENERATED = "generated.ocl";
 
   private static final String CONFIGURATION = "eventchain.yaml";
@@ -36,7 +36,7 @@ public class ProjectFolder {
   private final Path folder;
 
   /**
-   * A folder, of which nothing is looked at yet.
+   * Creates a project folder without reading it.
    *
    * @param folder the folder that holds {@code eventchain.yaml}
    */
@@ -44,22 +44,21 @@ public class ProjectFolder {
     this.folder = folder;
   }
 
-  /** The folder. */
+  /** Returns the folder. */
   public final Path folder() {
     return folder;
   }
 
-  /** The file by which a project is known. */
+  /** Returns the configuration file, which identifies a project. */
   public final Path configurationFile() {
     return folder.resolve(CONFIGURATION);
   }
 
   /**
-   * What the configuration says.
+   * Returns the text of the configuration.
    *
    * @throws DiagnosticException INPUT if it is not a project ({@code project.missing}), the file
-   *     cannot be read, or another one is not read because of the case of its name ({@code
-   *     project.file.misnamed})
+   *     cannot be read, or the case of another file name is wrong ({@code project.file.misnamed})
    */
   public final SourceText configurationText() {
     if (!Files.isDirectory(folder)) {
@@ -86,21 +85,21 @@ public class ProjectFolder {
     return SourceText.read(configurationFile());
   }
 
-  /** The findings that the project's people have decided to live with, if they have said any. */
+  /** Returns the file of suppressions, if there is one. */
   public final Optional<Path> suppressions() {
     return existing("eventchain-suppressions.yaml");
   }
 
-  /** Where a run writes if it is not told otherwise. */
+  /** Returns the default output folder. */
   public final Path defaultOutput() {
     return folder.resolve("out");
   }
 
   /**
-   * The command that runs the project.
+   * Returns the command that runs the project.
    *
    * @param output the folder of its results
-   * @param more what follows it; may be empty
+   * @param more further arguments; may be empty
    */
   public final String command(Path output, String more) {
     boolean usual = output.equals(defaultOutput());
@@ -110,54 +109,54 @@ public class ProjectFolder {
         + (more.isEmpty() ? "" : " " + more);
   }
 
-  /** The functional requirements, whether they are there or not. */
+  /** Returns the file of functional requirements, which may be absent. */
   public final Path requirements() {
     return folder.resolve("requirements.md");
   }
 
-  /** The design rules, when there are any. */
+  /** Returns the file of design rules, if it exists. */
   public final Optional<Path> designRules() {
     return existing(DESIGN_RULES);
   }
 
-  /** The design rules, whether they are there or not. */
+  /** Returns the file of design rules, which may be absent. */
   public final Path designRulesFile() {
     return folder.resolve(DESIGN_RULES);
   }
 
-  /** The folder of what exists already. */
+  /** Returns the folder of the software base. */
   public final Path softwareBase() {
     return folder.resolve("software-base");
   }
 
-  /** The files that describe the software base, whether they are there or not. */
+  /** Returns the files that describe the software base, which may be absent. */
   public final List<Path> softwareBaseFiles() {
     return List.of(
         softwareBase().resolve("components.json"), softwareBase().resolve("signals.json"));
   }
 
-  /** The chain that people edit, when there is one: then it is the source. */
+  /** Returns the edited chain model, if there is one; then it is the source. */
   public Optional<Path> editedModel() {
     return existing("model/chain.xmi");
   }
 
-  /** The model of the chain: the one that people edit, else the one that an earlier run wrote. */
+  /** Returns the chain model: the edited one, otherwise the one of an earlier run. */
   public final Optional<Path> model(Path output) {
     return editedModel().or(() -> Optional.of(output.resolve(MODEL)).filter(Files::isRegularFile));
   }
 
-  /** The constraints that people wrote, and those that they import. */
+  /** Returns the documents of constraints written by users, and their imports. */
   public final List<Path> ownConstraints() {
     return OclRules.files(existing("constraints.ocl").stream().toList());
   }
 
-  /** The constraints that an earlier run has generated, when there are any. */
+  /** Returns the constraints generated by an earlier run, if there are any. */
   public final Optional<Path> generated(Path output) {
     return Optional.of(output.resolve(GENERATED)).filter(file -> !isAbsent(file));
   }
 
   /**
-   * The files that hold the project's constraints, but for the standard ones.
+   * Returns the files with the project's constraints, without the standard ones.
    *
    * @param output the folder of the project's results, which may hold generated constraints
    */
@@ -167,19 +166,19 @@ public class ProjectFolder {
     return files;
   }
 
-  /** As {@link #constraintFiles}, for people. */
+  /** As {@link #constraintFiles}, as displayed names. */
   public final List<String> constraintNames(Path output) {
     return constraintFiles(output).stream().map(file -> SourceLocation.of(file).file()).toList();
   }
 
-  /** Folders that hold {@code <package>/msg/*.msg}. */
+  /** Returns the folders with {@code <package>/msg/*.msg}. */
   public final List<Path> messageFolders() {
     Optional<Path> messages = existing("software-base/msg");
     messages.filter(each -> !Files.isDirectory(each)).ifPresent(ProjectFolder::refuseNoFolder);
     return messages.map(List::of).orElse(List.of());
   }
 
-  /** The files in the folders of messages. */
+  /** Returns the files in the message folders. */
   public final List<Path> messageFiles() {
     return messageFolders().stream().flatMap(each -> below(each).stream()).toList();
   }
@@ -187,7 +186,7 @@ public class ProjectFolder {
   /**
    * Reads requirements or design rules.
    *
-   * @throws DiagnosticException INPUT if the file cannot be read, or with its findings if one is an
+   * @throws DiagnosticException INPUT if the file cannot be read, or with its findings if any is an
    *     error
    */
   public static Requirements readRules(Path file) {
@@ -197,9 +196,9 @@ public class ProjectFolder {
   }
 
   /**
-   * Reads what exists already.
+   * Reads the software base.
    *
-   * @throws DiagnosticException INPUT with what is found if it is an error
+   * @throws DiagnosticException INPUT with the findings if any is an error
    */
   public final SoftwareBase readSoftwareBase() {
     SoftwareBase base = SoftwareBase.read(softwareBase());
@@ -210,7 +209,7 @@ public class ProjectFolder {
   /**
    * Reads the message definitions, the standard ones and the project's own.
    *
-   * @throws DiagnosticException INPUT with what is found if it is an error
+   * @throws DiagnosticException INPUT with the findings if any is an error
    */
   public final MessageCatalog readMessages() {
     MessageCatalog messages = MessageCatalog.of(messageFolders());
@@ -224,7 +223,7 @@ public class ProjectFolder {
     }
   }
 
-  /** The files in a folder and in those below it, but for what Python has compiled. */
+  /** Returns the files in and below a folder, without compiled Python files. */
   public static List<Path> below(Path folder) {
     try (Stream<Path> files = Files.walk(folder, FileVisitOption.FOLLOW_LINKS)) {
       return files
@@ -243,14 +242,14 @@ public class ProjectFolder {
     return Files.isSymbolicLink(file) && !Files.exists(file);
   }
 
-  /** A file or folder of the project, unless there certainly is none of this name. */
+  /** Returns a file or folder of the project, unless it is certainly absent. */
   protected final Optional<Path> existing(String name) {
     return Optional.of(folder.resolve(name)).filter(file -> !isAbsent(file));
   }
 
   /**
-   * Whether there is certainly nothing of this name. A link to nothing, a folder, and what may not
-   * be looked at are there: reading them says what is wrong.
+   * Returns whether a file is certainly absent. Broken links, folders and inaccessible files are
+   * present; reading them reports the problem.
    */
   public static boolean isAbsent(Path file) {
     return Files.notExists(file, LinkOption.NOFOLLOW_LINKS);
@@ -260,7 +259,7 @@ public class ProjectFolder {
     throw unreadable(path, new NotDirectoryException(path.toString()));
   }
 
-  /** The failure that a file or folder of the project cannot be read. */
+  /** Returns the exception for an unreadable file or folder of the project. */
   public static DiagnosticException unreadable(Path path, IOException e) {
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,

@@ -12,27 +12,26 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What {@code eventchain.yaml} says about the chain itself; the rest of it is about how the chain
- * is made and run.
+ * Settings of the chain in {@code eventchain.yaml}; its other settings concern the runs.
  *
- * @param name the chain's name, after which the generated package is called
+ * @param name the name of the chain and of the generated package
  * @param frequency Hz, for components whose description gives none
  */
 public record ProjectSettings(String name, double frequency) {
 
-  /** What is found about the file has this id. */
+  /** Ids of the findings about the file. */
   public static final FindingIds IDS = FindingIds.all("project.configuration");
 
-  /** Hz, where the file gives none. */
+  /** Default frequency in Hz. */
   public static final double DEFAULT_FREQUENCY = 20;
 
   private static final NumberRange FREQUENCIES = NumberRange.above(0).upTo(10_000);
 
   /**
-   * Reads these settings of a project. Nothing is said about the others.
+   * Reads these settings of a project and ignores the others.
    *
    * @throws DiagnosticException INPUT if it is not a project ({@code project.missing}), its file
-   *     cannot be read, or with everything that is not understood ({@code project.configuration})
+   *     cannot be read, or with every invalid setting ({@code project.configuration})
    */
   public static ProjectSettings read(ProjectFolder folder) {
     List<Diagnostic> problems = new ArrayList<>();
@@ -46,7 +45,7 @@ public record ProjectSettings(String name, double frequency) {
     return read.orElseThrow();
   }
 
-  /** The name, which must be given; what is wrong with it is a finding of the reader. */
+  /** Returns the required name; the reader reports an invalid one. */
   public static String name(ObjectReader settings) {
     String name = settings.requiredText("name");
     if (!name.isBlank() && !name.matches("[a-z][a-z0-9_]*")) {
@@ -58,7 +57,7 @@ public record ProjectSettings(String name, double frequency) {
     return name;
   }
 
-  /** The frequency, 20 Hz if not given; what is wrong with it is a finding of the reader. */
+  /** Returns the frequency in Hz, 20 if not given; the reader reports an invalid one. */
   public static double frequency(ObjectReader settings) {
     return settings.number("frequency", FREQUENCIES).orElse(DEFAULT_FREQUENCY);
   }

@@ -16,21 +16,21 @@ import java.util.regex.Pattern;
 
 /**
  * Written requirements or design rules: the items {@code - REQ-1: text} of a Markdown file, in
- * their order. An item continues in indented lines; everything else in the file is for people.
+ * their order. An item continues in indented lines; the rest of the file is ignored.
  *
  * @param items the items
- * @param diagnostics what is wrong with the file: an id twice, an item without text, no item at
- *     all, and as warnings lines that name an id like those of the items and are none
+ * @param diagnostics the findings: a duplicate id, an item without text, no item at all; as
+ *     warnings, lines with a similar id that are no items
  */
 public record Requirements(List<WrittenRequirement> items, List<Diagnostic> diagnostics) {
 
   private static final Pattern ITEM =
       Pattern.compile("[-*+] +\\**([A-Za-z][A-Za-z0-9_.-]*)\\**:\\**\\s*(.*)");
 
-  /** An id as most people number them: what is before the number, and the number. */
+  /** Common form of an id: a prefix and a number. */
   private static final Pattern NUMBERED = Pattern.compile("(.*?[A-Za-z])[-_. ]?([0-9]+)");
 
-  /** Keeps its own copies. */
+  /** Copies the lists. */
   public Requirements {
     items = List.copyOf(items);
     diagnostics = List.copyOf(diagnostics);
@@ -99,7 +99,7 @@ public record Requirements(List<WrittenRequirement> items, List<Diagnostic> diag
       }
     }
 
-    /** A line with an id of the same kind may be an item that is written in another way. */
+    /** Warns of lines with a similar id, which may be items in another notation. */
     private void findUnread() {
       Set<String> known = new HashSet<>();
       Set<String> kinds = new TreeSet<>();

@@ -22,14 +22,14 @@ import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
-/** Whether a chain uses one existing component as it is: its code is there and will not change. */
+/**
+ * Checks that a chain uses an existing component as described, because its code will not change.
+ */
 final class ReuseCheck {
 
   private static final String NOT_STATED = "";
 
-  /**
-   * What data are compared by, and how its values are read; the type of a field is its message's.
-   */
+  /** A compared property of data. The type of a field follows from its message. */
   private record Property(
       EStructuralFeature feature, String words, boolean optional, Function<Data, String> value) {}
 
@@ -111,7 +111,7 @@ final class ReuseCheck {
     }
   }
 
-  /** A number that the existing component does not state may be added to it. */
+  /** Compares a number; the chain may add one that the existing component does not state. */
   private void compareNumber(EAttribute attribute, String words) {
     if (existing.eIsSet(attribute)) {
       String given = used.eIsSet(attribute) ? String.valueOf(used.eGet(attribute)) : NOT_STATED;
@@ -188,7 +188,7 @@ final class ReuseCheck {
         .isPresent();
   }
 
-  /** The profile and what is set next to it: "sensor_data, depth 5". */
+  /** Returns the profile with its overrides: "sensor_data, depth 5". */
   private static String quality(Data data) {
     QosProfile profile = data.getQos();
     if (profile == null) {

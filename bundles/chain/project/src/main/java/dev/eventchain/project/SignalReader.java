@@ -15,7 +15,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 
-/** Reads {@code signals.json}: the paper's form, and a direction. */
+/** Reader of {@code signals.json}, the paper's form with a direction. */
 final class SignalReader {
 
   private static final List<String> DIRECTIONS = List.of("provided", "consumed", "internal");
@@ -29,7 +29,7 @@ final class SignalReader {
     this.findings = findings;
   }
 
-  /** The signals in the order of the file; whatever is not as it should be is a finding. */
+  /** Returns the signals in the order of the file; invalid content is a finding. */
   List<Signal> read() {
     List<Signal> signals = new ArrayList<>();
     text.objects(findings::add).forEach(json -> signals.add(readSignal(json)));
@@ -53,7 +53,7 @@ final class SignalReader {
     return new Signal(topic, type, direction, qos, fields, json.location());
   }
 
-  /** A signal is not that of a node, hence has no private name. */
+  /** Returns whether a topic name is valid. Signals belong to no node, so private names are not. */
   private static boolean isTopic(String name) {
     return RosNames.isTopic(name) && !RosNames.isPrivate(name);
   }

@@ -36,7 +36,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
- * What a project already has: the components of {@code components.json} with their files, and the
+ * Software base of a project: the components of {@code components.json} with their files, and the
  * signals of {@code signals.json}.
  */
 public final class SoftwareBase {
@@ -44,9 +44,9 @@ public final class SoftwareBase {
   /**
    * An existing component.
    *
-   * @param implementation whether it is a class that needs a node around it, or a node by itself
+   * @param implementation the kind: a class that needs a node around it, or a node
    * @param file its Python file
-   * @param location where it is described
+   * @param location the location of its description
    */
   public record Component(
       String name, ComponentImplementation implementation, Path file, SourceLocation location) {}
@@ -83,8 +83,8 @@ public final class SoftwareBase {
   }
 
   /**
-   * Reads a software base. A file that is missing, cannot be read or is not JSON is a finding, and
-   * nothing is known of what it describes.
+   * Reads a software base. A missing, unreadable or malformed file is a finding, and its content
+   * counts as unknown.
    *
    * @param folder the folder {@code software-base}
    */
@@ -112,7 +112,7 @@ public final class SoftwareBase {
         diagnostics);
   }
 
-  /** That of a chain in no project: no component, and nothing is known of the vehicle. */
+  /** Returns the software base of a chain outside any project: no components, vehicle unknown. */
   public static SoftwareBase unknown() {
     return new SoftwareBase(
         Map.of(),
@@ -123,7 +123,10 @@ public final class SoftwareBase {
         List.of());
   }
 
-  /** Marks the components of a chain that are here as existing ones and the others as generated. */
+  /**
+   * Marks the components of a chain as existing if they are in the software base, otherwise as
+   * generated.
+   */
   public void markExisting(EventChain chain) {
     for (SoftwareNode node : chain.getSoftware()) {
       Optional<Component> existing = find(node.getName());
@@ -133,10 +136,10 @@ public final class SoftwareBase {
   }
 
   /**
-   * Adds what components may cost, which language models are not asked for: as a description of the
-   * chain states it, else as this software base does.
+   * Adds the budgets of components, which language models are not asked for, from the description
+   * or else from this software base.
    *
-   * @param described the chain as its description gives it directly
+   * @param described the chain read directly from its description
    */
   public void addBudgets(EventChain chain, EventChain described) {
     for (SoftwareNode node : chain.getSoftware()) {
@@ -156,10 +159,10 @@ public final class SoftwareBase {
     }
   }
 
-  /** A file as it is written, and what it says. */
+  /** Text of a file and its parsed content. */
   private record Text(String text, Document json) {}
 
-  /** A file; that it is not there is a finding, since nothing could be checked without it. */
+  /** Returns a file; a missing one is a finding, since its content could not be checked. */
   private static Optional<Text> existing(Path folder, String name, List<Diagnostic> diagnostics) {
     Path file = folder.resolve(name);
     if (!Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
@@ -177,35 +180,35 @@ public final class SoftwareBase {
     }
   }
 
-  /** The components, in the order of the file. */
+  /** Returns the components, in the order of the file. */
   public List<Component> components() {
     return List.copyOf(components.values());
   }
 
-  /** The component with a name. */
+  /** Returns the component with a name. */
   public Optional<Component> find(String name) {
     return Optional.ofNullable(components.get(name));
   }
 
-  /** The text of {@code components.json}; an empty array where there is no such file. */
+  /** Returns the text of {@code components.json}; an empty array without such a file. */
   public String componentsText() {
     return componentsText;
   }
 
-  /** The text of {@code signals.json}; an empty array where there is no such file. */
+  /** Returns the text of {@code signals.json}; an empty array without such a file. */
   public String signalsText() {
     return signalsText;
   }
 
   /**
-   * The signals, in the order of the file; empty where there is no such file, so that nothing is
-   * known about the vehicle.
+   * Returns the signals, in the order of the file; empty without such a file, so that the vehicle
+   * is unknown.
    */
   public Optional<List<Signal>> signals() {
     return signals;
   }
 
-  /** The message types that the components read and write, as they are written there. */
+  /** Returns the message types that the components read and write, as written. */
   public SortedSet<String> messageTypes() {
     return described.getData().stream()
         .map(Data::getMessageType)
@@ -213,17 +216,17 @@ public final class SoftwareBase {
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
-  /** The description of a component, of which a chain states what it uses. */
+  /** Returns the description of a component, of which a chain may use a part. */
   Optional<SoftwareNode> described(String name) {
     return described.getSoftware().stream().filter(node -> node.getName().equals(name)).findFirst();
   }
 
-  /** What is wrong with the files. */
+  /** Returns the findings about the files. */
   public List<Diagnostic> diagnostics() {
     return diagnostics;
   }
 
-  /** The components of a chain that are not here, in chain order. */
+  /** Returns the components of a chain that are not in the software base, in chain order. */
   public List<SoftwareNode> missing(EventChain chain) {
     return chain.getSoftware().stream()
         .filter(node -> !components.containsKey(node.getName()))
@@ -231,12 +234,11 @@ public final class SoftwareBase {
   }
 
   /**
-   * Whether a chain uses the existing components as they are: the same values of the same fields of
-   * the same topics, and whatever else is stated of them: units, quality of service, ages, safe
-   * values, frequency, execution times and memory. An output that the chain leaves out is a
-   * warning, all else an error.
+   * Checks that a chain uses the existing components as described: the same values of the same
+   * fields of the same topics, and stated units, quality of service, ages, safe values, frequency,
+   * execution times and memory. An omitted output is a warning, any other deviation an error.
    *
-   * @param locator the places of the features of the chain's elements
+   * @param locator returns the locations of the features of the chain's elements
    */
   public List<Diagnostic> check(
       EventChain chain, BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {
@@ -272,7 +274,7 @@ public final class SoftwareBase {
       return components;
     }
 
-    /** The descriptions are checked where they are read as a chain; here it is about the files. */
+    /** Reads a component and checks its file; its description is checked when read as a chain. */
     private Optional<Component> component(ObjectReader json, String pointer) {
       String name = text.root().at(pointer).path("name").asText();
       if (!PythonNames.isFreeIdentifier(name)) {

@@ -16,9 +16,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Reads the findings that people have decided to live with: a YAML list of entries with {@code id},
- * {@code reason} and {@code expires}, and, to narrow them, {@code rule}, {@code element}, {@code
- * file} and {@code message}.
+ * Reader of suppressions. The file is a YAML list of entries with {@code id}, {@code reason} and
+ * {@code expires}, optionally narrowed by {@code rule}, {@code element}, {@code file} and {@code
+ * message}.
  */
 public final class SuppressionFile {
 
@@ -31,9 +31,9 @@ public final class SuppressionFile {
   /**
    * Reads a file.
    *
-   * @param today the day on which the entries are judged
-   * @throws DiagnosticException INPUT if it cannot be read, or with every entry that is not
-   *     understood ({@code suppression.invalid})
+   * @param today the reference date for expiry
+   * @throws DiagnosticException INPUT if it cannot be read, or with all invalid entries as {@code
+   *     suppression.invalid}
    */
   public static Suppressions read(Path file, LocalDate today) {
     SuppressionFile reader = new SuppressionFile();
@@ -44,7 +44,7 @@ public final class SuppressionFile {
     return new Suppressions(entries, today);
   }
 
-  /** None in a file that is empty, or has nothing but comments. */
+  /** Returns the entries; none if the file is empty or has only comments. */
   private List<Suppressions.Entry> entries(SourceText text) {
     List<Suppressions.Entry> entries = new ArrayList<>();
     Document.parseIfAny(text, DocumentFormat.YAML, FindingIds.all(INVALID), problems::add)

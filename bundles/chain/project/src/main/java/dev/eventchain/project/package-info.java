@@ -1,5 +1,5 @@
 /**
- * A user's folder: where its files are, its settings, requirements, software base and suppressions.
- * It reads them and judges no chain.
+ * Project folders of users: files, settings, requirements, software base and suppressions. The
+ * package reads them but checks no chain.
  */
 package dev.eventchain.project;

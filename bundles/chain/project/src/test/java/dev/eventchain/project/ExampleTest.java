@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** The example is what users copy, so nothing is wrong with it. */
+/** Users copy the example, so it must have no findings. */
 class ExampleTest {
 
   private static final Path EXAMPLE = Path.of("../../../examples/aeb");

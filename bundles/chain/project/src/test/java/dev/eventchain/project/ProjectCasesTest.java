@@ -21,7 +21,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * A folder a case; {@code expected.txt} holds what is found, and what is made if there is no error.
+ * Test cases, one per folder; {@code expected.txt} holds the findings and, without errors, the
+ * result.
  */
 class ProjectCasesTest {
 

@@ -12,29 +12,29 @@ import java.util.TreeSet;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 
-/** The template modules that ship with the program, in sets: one for each middleware. */
+/** Template modules that ship with the program, in sets: one for each middleware. */
 public final class ShippedTemplates {
 
-  /** The set of projects that name none. */
+  /** Default template set. */
   public static final String DEFAULT = "ros2-python";
 
   private static final SortedSet<String> SETS = new TreeSet<>(Set.of(DEFAULT, "cyclonedds-python"));
 
-  /** The folder of what several sets share. */
+  /** Folder of modules that several sets share. */
   private static final String SHARED = "python";
 
   private ShippedTemplates() {}
 
-  /** The names of the sets for a middleware, in order. */
+  /** Returns the names of the sets for a middleware, in order. */
   public static SortedSet<String> sets() {
     return new TreeSet<>(SETS);
   }
 
   /**
-   * Finds modules for one compilation: {@code ros2_python::node} is of the set {@code ros2-python},
-   * and what it imports without a qualifier is then of that set, too.
+   * Returns a resolver of modules for one compilation. {@code ros2_python::node} is in the set
+   * {@code ros2-python}, and so are its unqualified imports.
    *
-   * @param first the set of names without a qualifier until another one was named
+   * @param first the set for unqualified names until another set is named
    */
   public static Function<String, Optional<SourceText>> modules(String first) {
     AtomicReference<String> set = new AtomicReference<>(first);
@@ -53,11 +53,11 @@ public final class ShippedTemplates {
   }
 
   /**
-   * A module.
+   * Returns a module.
    *
    * @param set a folder of {@code templates/}
    * @param module its name in that folder
-   * @return nothing if there is none
+   * @return the module; empty if there is none
    */
   public static Optional<SourceText> module(String set, String module) {
     if (!(set + module).matches("[A-Za-z0-9_-]+")) {

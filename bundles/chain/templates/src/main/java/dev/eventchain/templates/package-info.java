@@ -1,2 +1,2 @@
-/** The templates that ship with the program. */
+/** Templates that ship with the program. */
 package dev.eventchain.templates;

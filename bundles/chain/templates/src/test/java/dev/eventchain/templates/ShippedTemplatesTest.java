@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 
-/** Modules that ship are found by the names that templates import them by. */
+/** Shipped modules are found by the names in imports. */
 class ShippedTemplatesTest {
 
   private static Optional<String> named(

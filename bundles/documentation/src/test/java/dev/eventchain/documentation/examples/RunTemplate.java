@@ -18,7 +18,7 @@ public final class RunTemplate {
 
   private RunTemplate() {}
 
-  /** Writes the files unless something is wrong, and returns all findings. */
+  /** Writes the files unless there are errors, and returns all findings. */
   public static List<Diagnostic> generate(Path metamodel, Path template, Path model, Path folder) {
     XmiStore store = new XmiStore(metamodel.getParent());
     List<EPackage> packages = store.loadMetamodel(metamodel);

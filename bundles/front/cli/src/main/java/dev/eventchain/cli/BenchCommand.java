@@ -16,7 +16,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code bench}: what the simulated world provides and takes, and how a project uses it. */
+/** {@code bench}: lists the simulated world's inputs and outputs, and how a project uses them. */
 @Command(
     name = "bench",
     mixinStandardHelpOptions = true,

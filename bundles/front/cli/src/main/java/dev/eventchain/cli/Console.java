@@ -4,10 +4,10 @@ import dev.eventchain.pipeline.Today;
 import java.io.PrintWriter;
 
 /**
- * Where a command writes, and what day it is there.
+ * Output streams and date of a command.
  *
  * @param out results
  * @param err progress and findings about the command itself
- * @param terminal what {@code err} is written to
+ * @param terminal the terminal behind {@code err}
  */
 record Console(PrintWriter out, PrintWriter err, Terminal terminal, Today today) {}

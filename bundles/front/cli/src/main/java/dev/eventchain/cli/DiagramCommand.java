@@ -19,7 +19,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code diagram}: pictures of a project's event chain, or of any model or metamodel. */
+/** {@code diagram}: draws a project's event chain, or any model or metamodel. */
 @Command(
     name = "diagram",
     mixinStandardHelpOptions = true,

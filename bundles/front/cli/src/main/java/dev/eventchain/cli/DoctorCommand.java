@@ -10,7 +10,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 
-/** {@code doctor}: whether this machine has what runs need. */
+/** {@code doctor}: checks whether this machine has everything that runs need. */
 @Command(
     name = "doctor",
     mixinStandardHelpOptions = true,

@@ -14,7 +14,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code evaluate}: how often language models get it right. */
+/** {@code evaluate}: measures how often language models succeed. */
 @Command(
     name = "evaluate",
     mixinStandardHelpOptions = true,

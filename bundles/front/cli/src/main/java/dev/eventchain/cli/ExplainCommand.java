@@ -15,7 +15,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 
-/** {@code explain}: what a finding means, and what to do about it. */
+/** {@code explain}: explains a finding and how to fix it. */
 @Command(
     name = "explain",
     mixinStandardHelpOptions = true,
@@ -63,7 +63,7 @@ final class ExplainCommand implements Callable<Integer> {
     return text.toString();
   }
 
-  /** SARIF names a constraint's findings {@code ocl.violated/Class::Name}. */
+  /** Returns the page; SARIF names a constraint's findings {@code ocl.violated/Class::Name}. */
   private String page() {
     int slash = id.indexOf('/');
     String rule = id.substring(slash + 1);

@@ -3,7 +3,7 @@ package dev.eventchain.cli;
 import java.lang.reflect.Constructor;
 import picocli.CommandLine;
 
-/** Makes the commands, giving those that want it the console. */
+/** Creates the commands and passes the console to those that need it. */
 final class Factory implements CommandLine.IFactory {
 
   private final Console console;

@@ -14,7 +14,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code generate}: a project's package, or text from any model by any template. */
+/** {@code generate}: generates a project's package, or text from any model by any template. */
 @Command(
     name = "generate",
     mixinStandardHelpOptions = true,
@@ -90,7 +90,7 @@ final class GenerateCommand extends ProjectCommand {
     return template == null ? generateProject() : generateText();
   }
 
-  /** A folder of this name is {@code ./-}. */
+  /** Returns whether the output is {@code -}; a folder of this name is {@code ./-}. */
   @Override
   boolean printsResult() {
     return STANDARD_OUTPUT.equals(output());

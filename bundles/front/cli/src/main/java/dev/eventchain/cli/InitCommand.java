@@ -8,7 +8,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 
-/** {@code init}: begins a project. */
+/** {@code init}: creates a project. */
 @Command(
     name = "init",
     mixinStandardHelpOptions = true,
@@ -55,7 +55,7 @@ final class InitCommand implements Callable<Integer> {
     return ExitCode.FINE;
   }
 
-  /** As a shell takes it. */
+  /** Returns the name quoted for a shell. */
   private static String quoted(String name) {
     return name.matches("[A-Za-z0-9_./+-]+") ? name : "'" + name.replace("'", "'\\''") + "'";
   }

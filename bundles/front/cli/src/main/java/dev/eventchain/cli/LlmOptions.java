@@ -2,7 +2,7 @@ package dev.eventchain.cli;
 
 import picocli.CommandLine.Option;
 
-/** How the answers of language models are had. */
+/** Options for the source of language models' answers. */
 final class LlmOptions {
 
   @Option(

@@ -53,7 +53,7 @@ public final class Main {
   /** As wide as the lines of the descriptions. */
   private static final int HELP_WIDTH = 100;
 
-  /** Says which version this is. */
+  /** Provides the version. */
   static final class Version implements CommandLine.IVersionProvider {
     @Override
     public String[] getVersion() {
@@ -61,7 +61,7 @@ public final class Main {
     }
   }
 
-  /** The version that the build wrote into the jar's manifest. */
+  /** Returns the version that the build wrote into the jar's manifest. */
   static String version() {
     String version = Main.class.getPackage().getImplementationVersion();
     return version == null ? "(development)" : version;
@@ -73,7 +73,7 @@ public final class Main {
   public static void main(String[] arguments) {
     PrintWriter out = writer(FileDescriptor.out);
     PrintWriter err = writer(FileDescriptor.err);
-    // The end below is a halt, so only a signal gets here.
+    // The process ends below by a halt, so only a signal leads here.
     Thread farewell = new Thread(() -> interrupted(err), "interrupted");
     Runtime.getRuntime().addShutdownHook(farewell);
     Thread.setDefaultUncaughtExceptionHandler((thread, problem) -> giveUp(problem, err));
@@ -87,8 +87,8 @@ public final class Main {
   }
 
   /**
-   * Ends the process if an unattended thread dies, so that its part of the work is not missing
-   * without a word. What was not printed yet is left out: it may be a verdict.
+   * Ends the process if a background thread dies, so that no part of the work is silently missing.
+   * Discards buffered output: it may contain a verdict.
    */
   private static void giveUp(Throwable problem, PrintWriter err) {
     try {
@@ -110,7 +110,7 @@ public final class Main {
    *
    * @param out results: verdicts and findings
    * @param err progress, and findings about the command itself
-   * @param terminal what {@code err} is written to
+   * @param terminal the terminal behind {@code err}
    * @return the exit code, as {@link ExitCode} explains
    */
   static int run(String[] arguments, PrintWriter out, PrintWriter err, Terminal terminal) {
@@ -130,19 +130,22 @@ public final class Main {
     try {
       return commandLine.execute(arguments);
     } catch (Error e) {
-      // Left to Java, it would end the process with the code of a finding.
+      // Uncaught, it would end the process with the exit code of a finding.
       return failure(e, err);
     }
   }
 
-  /** The command line with all commands, for those who describe it; nothing is to be run by it. */
+  /** Returns the command line with all commands, for documentation; it is not meant to run any. */
   public static CommandLine commandLine() {
     PrintWriter nowhere = new PrintWriter(Writer.nullWriter());
     Today today = Today.of(Map.of(), Clock.systemUTC());
     return commandLine(new Console(nowhere, nowhere, Terminal.of(Map.of()), today), "");
   }
 
-  /** With the command that is named, or all: reading the options of all takes its time. */
+  /**
+   * Returns the command line with the named command, or with all: reading the options of all takes
+   * time.
+   */
   private static CommandLine commandLine(Console console, String name) {
     CommandLine commandLine = new CommandLine(new Main(), new Factory(console));
     List<Class<?>> named = COMMANDS.stream().filter(type -> nameOf(type).equals(name)).toList();
@@ -167,7 +170,7 @@ public final class Main {
     return name.equals("eventchain") ? "" : name + " ";
   }
 
-  /** For what is not a command of a project, which report their failures themselves. */
+  /** Handles failures outside the commands of a project, which report their own. */
   private static int failure(Throwable e, PrintWriter err) {
     Outcome outcome = Outcome.of(e);
     err.print(DiagnosticFormat.TEXT.render(outcome.diagnostics()));

@@ -7,12 +7,12 @@ import picocli.AutoComplete;
 import picocli.CommandLine;
 
 /**
- * Writes the manual pages and the completion for bash, from the commands themselves. The build of
- * the distribution starts it.
+ * Writes the manual pages and the bash completion from the commands. The build of the distribution
+ * runs it.
  */
 final class Manual {
 
-  /** What a synopsis may take of a terminal's 80 columns: man(1) indents it. */
+  /** Columns of an 80-column terminal that a synopsis may use: man(1) indents it. */
   private static final int WIDTH = 72;
 
   private Manual() {}

@@ -25,12 +25,12 @@ final class ManualPage {
     this.specification = command.getCommandSpec();
   }
 
-  /** As man(1) finds it, such as {@code eventchain-run}. */
+  /** Returns the name as for man(1), such as {@code eventchain-run}. */
   String name() {
     return specification.qualifiedName("-");
   }
 
-  /** The page. It states no date, so that the same program has the same pages. */
+  /** Returns the page. It states no date, so that the same program has the same pages. */
   String text() {
     roff.setLength(0);
     roff.append(".TH ").append(name().toUpperCase(Locale.ROOT)).append(" 1 \"\" \"eventchain ");
@@ -54,7 +54,7 @@ final class ManualPage {
     return roff.toString();
   }
 
-  /** The first sentence of a description, without its end. */
+  /** Returns the first sentence of a description, without its end. */
   private static String summary(CommandSpec specification) {
     String all = String.join(" ", specification.usageMessage().description());
     return all.replaceFirst("(?s)\\.(\\s.*|$)", "");
@@ -133,7 +133,7 @@ final class ManualPage {
     roff.append(".SH ").append(title).append('\n');
   }
 
-  /** An empty line begins a new paragraph. */
+  /** Adds a paragraph, which begins with an empty line. */
   private void paragraph(String... lines) {
     for (String line : String.join("\n", lines).replace("%n", "\n").split("\n", -1)) {
       if (line.isBlank()) {

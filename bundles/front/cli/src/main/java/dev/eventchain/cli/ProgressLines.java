@@ -8,8 +8,8 @@ import java.time.Duration;
 import java.util.Locale;
 
 /**
- * Writes progress: on a terminal one line for each stage, which changes while the stage runs;
- * elsewhere a plain line when a stage has ended.
+ * Writes progress: on a terminal one line per stage, updated while the stage runs; elsewhere one
+ * line after each stage.
  */
 final class ProgressLines implements Progress {
 

@@ -27,10 +27,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** What all commands that read models or a project share: they end with a report. */
+/** Base class of all commands that read models or a project and end with a report. */
 abstract class ProjectCommand implements Callable<Integer> {
 
-  /** How many findings of one rule a person reads before asking for a file. */
+  /** Largest number of findings of one rule that is printed; a report file has all. */
   private static final int MOST_OF_ONE_RULE = 100;
 
   private final Console console;
@@ -86,12 +86,12 @@ abstract class ProjectCommand implements Callable<Integer> {
     try {
       return report(outcome, seconds);
     } catch (OutOfMemoryError e) {
-      // Reports that say that all is well must not stand next to those that could not be made.
+      // Reports of success must not stand next to failed reports.
       return report(Outcome.of(e), seconds);
     }
   }
 
-  /** Reports must hold every failure, so none gets past this. */
+  /** Does the work and catches all failures, since each must reach the reports. */
   private Outcome outcome() {
     try {
       return work();
@@ -102,7 +102,7 @@ abstract class ProjectCommand implements Callable<Integer> {
     }
   }
 
-  /** Whether standard output is for what the command makes, so that findings go elsewhere. */
+  /** Returns whether standard output is for the command's result, so that findings go elsewhere. */
   boolean printsResult() {
     return false;
   }
@@ -125,7 +125,7 @@ abstract class ProjectCommand implements Callable<Integer> {
     return output;
   }
 
-  /** The processor time that a constraint may take on the whole model. */
+  /** Returns the processor time that a constraint may take on the whole model. */
   final Duration timeLimit() {
     return Duration.ofSeconds(timeLimit);
   }
@@ -138,22 +138,22 @@ abstract class ProjectCommand implements Callable<Integer> {
     return new ParameterException(spec.commandLine(), message);
   }
 
-  /** The findings that do not count where there is no project. */
+  /** Returns the suppressions outside a project. */
   final Suppressions suppressions() {
     return reporting.suppressions(Optional.empty(), console.today());
   }
 
-  /** The findings of a project that do not count. */
+  /** Returns the suppressions of a project. */
   final Suppressions suppressions(Project project) {
     return reporting.suppressions(project.suppressions(), console.today());
   }
 
-  /** How findings are written to standard output. */
+  /** Returns the format of findings on standard output. */
   final DiagnosticFormat format() {
     return reporting.format;
   }
 
-  /** Where the results of a project are. */
+  /** Returns the output folder of a project. */
   final Path outputOf(Project project) {
     return output == null ? project.defaultOutput() : output;
   }
@@ -169,7 +169,7 @@ abstract class ProjectCommand implements Callable<Integer> {
     return execute(project, outputOf(project), first, last, again, llm, scenarios);
   }
 
-  /** As above, with the results in a folder that the command does not name. */
+  /** As above, with an output folder other than that of the command. */
   final Outcome execute(
       Project project,
       Path results,
@@ -206,7 +206,7 @@ abstract class ProjectCommand implements Callable<Integer> {
     }
   }
 
-  /** As above, from a project's folder, for a run that may be to reach a verdict. */
+  /** As above, from a project's folder, for a run that may reach a verdict. */
   final Outcome execute(
       Path folder,
       Stage first,
@@ -217,8 +217,7 @@ abstract class ProjectCommand implements Callable<Integer> {
     try {
       return execute(Project.open(folder), first, last, again, llm, scenarios);
     } catch (DiagnosticException e) {
-      // The project or its suppressions cannot be read, so it is unknown what a verdict would be
-      // about.
+      // The project or its suppressions cannot be read, so the subject of a verdict is unknown.
       if (last.compareTo(Stage.SIMULATE) >= 0) {
         Pipeline.withdrawVerdict(
             output == null ? new ProjectFolder(folder).defaultOutput() : output);

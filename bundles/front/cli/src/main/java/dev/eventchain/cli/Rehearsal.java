@@ -10,8 +10,8 @@ import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
 
 /**
- * Runs what users run most, without output. The launcher starts it once for each JDK, with the
- * option that makes the JVM list the classes that were loaded; an archive of them is then made.
+ * Runs the most common commands without output. The launcher runs it once per JDK with the JVM
+ * option that lists loaded classes, for a class archive.
  */
 final class Rehearsal {
 
@@ -56,13 +56,13 @@ final class Rehearsal {
         List.of("--help"));
   }
 
-  /** What a command ends with does not matter: it only is to load what it needs. */
+  /** Runs a command and ignores its exit code: it only has to load its classes. */
   private static void run(List<String> command) {
     PrintWriter nowhere = new PrintWriter(Writer.nullWriter());
     Main.run(command.toArray(new String[0]), nowhere, nowhere, Terminal.of(System.getenv()));
   }
 
-  /** Some stages are not run above, because they would start other programs. */
+  /** Loads the classes of stages that are not run above because they would start other programs. */
   private static void loadAll(String jar) throws IOException {
     try (JarFile file = new JarFile(jar)) {
       for (JarEntry entry : file.stream().toList()) {
@@ -78,7 +78,7 @@ final class Rehearsal {
     try {
       Class.forName(name, false, Rehearsal.class.getClassLoader());
     } catch (ClassNotFoundException | LinkageError e) {
-      // A class that needs what is not here is not needed here either.
+      // A class with missing dependencies is not needed here either.
     }
   }
 }

@@ -17,7 +17,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
 
-/** What is reported, how and where to. */
+/** Options for the selection, format and destination of findings. */
 final class ReportOptions {
 
   @Option(
@@ -61,7 +61,7 @@ final class ReportOptions {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec spec;
 
-  /** A file that a report goes to. */
+  /** A report file with its format. */
   record Target(DiagnosticFormat format, Path file) {}
 
   /** Reads {@code FORMAT=FILE}. */
@@ -83,7 +83,7 @@ final class ReportOptions {
     }
   }
 
-  /** Refuses what one option alone cannot know to be wrong. */
+  /** Rejects two reports to the same file. */
   void check() {
     Set<Path> files = new HashSet<>();
     for (Target target : targets) {
@@ -95,7 +95,7 @@ final class ReportOptions {
   }
 
   /**
-   * The findings that do not count.
+   * Returns the suppressions.
    *
    * @param standard the file to read unless the command line names another
    */

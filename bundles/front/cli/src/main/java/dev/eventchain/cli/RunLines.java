@@ -7,8 +7,8 @@ import java.time.Duration;
 import java.util.Locale;
 
 /**
- * Writes how an evaluation continues: a line for each run that has ended, and on a terminal one
- * that changes while runs continue.
+ * Writes the progress of an evaluation: a line for each finished run, and on a terminal one that is
+ * updated during runs.
  */
 final class RunLines implements LanguageModelEvaluation.Listener {
 

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import picocli.CommandLine.Option;
 
-/** What is simulated, and what is kept of it. */
+/** Options for the simulated scenarios and the recordings that are kept. */
 final class ScenarioOptions {
 
   @Option(
@@ -45,7 +45,7 @@ final class ScenarioOptions {
   }
 
   /**
-   * How the nodes run.
+   * Returns the driver of the nodes.
    *
    * @throws IllegalArgumentException if the options contradict each other
    */

@@ -7,7 +7,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
-/** The commands that run a single stage, always afresh. */
+/** The commands that always run a single stage anew. */
 final class StageCommands {
 
   private StageCommands() {}

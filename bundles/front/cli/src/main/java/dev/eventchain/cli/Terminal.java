@@ -4,10 +4,10 @@ import java.util.Map;
 import picocli.CommandLine.Help.Ansi;
 
 /**
- * What standard error is written to.
+ * The terminal behind standard error.
  *
- * @param live whether it is a terminal on which a line can be written again
- * @param color whether colours are welcome there
+ * @param live true if it is a terminal whose current line can be overwritten
+ * @param color true if it supports colours
  * @param columns its width in characters
  */
 record Terminal(boolean live, boolean color, int columns) {
@@ -18,8 +18,8 @@ record Terminal(boolean live, boolean color, int columns) {
   private static final int NARROWEST = 20;
 
   /**
-   * Java cannot ask whether standard error is a terminal; the launcher can, and says so in {@code
-   * EVENTCHAIN_TERMINAL_COLUMNS}. {@code NO_COLOR} is honoured.
+   * Returns the terminal. Java cannot ask whether standard error is one; the launcher passes it in
+   * {@code EVENTCHAIN_TERMINAL_COLUMNS}. {@code NO_COLOR} is honoured.
    */
   static Terminal of(Map<String, String> environment) {
     String columns = environment.getOrDefault("EVENTCHAIN_TERMINAL_COLUMNS", "");

@@ -79,7 +79,7 @@ final class ValidateCommand extends ProjectCommand {
     return Outcome.of(validation.coverage(), validation.diagnostics(), suppressions);
   }
 
-  /** A folder is not a model: says how a project is validated. */
+  /** Rejects folders as models, and explains how a project is validated. */
   private void refuseFolders() {
     for (Path input : inputs) {
       if (Files.isDirectory(input)) {
@@ -91,7 +91,7 @@ final class ValidateCommand extends ProjectCommand {
     }
   }
 
-  /** What is validated, and by what, has to exist, so the stages that create it run first. */
+  /** Validates a project after the stages that create its model and constraints. */
   private Outcome validate(Project project) {
     boolean ready = project.isReadyToValidate(outputOf(project));
     Stage first = ready ? Stage.VALIDATE : Stage.DESIGN;

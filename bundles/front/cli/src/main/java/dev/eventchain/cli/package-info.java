@@ -1,2 +1,2 @@
-/** The command line over the pipeline: the only place that prints or decides how a process ends. */
+/** The command line for the pipeline: the only code that prints or determines the exit code. */
 package dev.eventchain.cli;

@@ -15,30 +15,30 @@ import java.util.List;
 import java.util.Optional;
 import org.apache.maven.plugins.annotations.Parameter;
 
-/** A goal that may run stages of an event chain's project. */
+/** A goal that may run stages of an event chain project. */
 abstract class ChainMojo extends EventchainMojo {
 
   /**
-   * The folder of an event chain: it holds {@code eventchain.yaml}. Without it, the module's own
-   * folder, if that holds one.
+   * Folder of the event chain, with {@code eventchain.yaml}. By default the module's folder, if it
+   * contains that file.
    */
   @Parameter(property = "eventchain.chain")
   private File chain;
 
   /**
-   * Where the chain's results go; without it, a folder with the chain's name next to the reports.
+   * Folder of the chain's results; by default a folder with the chain's name next to the reports.
    */
   @Parameter(property = "eventchain.results")
   private File results;
 
   /**
-   * Where the answers of language models come from: {@code replay}, {@code live}, {@code
-   * handoff:FOLDER} and so on; without it, as {@code eventchain.yaml} says.
+   * Source of language models' answers: {@code replay}, {@code live}, {@code handoff:FOLDER} and so
+   * on; by default that of {@code eventchain.yaml}.
    */
   @Parameter(property = "eventchain.llm")
   private String llm;
 
-  /** Whether files among the results that were edited by hand are replaced. */
+  /** True to replace results that were edited by hand. */
   @Parameter(property = "eventchain.overwrite", defaultValue = "false")
   private boolean overwrite;
 
@@ -46,7 +46,7 @@ abstract class ChainMojo extends EventchainMojo {
     return overwrite;
   }
 
-  /** The folder of the event chain; empty if the pom names none and the module's is none. */
+  /** Returns the folder of the event chain; empty if neither the pom nor the module has one. */
   final Optional<Path> chain() {
     return Optional.ofNullable(chain)
         .or(() -> Optional.of(basedir()).filter(ChainMojo::isChain))
@@ -57,7 +57,7 @@ abstract class ChainMojo extends EventchainMojo {
     return Files.exists(folder.toPath().resolve("eventchain.yaml"));
   }
 
-  /** Where the results of the chain in a folder go. */
+  /** Returns the folder for the results of the chain in a folder. */
   final Path resultsOf(Path folder) {
     if (results != null) {
       return Places.shown(results);
@@ -66,19 +66,18 @@ abstract class ChainMojo extends EventchainMojo {
     return Places.shown(new File(reportsDirectory(), name));
   }
 
-  /** Runs stages of the chain, those that nothing has changed for left out. */
+  /** Runs stages of the chain, except for those that are up to date. */
   final Outcome run(Path folder, Stage last) {
     return run(folder, last, Driver.LOCKSTEP, Optional.empty());
   }
 
-  /** As above, with a way to simulate, and faults. */
+  /** As above, with a driver and faults. */
   final Outcome run(Path folder, Stage last, Driver driver, Optional<Path> faults) {
     Path output = resultsOf(folder);
     try {
       return run(Project.open(folder), output, Stage.DESIGN, last, driver, faults);
     } catch (DiagnosticException e) {
-      // The chain or its suppressions cannot be read, so it is unknown what a verdict would be
-      // about.
+      // The chain or its suppressions cannot be read, so the subject of a verdict is unknown.
       if (last.compareTo(Stage.SIMULATE) >= 0) {
         Pipeline.withdrawVerdict(output);
       }
@@ -86,7 +85,7 @@ abstract class ChainMojo extends EventchainMojo {
     }
   }
 
-  /** Checks the chain's model, and creates it first if there is none. */
+  /** Checks the chain's model, and creates it before if there is none. */
   final Outcome validate(Path folder) {
     Project project = Project.open(folder);
     Path output = resultsOf(folder);

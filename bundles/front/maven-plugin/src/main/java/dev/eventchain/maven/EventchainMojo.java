@@ -27,7 +27,7 @@ import org.apache.maven.plugin.MojoFailureException;
 import org.apache.maven.plugins.annotations.Parameter;
 import org.apache.maven.project.MavenProject;
 
-/** What all goals share: they end with reports, and with findings that may fail the build. */
+/** Base class of all goals: writes reports and findings that may fail the build. */
 abstract class EventchainMojo extends AbstractMojo {
 
   /** Skips the goal. */
@@ -39,9 +39,9 @@ abstract class EventchainMojo extends AbstractMojo {
   private String failOn;
 
   /**
-   * Findings that do not count, each with a reason and an expiry date. Without it, {@code
-   * eventchain-suppressions.yaml} in the folder of the event chain, or else in that of the module,
-   * if there is one.
+   * Suppressions of findings, each with a reason and an expiry date. The default in the folder of
+   * the event chain, or else in that of the module, is {@code eventchain-suppressions.yaml}, if
+   * there is one.
    */
   @Parameter(property = "eventchain.suppressions")
   private File suppressions;
@@ -53,7 +53,7 @@ abstract class EventchainMojo extends AbstractMojo {
   @Parameter(property = "eventchain.timeLimit", defaultValue = "30")
   private int timeLimit;
 
-  /** Where reports go: {@code GOAL.sarif} and {@code TEST-GOAL.xml}. */
+  /** Folder of the reports {@code GOAL.sarif} and {@code TEST-GOAL.xml}. */
   @Parameter(defaultValue = "${project.build.directory}/eventchain")
   private File reportsDirectory;
 
@@ -96,7 +96,7 @@ abstract class EventchainMojo extends AbstractMojo {
     return misunderstood.isEmpty() ? work() : Outcome.of(Coverage.NONE, misunderstood, List.of());
   }
 
-  /** A failure is a finding, so that what else was found is reported, too. */
+  /** Turns a failure into a finding, so that other findings are reported, too. */
   static Outcome guarded(Supplier<Outcome> work) {
     try {
       return work.get();
@@ -105,7 +105,7 @@ abstract class EventchainMojo extends AbstractMojo {
     }
   }
 
-  /** Refuses what is wrong before anything is read: it is no defect. */
+  /** Rejects invalid parameters before anything is read: they are no defects. */
   private void check() throws MojoFailureException {
     if (timeLimit < 1) {
       throw new MojoFailureException("timeLimit must be a number of seconds, at least 1.");
@@ -138,7 +138,7 @@ abstract class EventchainMojo extends AbstractMojo {
         .toList();
   }
 
-  /** The goal, with the execution's id if it has one of its own. */
+  /** Returns the goal, with the execution's id unless it is the default. */
   final String name() {
     String id = execution.getExecutionId();
     String goal = execution.getGoal();
@@ -174,7 +174,7 @@ abstract class EventchainMojo extends AbstractMojo {
     return project;
   }
 
-  /** The module's folder. */
+  /** Returns the module's folder. */
   final File basedir() {
     return basedir;
   }
@@ -188,7 +188,7 @@ abstract class EventchainMojo extends AbstractMojo {
   }
 
   /**
-   * The findings that do not count.
+   * Returns the suppressions.
    *
    * @param standard the file to read unless the pom names another
    */

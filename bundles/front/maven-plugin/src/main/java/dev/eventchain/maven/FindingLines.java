@@ -11,7 +11,7 @@ import org.apache.maven.plugin.logging.Log;
 /** Findings as lines of Maven's log, each at the level of its severity. */
 final class FindingLines {
 
-  /** How many findings of one rule a person reads before opening a report. */
+  /** Largest number of findings of one rule that is printed; a report has all. */
   private static final int MOST_OF_ONE_RULE = 100;
 
   private final Log log;
@@ -52,7 +52,7 @@ final class FindingLines {
     }
   }
 
-  /** The finding in a line: {@code file:line:column: message [id rule]}. */
+  /** Returns the finding in a line: {@code file:line:column: message [id rule]}. */
   static String line(Diagnostic finding) {
     String place = finding.location().toString();
     return (place.isEmpty() ? "" : clean(place) + ": ")
@@ -65,7 +65,7 @@ final class FindingLines {
     return "[" + finding.id() + (finding.rule().isEmpty() ? "" : " " + clean(finding.rule())) + "]";
   }
 
-  /** No line after the first can be taken for one of Maven's. */
+  /** Escapes line breaks so that no line can pass for one of Maven's. */
   private static String clean(String text) {
     return Printable.clean(text).replace("\n", "\n    | ");
   }

@@ -16,19 +16,19 @@ import org.apache.maven.plugins.annotations.Parameter;
 
 /**
  * Generates text from models of any Ecore metamodel by a template, or the package of an event
- * chain. Files that are up to date are not touched; those that an earlier run of the execution
- * wrote, and that are no longer generated, are deleted.
+ * chain. Keeps files that are up to date; deletes files that an earlier run of the execution
+ * generated and that are no longer generated.
  */
 @Mojo(name = "generate", defaultPhase = LifecyclePhase.GENERATE_SOURCES, threadSafe = true)
 public final class GenerateMojo extends ModelMojo {
 
-  /** What the generated files are to the module. */
+  /** Uses of the generated files in the module. */
   enum Use {
-    /** The compiler takes them. */
+    /** Sources for the compiler. */
     SOURCES,
-    /** The module's jar takes them. */
+    /** Resources for the module's jar. */
     RESOURCES,
-    /** Neither. */
+    /** Neither sources nor resources. */
     NONE
   }
 
@@ -36,7 +36,7 @@ public final class GenerateMojo extends ModelMojo {
   @Parameter(property = "eventchain.template")
   private File template;
 
-  /** Source roots of the template: {@code [import a::b]} is {@code a/b.mtl} below one of them. */
+  /** Source roots of the template: {@code [import a::b]} is {@code a/b.mtl} in one of them. */
   @Parameter private List<File> sources = List.of();
 
   /** Jars and folders of classes that the template may call with {@code invoke(...)}. */
@@ -45,11 +45,11 @@ public final class GenerateMojo extends ModelMojo {
   /** Properties files that {@code getProperty('key')} reads, in this order. */
   @Parameter private List<File> properties = List.of();
 
-  /** Whether to write {@code trace.json}: which template line and element made which line. */
+  /** True to write {@code trace.json}, which maps each line to its template line and element. */
   @Parameter(property = "eventchain.trace", defaultValue = "false")
   private boolean trace;
 
-  /** Whether undefined values, and files that another block overwrites, are warnings. */
+  /** True to report undefined values, and files that another block overwrites, as warnings. */
   @Parameter(property = "eventchain.lenient", defaultValue = "false")
   private boolean lenient;
 
@@ -57,7 +57,9 @@ public final class GenerateMojo extends ModelMojo {
   @Parameter(defaultValue = "${project.build.directory}/generated-sources/eventchain")
   private File outputDirectory;
 
-  /** Whether the module has them as {@code SOURCES}, {@code RESOURCES} or {@code NONE} of these. */
+  /**
+   * Use of the generated files in the module: {@code SOURCES}, {@code RESOURCES} or {@code NONE}.
+   */
   @Parameter(property = "eventchain.use", defaultValue = "SOURCES")
   private Use use;
 

@@ -7,7 +7,7 @@ import java.time.Duration;
 import java.util.Locale;
 import org.apache.maven.plugin.logging.Log;
 
-/** A line of Maven's log for each stage that has ended. */
+/** Writes a line of Maven's log for each finished stage. */
 final class LogProgress implements Progress {
 
   private final Log log;

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import org.codehaus.plexus.util.DirectoryScanner;
 
-/** Models in a folder, as a pom names them. */
+/** A set of models in a folder, as configured in a pom. */
 public final class ModelFiles {
 
   /** The folder. */
@@ -18,10 +18,10 @@ public final class ModelFiles {
   /** Patterns such as {@code **}{@code /*.xmi}. */
   private List<String> includes = new ArrayList<>();
 
-  /** Patterns of files that are left out, besides those of version control. */
+  /** Patterns of excluded files, besides those of version control. */
   private List<String> excludes = new ArrayList<>();
 
-  /** Without anything, for Maven to fill in. */
+  /** Creates an empty set, for Maven. */
   public ModelFiles() {}
 
   ModelFiles(File directory, String include) {
@@ -29,12 +29,12 @@ public final class ModelFiles {
     this.includes = List.of(include);
   }
 
-  /** Whether there is a folder to look into. */
+  /** Returns whether the folder exists. */
   boolean isThere() {
     return directory != null && directory.isDirectory();
   }
 
-  /** The files, in the order of their names; none without the folder. */
+  /** Returns the files in the order of their names; none if the folder does not exist. */
   List<Path> files() {
     if (!isThere()) {
       return List.of();
@@ -53,7 +53,10 @@ public final class ModelFiles {
         .toList();
   }
 
-  /** Says that nothing matches, which may be a slip in a pattern and must not pass for a check. */
+  /**
+   * Returns a finding if nothing matches, which may be due to a wrong pattern and must not pass as
+   * a check.
+   */
   Optional<Diagnostic> nothing() {
     if (!files().isEmpty()) {
       return Optional.empty();

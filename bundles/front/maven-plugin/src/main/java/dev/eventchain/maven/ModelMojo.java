@@ -13,7 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.apache.maven.plugins.annotations.Parameter;
 
-/** A goal that works on models of any Ecore metamodel, too. */
+/** A goal that also works on models of any Ecore metamodel. */
 abstract class ModelMojo extends ChainMojo {
 
   /**
@@ -22,16 +22,16 @@ abstract class ModelMojo extends ChainMojo {
    */
   @Parameter private List<ModelFiles> models;
 
-  /** The Ecore files that the models are instances of; without any, event chains. */
+  /** Ecore files of the models' metamodels; by default that of event chains. */
   @Parameter private List<File> metamodels = List.of();
 
   /**
-   * Where to find files that references name by a URI: each with {@code uri}, a whole one or what
-   * they begin with, such as {@code platform:/resource/}, and {@code path}.
+   * Locations of files that are referenced by URI: each with {@code uri}, a full URI or a prefix
+   * such as {@code platform:/resource/}, and {@code path}.
    */
   @Parameter private List<UriMapping> mappings = List.of();
 
-  /** Whether the build may continue if there is no model at all. */
+  /** True to continue the build if there is no model. */
   @Parameter(property = "eventchain.allowEmpty", defaultValue = "false")
   private boolean allowEmpty;
 
@@ -43,23 +43,26 @@ abstract class ModelMojo extends ChainMojo {
     return usual.isThere() ? List.of(usual) : List.of();
   }
 
-  /** The models that the pom names, or those in the usual folder. */
+  /** Returns the models that the pom names, or those in the default folder. */
   final List<Path> models() {
     return sets().stream().flatMap(set -> set.files().stream()).distinct().toList();
   }
 
-  /** Whether the pom names models, or there is the usual folder. */
+  /** Returns whether the pom names models or the default folder exists. */
   final boolean hasModels() {
     return !sets().isEmpty();
   }
 
-  /** A set that matches nothing fails the goal, however much the others match. */
+  /**
+   * Adds a finding for each set that matches nothing, which fails the goal whatever the others
+   * match.
+   */
   final Optional<Outcome> nothingIn() {
     List<Diagnostic> nothing = sets().stream().flatMap(set -> set.nothing().stream()).toList();
     return nothing.isEmpty() ? Optional.empty() : Optional.of(nothing(nothing));
   }
 
-  /** Of a goal that has nothing to work on. */
+  /** Returns the outcome of a goal without any work. */
   final Outcome nothing(List<Diagnostic> found) {
     List<Diagnostic> counted =
         allowEmpty
@@ -80,7 +83,7 @@ abstract class ModelMojo extends ChainMojo {
     return map;
   }
 
-  /** The findings about models that do not count. */
+  /** Returns the suppressions for models. */
   final Suppressions suppressions() {
     Path usual = Places.shown(new File(basedir(), "eventchain-suppressions.yaml"));
     return suppressions(Optional.of(usual).filter(Files::exists));

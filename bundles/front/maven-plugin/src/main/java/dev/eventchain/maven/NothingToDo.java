@@ -5,15 +5,15 @@ import dev.eventchain.diagnostics.SourceLocation;
 import java.io.File;
 import java.util.Optional;
 
-/** A goal that has nothing to work on: a build that passes by it would prove nothing. */
+/** Findings about goals without any work, which would prove nothing. */
 final class NothingToDo {
 
   private NothingToDo() {}
 
   /**
-   * Says so.
+   * Returns the finding.
    *
-   * @param place the folder that was looked into, if one was
+   * @param place the folder that was searched, if any
    */
   static Diagnostic finding(String message, Optional<File> place) {
     return Diagnostic.error(

@@ -4,14 +4,14 @@ import java.io.File;
 import java.nio.file.Path;
 import java.util.List;
 
-/** Maven's files as people and reports name them. */
+/** Paths of Maven's files for people and reports. */
 final class Places {
 
   private Places() {}
 
   /**
-   * The file by its path from the folder that Maven was started in, where that is above it: reports
-   * then say the same on every machine. Otherwise by its whole path.
+   * Returns the file relative to the folder that Maven was started in, if it is below: reports are
+   * then the same on every machine. Otherwise returns the full path.
    */
   static Path shown(File file) {
     Path whole = file.toPath().toAbsolutePath().normalize();
@@ -19,7 +19,7 @@ final class Places {
     return whole.startsWith(start) ? start.relativize(whole) : whole;
   }
 
-  /** As above, for each. */
+  /** As above, for several files. */
   static List<Path> shown(List<File> files) {
     return files.stream().map(Places::shown).toList();
   }

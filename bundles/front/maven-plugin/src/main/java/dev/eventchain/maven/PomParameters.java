@@ -20,9 +20,8 @@ import org.apache.maven.project.MavenProject;
 import org.codehaus.plexus.util.xml.Xpp3Dom;
 
 /**
- * What the pom says to the plugin and Maven passes over without a word: parameters that no goal
- * has, and elements without a value. A misspelt {@code <constraints>} would otherwise pass every
- * model.
+ * Checks the pom for configuration that Maven ignores silently: parameters that no goal has, and
+ * elements without a value. A misspelt {@code <constraints>} would otherwise pass every model.
  */
 final class PomParameters {
 
@@ -39,12 +38,12 @@ final class PomParameters {
     }
   }
 
-  /** What is wrong with the configuration of an execution; nothing if the pom has none. */
+  /** Returns the problems in the configuration of an execution; empty if the pom has none. */
   static List<Diagnostic> check(MavenProject project, MojoExecution execution) {
     String key = execution.getPlugin().getKey();
     Plugin plugin = project.getPlugin(key);
     if (plugin == null && project.getPluginManagement() != null) {
-      // A goal that is called by its name takes its configuration from there.
+      // A goal that is called by name takes its configuration from there.
       plugin = project.getPluginManagement().getPluginsAsMap().get(key);
     }
     if (plugin == null) {
@@ -52,7 +51,7 @@ final class PomParameters {
     }
     PomParameters parameters = new PomParameters(execution);
     PluginExecution own = plugin.getExecutionsAsMap().get(execution.getExecutionId());
-    // Maven has merged what the plugin says into what its executions say.
+    // Maven has merged the plugin's configuration into that of its executions.
     Object configuration = own == null ? plugin.getConfiguration() : own.getConfiguration();
     if (configuration instanceof Xpp3Dom all) {
       parameters.check(all);

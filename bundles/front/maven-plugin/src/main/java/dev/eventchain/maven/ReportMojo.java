@@ -6,8 +6,8 @@ import org.apache.maven.plugins.annotations.LifecyclePhase;
 import org.apache.maven.plugins.annotations.Mojo;
 
 /**
- * Does what {@code simulate} does, unless it is done already, and writes the page about it, {@code
- * report.html}; even for a verdict that fails the build.
+ * Does the same as {@code simulate}, unless up to date, and writes the report {@code report.html},
+ * even for a verdict that fails the build.
  */
 @Mojo(name = "report", defaultPhase = LifecyclePhase.POST_INTEGRATION_TEST)
 public final class ReportMojo extends SimulateMojo {

@@ -15,14 +15,14 @@ import org.apache.maven.plugins.annotations.Parameter;
 public class SimulateMojo extends ChainMojo {
 
   /**
-   * How the nodes run: {@code LOCKSTEP}, all in one process, or {@code DDS}, each in a process of
-   * its own with Cyclone DDS between them; {@code DDS_IN_REAL_TIME} lets them run in wall-clock
-   * time, and {@code DDS_ATTACHED} drives nodes that were started elsewhere.
+   * The driver of the nodes: {@code LOCKSTEP}, all in one process, or {@code DDS}, each in a
+   * separate process with Cyclone DDS between them; {@code DDS_IN_REAL_TIME} lets them run in
+   * wall-clock time, and {@code DDS_ATTACHED} drives nodes that were started elsewhere.
    */
   @Parameter(property = "eventchain.driver", defaultValue = "LOCKSTEP")
   private Driver driver;
 
-  /** A file with faults that scenarios are also simulated with. */
+  /** File of faults for additional simulations of the scenarios. */
   @Parameter(property = "eventchain.faults")
   private File faults;
 

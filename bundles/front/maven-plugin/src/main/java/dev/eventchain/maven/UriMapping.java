@@ -2,13 +2,13 @@ package dev.eventchain.maven;
 
 import java.io.File;
 
-/** Where to find the files that references name by a URI. */
+/** A location of files that are referenced by URI. */
 public final class UriMapping {
 
-  /** A whole URI, or what URIs begin with: {@code platform:/resource/}. */
+  /** A full URI or a URI prefix, such as {@code platform:/resource/}. */
   private String uri;
 
-  /** The file that it means, or the folder. */
+  /** The file or folder for it. */
   private File path;
 
   String uri() {

@@ -16,7 +16,10 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import org.junit.jupiter.api.Test;
 
-/** Modules of one build share this plugin's classes: goals that say so must work side by side. */
+/**
+ * Tests that goals marked as thread-safe work in parallel: modules of one build share the plugin's
+ * classes.
+ */
 class ThreadsTest {
 
   private static final int BUILDS = 40;

@@ -17,7 +17,7 @@ import org.codehaus.plexus.util.xml.Xpp3DomBuilder;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What people copy into their poms names goals and parameters that the plugin has. */
+/** Tests that the documented pom snippets use only goals and parameters of the plugin. */
 class WrittenPomsTest {
 
   private static final Pattern PLUGIN = Pattern.compile("(?s)<plugin>.*?</plugin>");

@@ -5,35 +5,33 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 
 /**
- * The JSON Schema of an answer in the shapes that models take. The model that is asked determines
- * which one is sent; answers in all shapes have the same meaning.
+ * The JSON Schema of an answer in the shapes that models accept. The model determines the shape
+ * that is sent; answers in all shapes have the same meaning.
  *
- * @param nested with definitions and pointers to them; every property is required, and may be null
- *     where there is nothing to say
- * @param flat without recursion and with few alternatives; what there is nothing to say of is left
- *     out
- * @param told where nothing enforces it, as in a chat window: as nested, but people are spared what
- *     strict modes ask for. What would be null or empty need not be written
+ * @param nested with definitions and references; every property is required, but may be null
+ * @param flat without recursion and with few alternatives; empty properties are omitted
+ * @param told as nested, for use without enforcement, as in a chat window; null or empty properties
+ *     may be omitted
  */
 public record AnswerSchema(JsonNode nested, JsonNode flat, JsonNode told) {
 
-  /** What a model takes. */
+  /** Shapes of schemas. */
   public enum Shape {
-    /** As it is: strict modes that want every property. */
+    /** The nested schema: strict modes that require every property. */
     NESTED {
       @Override
       JsonNode of(AnswerSchema schema) {
         return schema.nested;
       }
     },
-    /** As it is: strict modes that know no recursion. */
+    /** The flat schema: strict modes without recursion. */
     FLAT {
       @Override
       JsonNode of(AnswerSchema schema) {
         return schema.flat;
       }
     },
-    /** Nobody is made to write what says nothing. */
+    /** The relaxed schema: null or empty properties may be omitted. */
     TOLD {
       @Override
       JsonNode of(AnswerSchema schema) {
@@ -46,26 +44,26 @@ public record AnswerSchema(JsonNode nested, JsonNode flat, JsonNode told) {
     abstract JsonNode of(AnswerSchema schema);
   }
 
-  /** One that is told as it is nested. */
+  /** Creates a schema whose relaxed shape derives from the nested one. */
   public AnswerSchema(JsonNode nested, JsonNode flat) {
     this(nested, flat, nested);
   }
 
-  /** One that is the same in every shape. */
+  /** Returns a schema that is the same in every shape. */
   public static AnswerSchema of(JsonNode schema) {
     return new AnswerSchema(schema, schema, schema);
   }
 
-  /** With nothing but a shape. */
+  /** Returns a schema reduced to one shape. */
   AnswerSchema in(Shape shape) {
     return of(shape.of(this));
   }
 
   /**
-   * What is sent.
+   * Returns the schema to send.
    *
-   * @throws IllegalStateException if no shape has been chosen: a request would be recorded as one
-   *     that it is not
+   * @throws IllegalStateException if no shape has been chosen: the request would be recorded
+   *     incorrectly
    */
   public JsonNode chosen() {
     if (!nested.equals(flat)) {
@@ -87,7 +85,7 @@ public record AnswerSchema(JsonNode nested, JsonNode flat, JsonNode told) {
     schema.forEach(AnswerSchema::relax);
   }
 
-  /** Null or an empty array. */
+  /** Returns whether a property is null or an empty array. */
   private static boolean saysNothing(JsonNode property) {
     for (JsonNode alternative : property.path("anyOf")) {
       if (alternative.path("type").asText().equals("null")) {

@@ -1,19 +1,18 @@
 package dev.eventchain.llm.chat;
 
 /**
- * A language model that answers a conversation. This is all that the rest of the project knows of
- * one: providers, recordings and hand-off stay behind it. {@code ChatModels} opens one.
+ * A language model that answers a conversation. It hides providers, recordings and hand-off from
+ * the rest of the project. {@code ChatModels} opens one.
  */
 @FunctionalInterface
 public interface ChatModel {
   /**
    * Answers a conversation.
    *
-   * @return the answer as it came; whether it is complete is said by {@link
-   *     ChatResponse#finishReason()}
-   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT when a recording is missing or
-   *     broken, WAITING when the answer is still to be given by a person (hand-off), UNAVAILABLE
-   *     when the model cannot be reached
+   * @return the unchanged answer; {@link ChatResponse#finishReason()} tells whether it is complete
+   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if a recording is missing or
+   *     invalid, WAITING if a person has yet to answer (hand-off), UNAVAILABLE if the model cannot
+   *     be reached
    */
   ChatResponse chat(ChatRequest request);
 }

@@ -6,18 +6,18 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * What a model is asked.
+ * A request to a model.
  *
  * @param task the kind of work, which names the folder of its recordings; lower-case letters,
  *     digits and hyphens
  * @param messages the conversation so far, ending with a message of the user
- * @param schema the JSON Schema that the answer must satisfy, when it must; the order of its
- *     properties matters, since it steers what a model writes
- * @param sampling how the model is to choose its words
+ * @param schema the JSON Schema of the answer, if any; the order of its properties matters, since
+ *     it affects the answer
+ * @param sampling the sampling parameters
  */
 public record ChatRequest(
     String task, List<ChatMessage> messages, Optional<AnswerSchema> schema, Sampling sampling) {
-  /** Checks what the parameters promise. */
+  /** Validates the parameters. */
   public ChatRequest {
     if (!task.matches("[a-z0-9][a-z0-9-]*")) {
       throw new IllegalArgumentException("not a task name: " + task);
@@ -30,12 +30,12 @@ public record ChatRequest(
     Objects.requireNonNull(sampling);
   }
 
-  /** A request without a schema and with the provider's sampling. */
+  /** Creates a request without a schema and with the provider's sampling. */
   public static ChatRequest of(String task, List<ChatMessage> messages) {
     return new ChatRequest(task, messages, Optional.empty(), Sampling.DEFAULT);
   }
 
-  /** The request as a model takes it: with its schema in that shape only. */
+  /** Returns the request with its schema reduced to one shape. */
   public ChatRequest in(AnswerSchema.Shape shape) {
     return new ChatRequest(task, messages, schema.map(all -> all.in(shape)), sampling);
   }

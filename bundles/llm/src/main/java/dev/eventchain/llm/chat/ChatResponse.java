@@ -4,15 +4,15 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * What a model answered.
+ * An answer of a model.
  *
  * @param text the answer, unchanged
- * @param finishReason why the model stopped
- * @param model the model that answered, as the provider names it; it may differ from the one that
- *     was asked for
- * @param provenance who made the answer: {@code authored} (a person wrote it into a recording),
- *     {@code handoff} (it came through an answer file), or the provider's name
- * @param usage what the answer cost, when known
+ * @param finishReason the reason why the model stopped
+ * @param model the model that answered, as the provider names it; it may differ from the requested
+ *     one
+ * @param provenance the origin of the answer: {@code authored} (a person wrote it into a
+ *     recording), {@code handoff} (it came through an answer file), or the provider's name
+ * @param usage the tokens charged, if known
  */
 public record ChatResponse(
     String text,
@@ -20,15 +20,15 @@ public record ChatResponse(
     String model,
     String provenance,
     Optional<Usage> usage) {
-  /** Why a model stopped. Only {@link #STOP} makes an answer usable. */
+  /** Reasons why a model stopped. Only {@link #STOP} makes an answer usable. */
   public enum FinishReason {
     /** The answer is complete. */
     STOP,
-    /** The answer was cut at the limit of tokens. */
+    /** The answer was truncated at the token limit. */
     LENGTH,
     /** The model or its provider declined to answer. */
     REFUSAL,
-    /** The provider gave no reason, or one that is not known here. */
+    /** The provider gave no reason, or an unknown one. */
     OTHER
   }
 
@@ -40,7 +40,7 @@ public record ChatResponse(
    */
   public record Usage(long inputTokens, long outputTokens) {}
 
-  /** Refuses null. */
+  /** Rejects null. */
   public ChatResponse {
     Objects.requireNonNull(text);
     Objects.requireNonNull(finishReason);

@@ -1,16 +1,16 @@
 package dev.eventchain.llm.chat;
 
 /**
- * Which model is asked, apart from the way its answers come here: a recording made by hand-off is
- * found again by replay.
+ * Identity of the requested model, independent of the source of its answers: replay finds a
+ * recording made by hand-off.
  *
- * @param provider who serves the model
- * @param name the provider's name for it; may hold slashes
+ * @param provider the service of the model
+ * @param name the provider's name for it; may contain slashes
  */
 public record ModelName(String provider, String name) {
   public static final String PERSON = "handoff";
 
-  /** Reads {@code provider/name}; without a provider, answers come through a person. */
+  /** Parses {@code provider/name}; without a provider, a person gives the answers. */
   public static ModelName parse(String text) {
     int slash = text.indexOf('/');
     String provider = slash < 0 ? PERSON : text.substring(0, slash);
@@ -21,13 +21,13 @@ public record ModelName(String provider, String name) {
     return new ModelName(provider, name);
   }
 
-  /** As people write it. */
+  /** Returns the name as the user writes it. */
   @Override
   public String toString() {
     return provider.equals(PERSON) ? name : provider + "/" + name;
   }
 
-  /** The name as part of a file name. */
+  /** Returns the name in the form for file names. */
   public String inFileName() {
     String safe = name.replaceAll("[^A-Za-z0-9._-]", "_");
     return safe.startsWith(".") ? "_" + safe.substring(1) : safe;

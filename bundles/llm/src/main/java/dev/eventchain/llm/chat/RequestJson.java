@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * A request as JSON, in a fixed property order: the form that is hashed, and (with texts as lines)
- * the one that is recorded.
+ * A request as JSON, in a fixed property order. This form is hashed, and (with texts as lines)
+ * recorded.
  */
 public final class RequestJson {
   private static final JsonNodeFactory JSON = JsonNodeFactory.instance;
@@ -41,9 +41,7 @@ public final class RequestJson {
     return json;
   }
 
-  /**
-   * The same request with the text of each message as an array of lines, which people can review.
-   */
+  /** Returns the request with the text of each message as an array of lines, for review. */
   public static ObjectNode withLines(ObjectNode request) {
     ObjectNode copy = request.deepCopy();
     copy.withArray("messages")
@@ -53,7 +51,7 @@ public final class RequestJson {
     return copy;
   }
 
-  /** The reverse of {@link #withLines}. */
+  /** Reverts {@link #withLines}. */
   public static ObjectNode withTexts(ObjectNode request) {
     ObjectNode copy = request.deepCopy();
     copy.withArray("messages")
@@ -78,7 +76,7 @@ public final class RequestJson {
     return String.join("\n", lines);
   }
 
-  /** All lines of the conversation, for comparing two requests. */
+  /** Returns all lines of the conversation, for comparing two requests. */
   public static List<String> promptLines(ObjectNode request) {
     List<String> lines = new ArrayList<>();
     request

@@ -8,28 +8,26 @@ import java.util.Map;
 
 /**
  * The identity of a request: SHA-256 of its canonical JSON, which holds provider, model, messages,
- * schema and sampling, and nothing that may change without changing the answer (address, key, time
- * limit).
+ * schema and sampling, but no settings without effect on the answer (address, key, time limit).
  *
  * @param value 64 lower-case hexadecimal digits
  */
 public record RequestKey(String value) {
   private static final int SHORT = 12;
 
-  /** The key of a request in the form that {@link RequestJson} gives. */
+  /** Returns the key of a request in the form of {@link RequestJson}. */
   public static RequestKey of(JsonNode request) {
     StringBuilder canonical = new StringBuilder();
     append(canonical, request);
     return new RequestKey(Sha256.of(canonical.toString()).hex());
   }
 
-  /** The part of the key that is in file names. */
+  /** Returns the part of the key for file names. */
   public String abbreviated() {
     return value.substring(0, SHORT);
   }
 
-  // Property order is kept: inside a schema it steers what a model writes, elsewhere RequestJson
-  // fixes it.
+  // Property order is kept: inside a schema it affects the answer, elsewhere RequestJson fixes it.
   private static void append(StringBuilder out, JsonNode node) {
     if (node.isObject()) {
       out.append('{');
@@ -50,7 +48,7 @@ public record RequestKey(String value) {
       }
       out.append(']');
     } else if (node.isNumber()) {
-      // 1, 1.0 and 1e0 are one number.
+      // 1, 1.0 and 1e0 are equal numbers.
       out.append(new BigDecimal(node.asText()).stripTrailingZeros());
     } else {
       out.append(node);

@@ -5,15 +5,15 @@ import java.util.OptionalInt;
 import java.util.OptionalLong;
 
 /**
- * How a model samples its answers. Empty values are left to the provider.
+ * Sampling parameters of a model. Empty values are left to the provider.
  *
- * @param temperature from 0 (always the likeliest word) upwards
- * @param maximumTokens where the answer is cut; a cut answer has {@link
+ * @param temperature 0 (always the likeliest token) or more
+ * @param maximumTokens length at which the answer is truncated; it then has {@link
  *     ChatResponse.FinishReason#LENGTH}
- * @param seed asks for the same answer to the same request
+ * @param seed seed for reproducible answers
  */
 public record Sampling(OptionalDouble temperature, OptionalInt maximumTokens, OptionalLong seed) {
-  /** Everything is left to the provider. */
+  /** The provider's defaults. */
   public static final Sampling DEFAULT =
       new Sampling(OptionalDouble.empty(), OptionalInt.empty(), OptionalLong.empty());
 }

@@ -1,5 +1,5 @@
 /**
  * Requests to language models and their answers, with the schema of an answer and the key of a
- * request. Knows no way to get an answer.
+ * request. Independent of the source of answers.
  */
 package dev.eventchain.llm.chat;

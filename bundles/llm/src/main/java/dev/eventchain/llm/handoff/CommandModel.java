@@ -27,13 +27,13 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Asks a program of the user: it gets the prompt on standard input and gives the answer on standard
- * output, in UTF-8. Exit code 0 means that the answer is whole.
+ * Asks a program of the user, which gets the prompt on standard input and gives the answer on
+ * standard output, in UTF-8. Exit code 0 marks a complete answer.
  */
 public final class CommandModel implements ChatModel {
   static final String PROVIDER = "command";
 
-  /** Arguments are apart by blanks, unless they are in quotes. */
+  /** An argument; arguments are separated by blanks outside quotes. */
   private static final Pattern ARGUMENT = Pattern.compile("\"([^\"]*)\"|'([^']*)'|([^\\s\"']+)");
 
   private static final int LONGEST_COMPLAINT = 64 << 10;
@@ -48,7 +48,10 @@ public final class CommandModel implements ChatModel {
     this.allowed = allowed;
   }
 
-  /** The program and its arguments; empty if the text names none, such as {@code ''}. */
+  /**
+   * Splits a command into the program and its arguments; empty if it names none, such as {@code
+   * ''}.
+   */
   public static List<String> split(String command) {
     List<String> parts = new ArrayList<>();
     Matcher matcher = ARGUMENT.matcher(command);
@@ -65,7 +68,7 @@ public final class CommandModel implements ChatModel {
   @Override
   public ChatResponse chat(ChatRequest request) {
     Process process = start();
-    // A signal ends this program without its finally blocks.
+    // A signal ends this JVM without its finally blocks.
     Thread end = new Thread(() -> end(process), "end of a command");
     Runtime.getRuntime().addShutdownHook(end);
     try {
@@ -99,7 +102,7 @@ public final class CommandModel implements ChatModel {
     try {
       Runtime.getRuntime().removeShutdownHook(end);
     } catch (IllegalStateException e) {
-      // The program is ending, and the hook does what it is for.
+      // The JVM is ending, and the hook kills the process.
     }
   }
 
@@ -120,7 +123,7 @@ public final class CommandModel implements ChatModel {
     try (input) {
       input.write(prompt.getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
-      // A program need not read all of it; whether it answered is seen by its exit code.
+      // A program need not read all of its input; its exit code tells whether it answered.
     }
   }
 
@@ -130,7 +133,7 @@ public final class CommandModel implements ChatModel {
           try (stream) {
             return new String(stream.readNBytes((int) most), StandardCharsets.UTF_8);
           } catch (IOException e) {
-            return ""; // Its process has been ended, and nobody asks what it said.
+            return ""; // Its process has been killed, and the output is not needed.
           }
         },
         task -> {

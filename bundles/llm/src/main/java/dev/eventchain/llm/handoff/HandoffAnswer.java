@@ -8,8 +8,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The answer file of the hand-off: the answer as it is, optionally after lines such as {@code <!--
- * model: gpt-4o-2024-08-06 -->} and {@code <!-- provenance: authored -->} that say who answered.
+ * The answer file of the hand-off: the plain answer, optionally after lines such as {@code <!--
+ * model: gpt-4o-2024-08-06 -->} and {@code <!-- provenance: authored -->} that identify its origin.
  */
 final class HandoffAnswer {
   private static final Pattern STATEMENT =

@@ -21,11 +21,11 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Asks a person for what is not recorded: writes each prompt to {@code TASK-NN.prompt.md} and
- * continues once {@code TASK-NN.answer.md} is there. A prompt is known by its key, so an answer is
- * only ever taken for the prompt that it was given to, in whatever order prompts come; a changed
- * prompt gets a new number, and nothing that lies in the folder is overwritten. The n-th equal
- * prompt of a run is counted over recorded answers, too, so that no answer serves twice.
+ * Asks a person for answers that are not recorded. It writes each prompt to {@code
+ * TASK-NN.prompt.md} and continues when {@code TASK-NN.answer.md} exists. Prompts are identified by
+ * key, so an answer is used for its own prompt only, in any order of prompts. A changed prompt gets
+ * a new number, and no file in the folder is overwritten. The count of equal prompts in a run
+ * includes recorded answers, so that no answer is used twice.
  */
 public final class HandoffModel implements ChatModel {
   private final ModelName model;
@@ -34,10 +34,10 @@ public final class HandoffModel implements ChatModel {
   private final CallCounter calls = new CallCounter();
 
   /**
-   * A model that a person answers for.
+   * Creates a model whose answers a person gives.
    *
    * @param folder where prompts and answers are exchanged
-   * @param recordings answers that there are already
+   * @param recordings the recorded answers
    */
   public HandoffModel(ModelName model, Path folder, RecordingFolder recordings) {
     this.model = model;
@@ -72,7 +72,7 @@ public final class HandoffModel implements ChatModel {
     return HandoffAnswer.parse(text, model.name());
   }
 
-  /** The name under which a prompt lies in the folder already, or the next one that is free. */
+  /** Returns the name of the existing file of a prompt, or the next free name. */
   private String name(String task, RequestKey key, int earlier) {
     int same = 0;
     int number = 1;

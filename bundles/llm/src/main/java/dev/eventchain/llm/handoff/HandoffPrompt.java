@@ -14,8 +14,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The prompt file of the hand-off: for a person to paste into a chat window. It states the key of
- * its request.
+ * The prompt file of the hand-off, to be pasted into a chat window. It states the key of its
+ * request.
  */
 final class HandoffPrompt {
   private static final Pattern KEY =
@@ -23,7 +23,7 @@ final class HandoffPrompt {
 
   private HandoffPrompt() {}
 
-  /** The key in an existing prompt file. */
+  /** Returns the key in an existing prompt file. */
   static Optional<String> keyOf(Path file) {
     if (!Files.exists(file)) {
       return Optional.empty();
@@ -41,7 +41,7 @@ final class HandoffPrompt {
     return out.append(conversation(request)).append('\n').toString();
   }
 
-  /** The conversation as one text, with what the answer must satisfy. */
+  /** Returns the conversation as one text, with the schema of the answer. */
   static String conversation(ChatRequest request) {
     StringBuilder out = new StringBuilder();
     List<ChatMessage> messages = request.messages();

@@ -1,5 +1,5 @@
 /**
- * Answers of a person, through files, and of a program that is started for each request. Knows no
- * services and their prices.
+ * Answers of a person, through files, and of a program that is started for each request.
+ * Independent of services and their prices.
  */
 package dev.eventchain.llm.handoff;

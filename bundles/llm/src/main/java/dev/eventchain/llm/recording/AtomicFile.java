@@ -8,10 +8,7 @@ import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import java.util.UUID;
 
-/**
- * Files that appear whole or not at all, and that are left alone when they already hold what they
- * should.
- */
+/** Writes files atomically, and leaves files with the same content untouched. */
 public final class AtomicFile {
   private AtomicFile() {}
 
@@ -21,7 +18,7 @@ public final class AtomicFile {
       return;
     }
     Files.createDirectories(file.getParent());
-    // Not createTempFile: its files are for their owner only, and recordings are to be shared.
+    // Not createTempFile: its files are private to their owner, but recordings are shared.
     Path temporary = file.resolveSibling("." + file.getFileName() + "." + UUID.randomUUID());
     try {
       Files.write(temporary, bytes);

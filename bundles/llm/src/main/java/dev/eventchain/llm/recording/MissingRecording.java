@@ -18,8 +18,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Says what a request without a recording differs in from the nearest one that was recorded for its
- * task.
+ * Describes the difference between a request without a recording and the nearest recorded request
+ * of its task.
  */
 final class MissingRecording {
   static final String HINT =
@@ -28,7 +28,7 @@ final class MissingRecording {
   private static final int EXCERPT_LINES = 24;
   private static final int CONTEXT = 1;
 
-  /** The two lines before the first change, which name files. */
+  /** Number of lines before the first change, which name files. */
   private static final int FILE_NAMES = 2;
 
   private final ObjectNode request;
@@ -116,13 +116,16 @@ final class MissingRecording {
     return lines;
   }
 
-  /** The first changes of the prompt, each with a line of context, and how many more there are. */
+  /**
+   * Returns the first changes of the prompt, each with a line of context, and the number of further
+   * ones.
+   */
   private List<String> changedLines() {
     List<String> shown = new ArrayList<>();
     List<String> unified =
         UnifiedDiffUtils.generateUnifiedDiff("", "", promptLines(nearest), nearestChange, CONTEXT);
     for (String line : unified.subList(Math.min(FILE_NAMES, unified.size()), unified.size())) {
-      // What prompts hold are often lists: the mark stands apart from the line.
+      // Prompts often contain lists, so the mark is separated from the line.
       boolean isHeader = line.startsWith("@@");
       if (!isHeader) {
         shown.add(line.charAt(0) + " " + line.substring(1));

@@ -8,7 +8,7 @@ import dev.eventchain.llm.chat.RequestJson;
 import dev.eventchain.llm.chat.RequestKey;
 import java.util.Optional;
 
-/** Takes answers from recordings, and asks for those that there are none of. */
+/** Takes answers from recordings, and asks another model for the rest. */
 public final class RecordedFirst implements ChatModel {
   private final ModelName model;
   private final RecordingFolder recordings;

@@ -32,8 +32,8 @@ record Recording(RequestKey key, ObjectNode request, List<Sample> samples) {
   }
 
   /**
-   * This recording with {@code sample} as answer number {@code index}. The same answer again leaves
-   * everything as it was, so that a run that is repeated writes nothing.
+   * Returns this recording with {@code sample} as answer number {@code index}. An equal answer
+   * changes nothing, so that a repeated run writes nothing.
    */
   Recording with(int index, Sample sample) {
     List<Sample> changed = new ArrayList<>(samples);

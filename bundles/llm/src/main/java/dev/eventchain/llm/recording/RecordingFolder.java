@@ -16,7 +16,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** The folder {@code recordings/} with a folder for each task. */
+/** The folder {@code recordings/} with one folder per task. */
 public final class RecordingFolder {
   private final Path folder;
 
@@ -28,7 +28,7 @@ public final class RecordingFolder {
     return folder.resolve(task).resolve(model.inFileName() + "-" + key.abbreviated() + ".json");
   }
 
-  /** The answer to the n-th identical request of a run, counted from 0, if it is recorded. */
+  /** Returns the recorded answer to the n-th identical request of a run, counted from 0. */
   public Optional<ChatResponse> sample(String task, ModelName model, RequestKey key, int number) {
     return find(task, model, key)
         .filter(recording -> number < recording.samples().size())
@@ -54,7 +54,7 @@ public final class RecordingFolder {
     return Optional.of(recording);
   }
 
-  /** The recordings of a task, in the order of their names. */
+  /** Returns the recordings of a task, sorted by name. */
   List<Path> files(String task) {
     Path tasks = folder.resolve(task);
     if (!Files.isDirectory(tasks)) {
@@ -74,7 +74,7 @@ public final class RecordingFolder {
     }
   }
 
-  /** Puts an answer in as sample {@code index} of its request. */
+  /** Stores an answer as sample {@code index} of its request. */
   void put(String task, ModelName model, ObjectNode request, int index, Recording.Sample sample) {
     RequestKey key = RequestKey.of(request);
     Recording recording = find(task, model, key).orElseGet(() -> Recording.of(request));

@@ -10,7 +10,7 @@ import dev.eventchain.llm.chat.RequestKey;
 import java.time.Clock;
 import java.time.temporal.ChronoUnit;
 
-/** Passes requests on and records the answers. */
+/** Forwards requests and records the answers. */
 public final class RecordingModel implements ChatModel {
   private final ChatModel answering;
   private final ModelName model;

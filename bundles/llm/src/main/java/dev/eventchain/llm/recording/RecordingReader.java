@@ -23,8 +23,7 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Reads a recording strictly: what the format does not say is a problem with its line and column,
- * and all are reported.
+ * Strict reader of recordings: reports every deviation from the format with its line and column.
  */
 final class RecordingReader {
 
@@ -59,7 +58,7 @@ final class RecordingReader {
   }
 
   private Recording read() {
-    // What a model answered is recorded as it is, control characters and all.
+    // Answers are recorded verbatim, including control characters.
     Document document = Document.parseWithAnyText(source, DocumentFormat.JSON, IDS, problems::add);
     Optional<ObjectReader> root = document.object("", problems::add);
     stopOnProblems();
@@ -147,7 +146,7 @@ final class RecordingReader {
     return reason;
   }
 
-  /** A text, or its lines in an array. */
+  /** Reads a text, or its lines in an array. */
   private static Optional<String> text(ObjectReader json, String name) {
     Optional<JsonNode> value = json.value(name);
     if (value.isEmpty()) {

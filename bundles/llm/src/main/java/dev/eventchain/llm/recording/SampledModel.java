@@ -21,9 +21,9 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Takes the answers of one of several runs that ask the same: run n takes the n-th of the answers
- * that are recorded, so that none counts twice. A conversation that continues has as many earlier
- * runs as gave the same answer before.
+ * Answers of one of several runs with the same requests: run n takes the n-th recorded answer, so
+ * that each answer is used once. For a continued conversation, only the earlier runs with the same
+ * previous answers count.
  */
 public final class SampledModel implements ChatModel {
   private final ModelName model;
@@ -32,14 +32,14 @@ public final class SampledModel implements ChatModel {
   private final ChatModel next;
   private final CallCounter calls = new CallCounter();
 
-  /** How many earlier runs had the same conversation up to here. */
+  /** Number of earlier runs that had the same conversation so far. */
   private final Map<List<ChatMessage>, Integer> conversations = new ConcurrentHashMap<>();
 
   /**
-   * Answers of a run.
+   * Creates the model of a run.
    *
    * @param run its number, from 0
-   * @param next who is asked for what is not recorded
+   * @param next the model to ask for answers that are not recorded
    */
   public SampledModel(ModelName model, RecordingFolder recordings, int run, ChatModel next) {
     this.model = model;
@@ -66,7 +66,9 @@ public final class SampledModel implements ChatModel {
     return response;
   }
 
-  /** Nothing where the conversation did not begin with a recording. */
+  /**
+   * Returns the number of earlier runs; empty if the conversation did not begin with a recording.
+   */
   private Optional<Integer> earlierRuns(ChatRequest request) {
     List<ChatMessage> messages = request.messages();
     return messages.size() == 1
@@ -81,15 +83,17 @@ public final class SampledModel implements ChatModel {
     conversations.put(List.copyOf(conversation), (int) same);
   }
 
-  /** Whether two answers lead to the same next question: whether one was cut is part of it. */
+  /**
+   * Returns whether two answers lead to the same next request; truncation counts as a difference.
+   */
   private static boolean isSame(ChatResponse one, ChatResponse other) {
     FinishReason reason = one.finishReason();
     return one.text().equals(other.text()) && reason == other.finishReason();
   }
 
   /**
-   * Who has nothing else to ask. A conversation that does not continue from an answer as it came,
-   * but begins with one of ours, has answers by the number of the run: none counts twice.
+   * Returns a model without a further source. A conversation that does not continue from a recorded
+   * answer takes its answers by the number of the run, so that each is used once.
    */
   public static ChatModel nothingElse(ModelName model, RecordingFolder recordings, int run) {
     return request -> {

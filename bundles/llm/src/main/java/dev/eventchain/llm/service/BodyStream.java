@@ -13,13 +13,12 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The body of a response as a stream that waits for its peer only so long: until the deadline of
- * the whole call, however slowly bytes dribble in, and at most for a while in silence. An
- * interrupted reader ends the exchange.
+ * The body of a response as a stream with time limits: the deadline of the whole call, however
+ * slowly bytes arrive, and a maximal silence. An interrupted reader ends the exchange.
  */
 public final class BodyStream extends InputStream implements Flow.Subscriber<List<ByteBuffer>> {
 
-  /** An answer longer than this is none. */
+  /** Maximal size of an answer in bytes. */
   public static final long LONGEST = 32L << 20;
 
   private static final Object END = new Object();
@@ -124,7 +123,7 @@ public final class BodyStream extends InputStream implements Flow.Subscriber<Lis
         "Try again, or allow more with 'silence_s' of the service in eventchain.yaml.");
   }
 
-  /** Ends the exchange; the connection is not used again. */
+  /** Ends the exchange; the connection is not reused. */
   @Override
   public void close() {
     ended = true;

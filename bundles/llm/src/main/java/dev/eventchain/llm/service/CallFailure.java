@@ -9,31 +9,31 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * Why a call of a service gave no answer. Thrown through the client library, which knows nothing of
- * it, and turned into a finding when the call is abandoned.
+ * Failure of a call of a service. It is thrown through the client library, which does not know it,
+ * and turned into a finding when the call is abandoned.
  */
 final class CallFailure extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
-  /** What went wrong, by what the user can do about it. */
+  /** Kinds of failures, by possible actions of the user. */
   enum Kind {
-    /** Nothing answers, or the connection broke before an answer began. */
+    /** No service answers, or the connection broke before an answer began. */
     UNREACHABLE("llm.service.unreachable", true),
-    /** The service is overloaded or broken at the moment. */
+    /** The service is currently overloaded or broken. */
     FAILED("llm.service.failed", true),
     /** Too many requests. */
     LIMITED("llm.service.limited", true),
-    /** The key is missing at the service, wrong, or has no right to the model. */
+    /** The key is missing, wrong, or not authorized for the model. */
     KEY("llm.key.refused", false),
     /** The account has no credit left. */
     QUOTA("llm.quota.spent", false),
-    /** The service understood the request and does not take it. */
+    /** The service rejected the request. */
     REJECTED("llm.request.rejected", false),
-    /** The deadline of the whole call passed, or the service fell silent. */
+    /** The deadline of the whole call passed, or the service was silent for too long. */
     LATE("llm.answer.late", false),
-    /** The answer ended before its end. */
+    /** The answer ended early. */
     CUT("llm.answer.cut", true),
-    /** What came is not an answer of such a service. */
+    /** The response does not follow the service's protocol. */
     UNREADABLE("llm.answer.unreadable", false);
 
     private final String id;
@@ -45,7 +45,7 @@ final class CallFailure extends RuntimeException {
     }
   }
 
-  /** What services call the schema, or what they make of it. */
+  /** Terms of services for the schema and for its translations. */
   private static final Pattern SCHEMA =
       Pattern.compile(
           "schema|response[_ ]?format|output_(format|config)|\\bgrammar", Pattern.CASE_INSENSITIVE);
@@ -66,8 +66,8 @@ final class CallFailure extends RuntimeException {
   }
 
   /**
-   * The same failure of a request with a JSON Schema: if the service names that, its own words say
-   * little to whoever never saw it.
+   * Returns the same failure for a request with a JSON Schema. If the service mentions the schema,
+   * its message alone would not help the user, who has not seen it.
    */
   CallFailure ofSchema() {
     if (kind != Kind.REJECTED || !SCHEMA.matcher(getMessage()).find()) {
@@ -84,21 +84,21 @@ final class CallFailure extends RuntimeException {
     return kind;
   }
 
-  /** Whether the same request may well succeed a little later. */
+  /** Returns whether the same request may succeed a little later. */
   boolean isPassing() {
     return kind.passing;
   }
 
-  /** How long the service asked to be left alone. */
+  /** Returns the delay that the service requested. */
   Optional<Duration> retryAfter() {
     return retryAfter;
   }
 
   /**
-   * What the user is told.
+   * Returns the finding for the user.
    *
-   * @param asked the model that was asked
-   * @param key what never appears in a message
+   * @param asked the requested model
+   * @param key the key, which is removed from messages
    */
   DiagnosticException finding(String asked, Optional<String> key) {
     String message = asked + ": " + getMessage();

@@ -6,7 +6,7 @@ import java.nio.channels.UnresolvedAddressException;
 import java.util.concurrent.CompletionException;
 import javax.net.ssl.SSLException;
 
-/** Why a service cannot be reached, in words; Java's own are often none. */
+/** Describes connection problems in words; Java's own messages are often empty. */
 final class ConnectionProblem {
 
   private ConnectionProblem() {}

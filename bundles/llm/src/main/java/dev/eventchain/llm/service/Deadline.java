@@ -4,7 +4,7 @@ import java.math.BigDecimal;
 import java.time.Duration;
 import java.util.concurrent.CancellationException;
 
-/** When a call has to be over, with all of its repetitions. */
+/** The end of the time for a call, including its repetitions. */
 public final class Deadline {
   private final Duration allowed;
   private final long end;
@@ -18,7 +18,7 @@ public final class Deadline {
     return new Deadline(time);
   }
 
-  /** What is left, or less if that is too much; not below zero. */
+  /** Returns the remaining time, at most the given time, and at least zero. */
   Duration atMost(Duration time) {
     Duration left = Duration.ofNanos(Math.max(0, end - System.nanoTime()));
     return left.compareTo(time) < 0 ? left : time;
@@ -39,7 +39,7 @@ public final class Deadline {
         "Allow more with 'deadline_s' of the service in eventchain.yaml, or ask a faster model.");
   }
 
-  /** What is thrown where the thread was interrupted, which it still is afterwards. */
+  /** Returns the exception for an interrupted thread, and keeps its interrupt flag set. */
   public CancellationException interrupted() {
     Thread.currentThread().interrupt();
     return new CancellationException("the call was cancelled");

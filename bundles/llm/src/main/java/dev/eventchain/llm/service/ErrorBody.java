@@ -16,7 +16,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** What services say when they refuse a call. It is foreign text: shortened, and on one line. */
+/** Error responses of services. Their text is untrusted: it is shortened and put on one line. */
 public final class ErrorBody {
   private static final ObjectMapper MAPPER = new ObjectMapper();
   private static final int READ = 64 << 10;
@@ -26,14 +26,14 @@ public final class ErrorBody {
 
   private ErrorBody() {}
 
-  /** What an answer with a status that is not a success means. */
+  /** Returns the failure for a response with an error status. */
   static CallFailure failure(int status, HttpHeaders headers, InputStream body) throws IOException {
     String text = new String(body.readNBytes(READ), StandardCharsets.UTF_8);
     body.close();
     return failure(status, message(parse(text)).orElse(text), retryAfter(headers));
   }
 
-  /** What an error in the middle of an answer means. */
+  /** Returns the failure for an error event within an answer. */
   static CallFailure ofEvent(JsonNode data) {
     JsonNode error = data.path("error");
     int status = error.path("code").asInt(0);
@@ -82,7 +82,10 @@ public final class ErrorBody {
     }
   }
 
-  /** OpenAI, Anthropic and Gemini: error.message; Ollama: error; some have an array around it. */
+  /**
+   * Returns the error text. OpenAI, Anthropic and Gemini: error.message; Ollama: error; some wrap
+   * it in an array.
+   */
   private static Optional<String> message(JsonNode body) {
     JsonNode object = body.isArray() ? body.path(0) : body;
     JsonNode error = object.path("error");
@@ -95,7 +98,7 @@ public final class ErrorBody {
     return Optional.of(whole).filter(known -> !known.isBlank());
   }
 
-  /** Seconds, or a date (RFC 9110, section 10.2.3). */
+  /** Returns the delay, given in seconds or as a date (RFC 9110, section 10.2.3). */
   private static Optional<Duration> retryAfter(HttpHeaders headers) {
     return headers
         .firstValue("Retry-After")
@@ -118,14 +121,14 @@ public final class ErrorBody {
     return Duration.between(ZonedDateTime.now(when.getZone()), when);
   }
 
-  /** The beginning of a body, for people. */
+  /** Returns the beginning of a body, for messages. */
   static String start(InputStream body) throws IOException {
     String text = new String(body.readNBytes(READ), StandardCharsets.UTF_8);
     body.close();
     return shown(text.replaceAll("<[^>]*>", " "));
   }
 
-  /** Foreign text on one line, without what does something to a terminal. */
+  /** Returns untrusted text on one line, without terminal control characters. */
   public static String shown(String text) {
     String line = text.strip().replaceAll("[\\s\\p{Cntrl}\\p{Cf}]+", " ");
     return line.length() <= SHOWN ? line : line.substring(0, SHOWN - 3) + "...";

@@ -9,8 +9,8 @@ import dev.langchain4j.http.client.sse.ServerSentEventListener;
 import java.io.IOException;
 
 /**
- * Passes events on, and keeps what the client library would take for an answer: events that say an
- * error, and those that cannot be read.
+ * Forwards events, but retains those that the client library would mistake for an answer: error
+ * events and unreadable ones.
  */
 final class ErrorEvents implements ServerSentEventListener {
   private static final ObjectMapper MAPPER = new ObjectMapper();
@@ -23,7 +23,7 @@ final class ErrorEvents implements ServerSentEventListener {
     this.listener = listener;
   }
 
-  /** Ends an exchange that went wrong while it was read. */
+  /** Throws the failure of an exchange that failed while it was read. */
   void throwFailure() throws IOException {
     if (failure != null) {
       throw failure;
@@ -47,7 +47,7 @@ final class ErrorEvents implements ServerSentEventListener {
     }
   }
 
-  /** After the first failure nothing is. */
+  /** Returns whether an event is forwarded: none is after the first failure. */
   private boolean isPassedOn(ServerSentEvent event) {
     if (failure == null && broken == null && !isEnd(event)) {
       look(event);

@@ -6,14 +6,14 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * A service that language models are asked at.
+ * A service for language models.
  *
- * @param name what models of it are called by, as in {@code NAME/MODEL}
- * @param url without what the wire adds, such as {@code /chat/completions}
- * @param key the environment variable with the key; empty where the service wants none
- * @param deadline for a whole call, with its repetitions
- * @param silence how long nothing may come in the middle of an answer
- * @param maximumTokens where an answer is cut, if the request does not say
+ * @param name the prefix of its models, as in {@code NAME/MODEL}
+ * @param url the URL without the path that the protocol adds, such as {@code /chat/completions}
+ * @param key the environment variable with the key; empty if the service needs none
+ * @param deadline the time for a whole call, with its repetitions
+ * @param silence the longest pause within an answer
+ * @param maximumTokens default length at which an answer is truncated
  */
 public record ModelService(
     String name,
@@ -39,7 +39,7 @@ public record ModelService(
           "vllm", own("vllm", Wire.OPENAI_COMPATIBLE, "http://localhost:8000/v1"),
           "llamacpp", own("llamacpp", Wire.OPENAI_COMPATIBLE, "http://localhost:8080/v1"));
 
-  /** Those that need no configuration, by name. */
+  /** Returns the services that need no configuration, by name. */
   static Map<String, ModelService> known() {
     return KNOWN;
   }
@@ -52,12 +52,12 @@ public record ModelService(
     return of(name, wire, URI.create(url), Optional.empty());
   }
 
-  /** One with the usual limits. */
+  /** Returns a service with the usual limits. */
   static ModelService of(String name, Wire wire, URI url, Optional<String> key) {
     return new ModelService(name, wire, url, key, DEADLINE, SILENCE, MAXIMUM_TOKENS);
   }
 
-  /** The variable that holds the key of a service where nothing else is said. */
+  /** Returns the default environment variable for the key of a service. */
   static String variable(String name) {
     return name.toUpperCase(java.util.Locale.ROOT).replaceAll("[^A-Z0-9]", "_") + "_API_KEY";
   }

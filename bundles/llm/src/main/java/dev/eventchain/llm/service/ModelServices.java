@@ -17,8 +17,8 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 
 /**
- * What a project states about the services of its language models, about their prices, and about
- * what a run may cost. Keys are in the environment, never in here.
+ * Configuration of a project's services for language models, their prices, and the budget of a run.
+ * Keys are taken from the environment only.
  */
 public final class ModelServices {
   private static final NumberRange SECONDS = NumberRange.above(0).upTo(86_400);
@@ -27,10 +27,10 @@ public final class ModelServices {
   private static final BigDecimal MILLION = BigDecimal.valueOf(1_000_000);
 
   /**
-   * Prices of a model, for one token.
+   * Prices of a model per token.
    *
-   * @param input of the request
-   * @param output of the answer, including hidden reasoning
+   * @param input price of a request token
+   * @param output price of an answer token, including hidden reasoning
    */
   public record Price(BigDecimal input, BigDecimal output) {
     public BigDecimal of(ChatResponse.Usage usage) {
@@ -41,7 +41,7 @@ public final class ModelServices {
   }
 
   /**
-   * What a run may cost.
+   * The budget of a run.
    *
    * @param cost in the currency of the prices
    */
@@ -58,7 +58,7 @@ public final class ModelServices {
     this.budget = budget;
   }
 
-  /** The services that need no configuration, without prices and without a budget. */
+  /** Returns the services that need no configuration, without prices and without a budget. */
   public static ModelServices usual() {
     return new ModelServices(
         new TreeMap<>(ModelService.known()),
@@ -69,7 +69,7 @@ public final class ModelServices {
   /**
    * Reads the keys {@code services}, {@code prices} and {@code budget}.
    *
-   * @param settings the configuration, which is told what is wrong
+   * @param settings the configuration, which receives the errors
    */
   public static ModelServices read(ObjectReader settings) {
     SortedMap<String, ModelService> services = new TreeMap<>(ModelService.known());
@@ -173,7 +173,7 @@ public final class ModelServices {
         return Optional.of(URI.create(text.replaceAll("/+$", "")));
       }
     } catch (IllegalArgumentException e) {
-      // Said below.
+      // Reported below.
     }
     if (!text.isBlank()) {
       section.find(
@@ -186,20 +186,20 @@ public final class ModelServices {
     return Optional.empty();
   }
 
-  /** A service by name. */
+  /** Returns a service by name. */
   public Optional<ModelService> service(String name) {
     return Optional.ofNullable(services.get(name));
   }
 
-  /** The names of all services, in their order. */
+  /** Returns the names of all services, in order. */
   public Set<String> names() {
     return new TreeSet<>(services.keySet());
   }
 
   /**
-   * What answers of a model cost, in the currency of the prices.
+   * Returns the cost of answers of a model, in the currency of the prices.
    *
-   * @return nothing where the project names no price of the model
+   * @return empty if the project has no price for the model
    */
   public Optional<BigDecimal> cost(String model, long inputTokens, long outputTokens) {
     ChatResponse.Usage usage = new ChatResponse.Usage(inputTokens, outputTokens);

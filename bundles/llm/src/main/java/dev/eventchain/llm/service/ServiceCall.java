@@ -21,7 +21,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 
-/** One attempt to get an answer. */
+/** One attempt at a call. */
 final class ServiceCall implements StreamingChatResponseHandler {
   private static final long TELL_EVERY = 250_000_000L; // ns
 
@@ -49,15 +49,15 @@ final class ServiceCall implements StreamingChatResponseHandler {
     this.transport = new Transport(deadline, service.silence());
   }
 
-  /** Whether a part of an answer has come, which may have been paid for. */
+  /** Returns whether a part of an answer has arrived, which may have been charged. */
   boolean hasBegun() {
     return begun;
   }
 
   /**
-   * Asks, and waits for the whole answer.
+   * Sends the request, and waits for the complete answer.
    *
-   * @throws CallFailure if none came
+   * @throws CallFailure if there is none
    */
   ChatResponse ask(ChatRequest request) {
     Wire.Call call =
@@ -160,7 +160,10 @@ final class ServiceCall implements StreamingChatResponseHandler {
         "Check the service's 'url' and 'wire' in eventchain.yaml.");
   }
 
-  /** The client library takes a stream without an end for a whole answer. */
+  /**
+   * Converts the answer. The client library takes a stream without an end marker for a complete
+   * answer.
+   */
   private ChatResponse toOurs() {
     if (complete == null || complete.finishReason() == null) {
       throw new CallFailure(
@@ -187,7 +190,10 @@ final class ServiceCall implements StreamingChatResponseHandler {
     };
   }
 
-  /** Hidden reasoning is charged as output; some count it in the total only. */
+  /**
+   * Returns the usage. Hidden reasoning is charged as output; some services count it in the total
+   * only.
+   */
   private static Optional<Usage> usage(TokenUsage usage) {
     if (usage.inputTokenCount() == null || usage.outputTokenCount() == null) {
       return Optional.empty();

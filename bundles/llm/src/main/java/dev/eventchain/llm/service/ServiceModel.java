@@ -14,8 +14,8 @@ import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 
 /**
- * Asks a model of a service. What may pass is tried again, as long as no part of an answer has
- * come: three times at most, after the time that the service asks for or one that grows, and within
+ * A model of a service. Temporary failures are retried as long as no part of an answer has arrived:
+ * at most three attempts, after the delay that the service requests or an increasing one, within
  * the deadline of the whole call.
  */
 public final class ServiceModel implements ChatModel {
@@ -30,10 +30,10 @@ public final class ServiceModel implements ChatModel {
   private final Duration firstWait;
 
   /**
-   * A model of a service.
+   * Creates a model of a service.
    *
    * @param environment the value of a variable, null if there is none
-   * @param progress is told what a person may want to know while waiting
+   * @param progress receives progress messages for the user
    */
   public ServiceModel(
       ModelService service,

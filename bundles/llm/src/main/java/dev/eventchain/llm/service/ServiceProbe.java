@@ -10,21 +10,21 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.UnaryOperator;
 
-/** Finds out which services can be reached, without a key and without cost. */
+/** Checks which services can be reached, without a key and without cost. */
 public final class ServiceProbe {
   private static final Duration PATIENCE = Duration.ofSeconds(5);
 
   /**
-   * A service as this machine sees it.
+   * The state of a service from this machine.
    *
-   * @param key the environment variable with its key; empty where it wants none
-   * @param keyIsSet whether that variable has a value
-   * @param problem why it cannot be reached; empty if it can
+   * @param key the environment variable with its key; empty if it needs none
+   * @param keyIsSet true if that variable has a value
+   * @param problem the reason why it cannot be reached; empty if it can
    */
   public record State(
       String name, String url, Optional<String> key, boolean keyIsSet, Optional<String> problem) {
 
-    /** Whether a model of it can be asked. */
+    /** Returns whether its models can be asked. */
     public boolean isReady() {
       return problem.isEmpty() && (key.isEmpty() || keyIsSet);
     }
@@ -33,9 +33,9 @@ public final class ServiceProbe {
   private ServiceProbe() {}
 
   /**
-   * Looks at services, all at a time, for some seconds at most.
+   * Probes services concurrently, for some seconds at most.
    *
-   * @param names of the services; unknown ones are left out
+   * @param names the names of services; unknown ones are left out
    * @param environment the value of an environment variable, null if it is not set
    */
   public static List<State> look(
@@ -56,7 +56,7 @@ public final class ServiceProbe {
     return states.stream().map(CompletableFuture::join).toList();
   }
 
-  /** Whoever answers is there, whatever it says to somebody without a key. */
+  /** Probes a service. Any response counts as reachable, including a refusal without a key. */
   private static CompletableFuture<State> look(
       HttpClient client, ModelService service, UnaryOperator<String> environment) {
     HttpRequest request = HttpRequest.newBuilder(service.url()).timeout(PATIENCE).GET().build();

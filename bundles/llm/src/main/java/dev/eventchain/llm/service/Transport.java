@@ -25,15 +25,15 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
 /**
- * The way to a service, for one attempt: answers come as streams, within the deadline of the whole
- * call, without following redirects (which would take the key elsewhere). What goes wrong is kept,
- * since the client library reports some of it as an answer.
+ * HTTP transport to a service for one attempt. Answers are streamed, within the deadline of the
+ * whole call, without following redirects (which would forward the key). Failures are kept, since
+ * the client library reports some of them as answers.
  */
 final class Transport implements HttpClient {
 
   private static final Duration CONNECT = Duration.ofSeconds(10);
 
-  /** Made at the first call of a run, which most runs do not make. */
+  /** HTTP connections, created by the first call of a run; most runs make none. */
   private static final class Connections {
     static final java.net.http.HttpClient SHARED =
         java.net.http.HttpClient.newBuilder()
@@ -54,7 +54,7 @@ final class Transport implements HttpClient {
   }
 
   /**
-   * Ends an attempt that gave no answer.
+   * Throws the failure of an attempt that gave no answer.
    *
    * @throws CallFailure if something went wrong
    * @throws CancellationException if the thread was interrupted
@@ -68,7 +68,7 @@ final class Transport implements HttpClient {
     }
   }
 
-  /** A builder of this transport, whatever it is asked for. */
+  /** Returns a builder that always builds this transport. */
   HttpClientBuilder builder() {
     return new Builder(this);
   }
@@ -157,7 +157,7 @@ final class Transport implements HttpClient {
         CallFailure.Kind.CUT, "the answer broke off: " + SourceText.reason(problem), "Try again.");
   }
 
-  /** Gives the transport that there is: time limits are its own. */
+  /** Builder of the existing transport, which has its own time limits. */
   private record Builder(Transport transport) implements HttpClientBuilder {
 
     @Override

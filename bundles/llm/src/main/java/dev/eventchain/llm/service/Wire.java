@@ -11,16 +11,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** How a service is spoken to. */
+/** Protocols of services. */
 public enum Wire {
-  /** OpenAI itself, which limits the hidden reasoning together with the answer. */
+  /** OpenAI itself, which limits hidden reasoning and answer together. */
   OPENAI("openai", Shape.NESTED) {
     @Override
     StreamingChatModel model(Call call) {
       return openAi(call).maxCompletionTokens(call.maximumTokens()).build();
     }
   },
-  /** Whoever speaks as OpenAI once did: Groq, vLLM, llama.cpp and many more. */
+  /** Services with OpenAI's earlier protocol: Groq, vLLM, llama.cpp and many more. */
   OPENAI_COMPATIBLE("openai-compatible", Shape.NESTED) {
     @Override
     StreamingChatModel model(Call call) {
@@ -42,7 +42,7 @@ public enum Wire {
           .build();
     }
   },
-  /** Anthropic, whose client cuts answers at 1,024 tokens unless it is told otherwise. */
+  /** Anthropic, whose client truncates answers at 1,024 tokens by default. */
   ANTHROPIC("anthropic", Shape.FLAT) {
     @Override
     StreamingChatModel model(Call call) {
@@ -56,7 +56,7 @@ public enum Wire {
           .build();
     }
   },
-  /** Ollama, by its own protocol. */
+  /** Ollama, by its native protocol. */
   OLLAMA("ollama", Shape.NESTED) {
     @Override
     StreamingChatModel model(Call call) {
@@ -74,9 +74,9 @@ public enum Wire {
   };
 
   /**
-   * What a client needs.
+   * Parameters of a client.
    *
-   * @param key empty where the service wants none
+   * @param key empty if the service needs none
    * @param temperature null: left to the service
    * @param seed null: left to the service
    */
@@ -88,7 +88,7 @@ public enum Wire {
       Double temperature,
       Integer seed,
       int maximumTokens) {
-    /** The client libraries refuse to send nothing. */
+    /** Returns the key or a placeholder: the client libraries reject an empty one. */
     String keyOrNone() {
       return key.isEmpty() ? "none" : key;
     }
@@ -103,16 +103,15 @@ public enum Wire {
   }
 
   /**
-   * The shape of the schema that a service takes. Anthropic's knows no recursion, and takes 16
-   * properties with alternatives and 24 that are not required; Gemini's follows a recursion only in
-   * properties that are not required. The others want every property to be required, or turn the
-   * schema into a grammar.
+   * Returns the shape of the service's schemas. Anthropic allows no recursion, and at most 16
+   * properties with alternatives and 24 optional ones; Gemini follows recursion only in optional
+   * properties. The others require every property, or turn the schema into a grammar.
    */
   public Shape shape() {
     return shape;
   }
 
-  /** What is in configurations. */
+  /** Returns the id in configurations. */
   String id() {
     return id;
   }
@@ -125,7 +124,7 @@ public enum Wire {
     return Arrays.stream(values()).filter(wire -> wire.id.equals(id)).findFirst();
   }
 
-  /** A client for one attempt. */
+  /** Returns a client for one attempt. */
   abstract StreamingChatModel model(Call call);
 
   private static OpenAiStreamingChatModel.OpenAiStreamingChatModelBuilder openAi(Call call) {

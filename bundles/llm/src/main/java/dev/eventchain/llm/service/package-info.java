@@ -1,5 +1,4 @@
 /**
- * Services over HTTP: where they are, what they cost, how each is spoken to, and what their
- * failures mean. Knows no recordings.
+ * Services over HTTP: their addresses, prices, protocols and failures. Independent of recordings.
  */
 package dev.eventchain.llm.service;

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Which shape of a schema a model is given, and that its recordings say so. */
+/** The shape of the schema for each model, and in its recordings. */
 class AnswerSchemaTest {
 
   private static final String NESTED =
@@ -46,7 +46,7 @@ class AnswerSchemaTest {
         Sampling.DEFAULT);
   }
 
-  /** Whoever answers by hand-off, the recording is that of the model, and replay finds it. */
+  /** The recording of a hand-off is that of the model, and replay finds it. */
   @ParameterizedTest
   @CsvSource({
     "openai/gpt-5, nested, 3",

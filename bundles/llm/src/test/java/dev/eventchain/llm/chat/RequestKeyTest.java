@@ -12,7 +12,7 @@ import java.util.OptionalInt;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 
-/** What makes two requests the same. */
+/** Equality of requests. */
 class RequestKeyTest {
   private static final ModelName MODEL = ModelName.parse("openai/gpt-4o");
 

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Asking a person through files. */
+/** Hand-off to a person through files. */
 class HandoffTest {
   @TempDir Path folder;
   private Path handoff;

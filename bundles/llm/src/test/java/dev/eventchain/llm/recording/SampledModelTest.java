@@ -22,7 +22,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Several runs that ask the same: each has answers of its own. */
+/** Several runs with the same requests: each has its own answers. */
 class SampledModelTest {
 
   private static final ModelName MODEL = ModelName.parse("openai/gpt-5");
@@ -88,7 +88,7 @@ class SampledModelTest {
   }
 
   /**
-   * As one about a verdict, which shows the component and not the answer that it was taken from.
+   * As for a verdict, whose prompt shows the component and not the answer that it was taken from.
    */
   @Test
   void aConversationThatBeginsOtherwiseTakesAnswersByTheNumberOfTheRun() {

@@ -28,7 +28,7 @@ import org.junit.jupiter.api.extension.BeforeAllCallback;
 import org.junit.jupiter.api.extension.BeforeEachCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
 
-/** A service on this machine that answers as it is told to. */
+/** A local service with prepared responses. */
 public final class FakeService implements BeforeAllCallback, BeforeEachCallback, AfterAllCallback {
 
   public static final String KEY = "sk-secret-0123456789";
@@ -62,7 +62,7 @@ public final class FakeService implements BeforeAllCallback, BeforeEachCallback,
         com.github.tomakehurst.wiremock.client.WireMock.anyRequestedFor(anyUrl()));
   }
 
-  /** Answers each request with a file of this wire. */
+  /** Answers each request with a file in the protocol. */
   public void answers(Wire wire, String file) throws IOException {
     answers(ok(wire, body(wire, file)));
   }

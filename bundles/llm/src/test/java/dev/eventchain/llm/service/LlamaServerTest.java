@@ -42,7 +42,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A real server: what it streams, refuses and limits. */
+/** A real server: its streams, refusals and limits. */
 class LlamaServerTest {
 
   private static final String KEY = "sk-of-this-server";
@@ -118,7 +118,7 @@ class LlamaServerTest {
     assertEquals("tiny-random", response.model());
   }
 
-  /** The schemas of the tasks, in both shapes, with what the example knows. */
+  /** The schemas of the tasks, in both shapes, with the inputs of the example. */
   @ParameterizedTest
   @CsvSource({"design, nested", "design, flat", "model, nested", "model, flat"})
   void theSchemasOfTheTasksAreSatisfied(String task, String shape) throws IOException {
@@ -170,7 +170,7 @@ class LlamaServerTest {
 
   @Test
   void aCancelledAnswerEndsAndTheNextOneComes() {
-    // As soon as a part of the answer is there.
+    // As soon as a part of the answer has arrived.
     ChatModel cancelled = model(KEY, message -> Thread.currentThread().interrupt());
     assertThrows(
         CancellationException.class,
@@ -181,7 +181,7 @@ class LlamaServerTest {
         model().chat(request("Say much.", Optional.of(endless()), 20, 1)).finishReason());
   }
 
-  /** What cannot end soon. */
+  /** Returns a schema whose answer cannot end soon. */
   private static JsonNode endless() {
     try {
       return new ObjectMapper().readTree("{\"type\": \"string\", \"minLength\": 1500}");

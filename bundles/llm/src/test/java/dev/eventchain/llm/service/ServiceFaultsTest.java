@@ -31,7 +31,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** What goes wrong between us and a service: each of it ends in one finding that says what. */
+/** Faults between client and service: each ends in one finding that names it. */
 class ServiceFaultsTest {
 
   @RegisterExtension static final FakeService SERVICE = new FakeService();
@@ -51,7 +51,7 @@ class ServiceFaultsTest {
     return finding(SERVICE.model(wire));
   }
 
-  /** The first response, and then a good one. */
+  /** Gives one response, and then a good one. */
   private void answersThenWell(Wire wire, ResponseDefinitionBuilder first) throws IOException {
     SERVICE
         .server()

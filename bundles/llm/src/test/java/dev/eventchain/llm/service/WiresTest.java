@@ -30,7 +30,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Questions and answers in the format of each kind of SERVICE. */
+/** Requests and answers in the format of each protocol. */
 class WiresTest {
 
   @RegisterExtension static final FakeService SERVICE = new FakeService();

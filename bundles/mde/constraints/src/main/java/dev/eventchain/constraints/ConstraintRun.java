@@ -12,9 +12,9 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * One invariant on all elements it is about, part by part and perhaps by several threads. The
- * findings are those of one thread that goes through the elements in order: at the first element at
- * which the invariant is abandoned, it ends.
+ * The evaluation of one invariant on all its elements, in parts that several threads may share. The
+ * findings are the same as with one thread that checks the elements in order and ends where the
+ * invariant is abandoned.
  */
 final class ConstraintRun {
 
@@ -40,22 +40,22 @@ final class ConstraintRun {
     return elements.size();
   }
 
-  /** Where the invariant is. */
+  /** Returns the location of the invariant. */
   SourceLocation place() {
     return constraint.location();
   }
 
-  /** Whether evaluating the invariant may need a deep stack. */
+  /** Returns whether evaluating the invariant may need a deep stack. */
   boolean isRecursive() {
     return !elements.isEmpty() && DiagnosticException.at(place(), constraint::isRecursive);
   }
 
-  /** How many elements were evaluated, and what that came to. */
+  /** Returns the invariant with the number of elements evaluated. */
   OclResult.Check check() {
     return new OclResult.Check(constraint, Math.min(elements.size(), evaluations));
   }
 
-  /** The findings, once all parts have been evaluated. */
+  /** Returns the findings, once all parts have been evaluated. */
   List<Diagnostic> findings() {
     return found.stream()
         .filter(each -> each.index() <= givenUpAt.get())
@@ -63,11 +63,11 @@ final class ConstraintRun {
         .toList();
   }
 
-  /** Evaluates the invariant on some of its elements; the interruption of the thread ends it. */
+  /** Evaluates the invariant on some of its elements; ends if the thread is interrupted. */
   void evaluate(int from, int to, Evaluation evaluation) {
     evaluation.withBudget(budget);
     if (evaluation.isOutOfTime() && !Thread.currentThread().isInterrupted()) {
-      // What was to be evaluated before this part, or alongside it, took all the time there is.
+      // Parts evaluated before or alongside this one have used up the time.
       give(from, from, findings.limit(constraint, elements, from, limit(budget.shortage())));
       return;
     }
@@ -82,7 +82,7 @@ final class ConstraintRun {
     }
   }
 
-  /** What wants more memory than is available must not end the other constraints, too. */
+  /** Evaluates; running out of memory must not end the other constraints. */
   private Object valueFor(Object element, Evaluation evaluation) {
     try {
       return constraint.evaluate(element, evaluation);
@@ -99,7 +99,7 @@ final class ConstraintRun {
     Object element = elements.get(index);
     Object known = value;
     if (isLimit(value) && !evaluation.ranOutOfTime()) {
-      // The stack of this thread may be what was too small.
+      // The stack of this thread may have been too small.
       known = DeepStack.call(() -> valueFor(element, evaluation));
     }
     if (Boolean.TRUE.equals(known)) {

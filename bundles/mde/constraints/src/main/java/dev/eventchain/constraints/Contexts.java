@@ -22,7 +22,7 @@ import org.eclipse.emf.ecore.resource.Resource;
 /** Finds the metamodels, packages and classes that rule documents name. */
 final class Contexts {
 
-  /** Where Eclipse OCL keeps the standard library, which is always there. */
+  /** URI of the standard library in Eclipse OCL, which is always available. */
   private static final String STANDARD_LIBRARY = "http://www.eclipse.org/ocl/";
 
   private final PackageIndex packages;
@@ -75,8 +75,7 @@ final class Contexts {
   }
 
   /**
-   * The class or data type that a clause is about; a problem if there is not exactly one of its
-   * name.
+   * Finds the class or data type of a clause; reports a problem unless exactly one has its name.
    */
   Optional<ResolvedClause> resolve(RuleDocument.Clause clause) {
     return classifierOf(clause.packagePath(), clause.context())
@@ -88,7 +87,7 @@ final class Contexts {
                     contextPackage(clause.packagePath()).orElse(context.getEPackage())));
   }
 
-  /** The operation or feature that a context names; a problem if its class has none of its own. */
+  /** Finds the operation or feature that a context names; reports it if its class has none. */
   Optional<ETypedElement> resolve(MemberContext member) {
     Optional<EClass> owner =
         classifierOf(member.packagePath(), member.owner())

@@ -14,9 +14,9 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The files of rule documents that others import: {@code import 'other.ocl'}. A path is one from
- * the importing document; of a URI, which means a place in a workspace, the file of that name next
- * to the importing document.
+ * The files that rule documents import: {@code import 'other.ocl'}. A path is relative to the
+ * importing document. A URI, which names a place in a workspace, stands for the file of that name
+ * next to the importing document.
  */
 final class DocumentImports {
 
@@ -27,7 +27,7 @@ final class DocumentImports {
 
   private DocumentImports() {}
 
-  /** Files, and after them those that they import, each once. */
+  /** Returns the files and then those that they import, each once. */
   static List<Path> files(List<Path> given) {
     List<Path> files = new ArrayList<>();
     Set<Path> seen = new HashSet<>();
@@ -52,7 +52,7 @@ final class DocumentImports {
     return RuleDocument.read(SourceText.read(document), new ArrayList<>()).imports();
   }
 
-  /** Whether an import names one of some documents. */
+  /** Returns whether an import names one of the documents. */
   static boolean names(Import wanted, List<String> documents) {
     Optional<Path> file = fileOf(wanted, Path.of(wanted.location().file()));
     return file.isPresent()
@@ -60,12 +60,12 @@ final class DocumentImports {
             .anyMatch(each -> identity(Path.of(each)).equals(identity(file.get())));
   }
 
-  /** Whether an import is to name a document of rules. */
+  /** Returns whether the target of an import is a rule document. */
   static boolean isDocument(String target) {
     return target.endsWith(EXTENSION);
   }
 
-  /** The file that an import means; empty if it is none of rules. */
+  /** Returns the file that an import means; empty if that is no rule document. */
   private static Optional<Path> fileOf(Import wanted, Path importer) {
     String target = wanted.target();
     if (!isDocument(target)) {

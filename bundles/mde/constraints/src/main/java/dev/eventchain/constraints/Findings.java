@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.function.Function;
 import org.eclipse.emf.ecore.EObject;
 
-/** Puts into words what the evaluation of invariants found. */
+/** Builds the findings of the evaluation of invariants. */
 final class Findings {
 
   private static final Invalid IS_NULL =
@@ -21,20 +21,20 @@ final class Findings {
   /**
    * Makes findings about a model.
    *
-   * @param locator tells where an element is; only asked for what is found
+   * @param locator returns the location of an element; only called for findings
    */
   Findings(Function<EObject, SourceLocation> locator) {
     this.locator = locator;
   }
 
-  /** Those who locate need not be safe for threads. */
+  /** Serializes calls of the locator, which need not be thread-safe. */
   private SourceLocation locate(Object subject) {
     synchronized (locator) {
       return locator.apply(HeldValue.element(subject));
     }
   }
 
-  /** An element for which an invariant is false. */
+  /** Returns the finding for an element for which an invariant is false. */
   Diagnostic violated(OclConstraint constraint, Object subject, Evaluation evaluation) {
     return new Diagnostic(
         "ocl.violated",
@@ -47,8 +47,8 @@ final class Findings {
   }
 
   /**
-   * An element for which an invariant is neither true nor false: an error, however bad a violation
-   * would be, since nothing was checked.
+   * Returns the finding for an element for which an invariant is neither true nor false: an error
+   * whatever the severity, since nothing was checked.
    */
   Diagnostic undefined(OclConstraint constraint, Object subject, Object value) {
     Invalid invalid = value instanceof Invalid reason ? reason : IS_NULL;
@@ -78,10 +78,10 @@ final class Findings {
   }
 
   /**
-   * An invariant that was abandoned at an element.
+   * Returns the finding for an invariant that was abandoned at an element.
    *
-   * @param index of the element: those before it were checked
-   * @param limit what it went beyond
+   * @param index index of the element; those before it were checked
+   * @param limit the limit that was exceeded
    */
   Diagnostic limit(OclConstraint constraint, List<?> elements, int index, Invalid limit) {
     return new Diagnostic(
@@ -102,7 +102,7 @@ final class Findings {
         List.of(locate(elements.get(index))));
   }
 
-  /** What is said if no invariant was evaluated on any element. */
+  /** Returns the finding if no invariant was evaluated on any element. */
   static Diagnostic nothingEvaluated(OclRules rules, int elements) {
     List<String> documents = rules.documents();
     int constraints = rules.constraints().size();

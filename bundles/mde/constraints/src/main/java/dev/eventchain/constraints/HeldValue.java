@@ -10,15 +10,14 @@ import org.eclipse.emf.ecore.EDataType;
 import org.eclipse.emf.ecore.EObject;
 
 /**
- * A value of an attribute, which the constraints of its data type are evaluated on. Those of a
- * class are evaluated on the objects themselves, so both may be in a list of what a constraint is
- * about.
+ * An attribute value, as the subject of constraints of its data type. Constraints of a class have
+ * the objects themselves as subjects, so a list of subjects may hold both.
  *
  * @param value as the model has it
  */
 record HeldValue(EObject holder, EAttribute attribute, Object value) {
 
-  /** The values of a data type that objects store. */
+  /** Returns the values of a data type that the objects store. */
   static List<HeldValue> of(EDataType type, Collection<? extends EObject> objects) {
     List<HeldValue> held = new ArrayList<>();
     for (EObject object : objects) {
@@ -42,17 +41,17 @@ record HeldValue(EObject holder, EAttribute attribute, Object value) {
     }
   }
 
-  /** What {@code self} is for a subject of a constraint. */
+  /** Returns the value of {@code self} for a subject. */
   static Object self(Object subject) {
     return subject instanceof HeldValue held ? held.value() : subject;
   }
 
-  /** The object that a finding about a subject is about. */
+  /** Returns the object that findings about a subject refer to. */
   static EObject element(Object subject) {
     return subject instanceof HeldValue held ? held.holder() : (EObject) subject;
   }
 
-  /** What messages call a subject. */
+  /** Returns the label of a subject in messages. */
   static String label(Object subject) {
     return subject instanceof HeldValue held
         ? "%s %s of %s"

@@ -9,7 +9,7 @@ import java.util.List;
  * @param owner the class
  * @param name of the operation or feature
  * @param parameters the names of an operation's parameters; {@code null} for a feature
- * @param text the expression; {@code null} where nothing says yet what is computed
+ * @param text the expression; {@code null} if there is none yet
  */
 record MemberContext(
     RuleDocument.Path packagePath,

@@ -19,7 +19,7 @@ import java.util.stream.Collectors;
 import org.eclipse.emf.common.util.Enumerator;
 import org.eclipse.emf.ecore.EObject;
 
-/** A message with expressions in braces, which are evaluated on the element it is about. */
+/** A message with expressions in braces, evaluated on the element of the finding. */
 final class MessageTemplate {
 
   /** A piece of text, or an expression. */
@@ -80,12 +80,12 @@ final class MessageTemplate {
     return closing == tokens.size() ? -1 : open + tokens.start(closing);
   }
 
-  /** The expressions in braces. */
+  /** Returns the expressions in braces. */
   List<Expression> expressions() {
     return parts.stream().map(Part::expression).filter(Objects::nonNull).toList();
   }
 
-  /** The message about the element that the run has bound to {@code self}. */
+  /** Returns the message about the element that the run has bound to {@code self}. */
   String render(Evaluation run) {
     StringBuilder result = new StringBuilder();
     for (Part part : parts) {

@@ -23,12 +23,10 @@ import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.ETypedElement;
 
-/** The invariants that metamodels hold, as if a document had stated them, and their expressions. */
+/** Reads the invariants and expressions in the annotations of metamodels. */
 final class MetamodelRules {
 
-  /**
-   * {@code Tuple{status = ..., message = ...}.status}, in which the Pivot dialect has a message.
-   */
+  /** {@code Tuple{status = ..., message = ...}.status}: the Pivot dialect's form with a message. */
   private static final Pattern STATUS_OF_TUPLE =
       Pattern.compile(
           "\\s*(Tuple\\s*\\{.*\\bmessage\\b.*\\}\\s*\\.\\s*)status\\s*", Pattern.DOTALL);
@@ -48,10 +46,10 @@ final class MetamodelRules {
   }
 
   /**
-   * Reads the annotations of all packages of a language; bodies of operations and derivations of
-   * features are parsed, so that an error in one is found though nothing uses it.
+   * Reads the annotations of all packages of a language. Bodies of operations and derivations of
+   * features are parsed even if nothing uses them, to find their errors.
    *
-   * @param places where elements of the metamodels are
+   * @param places returns the location of an element of a metamodel
    */
   static List<ResolvedClause> read(
       ExpressionLanguage language,
@@ -158,7 +156,7 @@ final class MetamodelRules {
     return new ResolvedClause(clause, type, type.getEPackage());
   }
 
-  /** The expression for the message; null if there is none. */
+  /** Returns the expression for the message; null if there is none. */
   private SourceRange message(EClassifier type, OclAnnotations.Text text) {
     Matcher tuple = STATUS_OF_TUPLE.matcher(text.value());
     if (tuple.matches()) {

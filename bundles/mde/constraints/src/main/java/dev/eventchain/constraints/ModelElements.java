@@ -8,7 +8,7 @@ import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EDataType;
 
-/** What constraints are about in a model, in the order of the model. */
+/** The subjects of constraints in a model, in model order. */
 final class ModelElements {
 
   private final Evaluation model;
@@ -18,7 +18,7 @@ final class ModelElements {
     this.model = model;
   }
 
-  /** What constraints of a class or a data type are about: its instances, or its values. */
+  /** Returns the instances of a class or the values of a data type. */
   List<?> subjectsOf(EClassifier type) {
     return subjects.computeIfAbsent(type, this::find);
   }

@@ -13,10 +13,10 @@ import java.util.Set;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EObject;
 
-/** An invariant that was parsed and checked. Immutable and thread-safe. */
+/** A parsed and checked invariant. Immutable and thread-safe. */
 public final class OclConstraint {
 
-  /** What an invariant is for an element. */
+  /** The result of an invariant for an element. */
   public enum Verdict {
     TRUE,
     FALSE,
@@ -46,7 +46,7 @@ public final class OclConstraint {
     this.location = location;
   }
 
-  /** The name; one that was not given a name has {@code inv} and its number in its class. */
+  /** Returns the name; an unnamed invariant has {@code inv} and its number in its class. */
   public String name() {
     return name;
   }
@@ -56,52 +56,52 @@ public final class OclConstraint {
     return context.getName() + "::" + name;
   }
 
-  /** The class whose instances it constrains, or the data type whose values. */
+  /** Returns the class or data type whose instances or values it constrains. */
   public EClassifier context() {
     return context;
   }
 
-  /** How bad a violation is. */
+  /** Returns the severity of violations. */
   public Severity severity() {
     return comments.severity();
   }
 
-  /** What to do about a violation; empty if the rules do not say. */
+  /** Returns the hint for violations; empty if the rules have none. */
   public String hint() {
     return comments.hint();
   }
 
   /**
-   * Which of these ids its comment names, so that a reader can tell what it stands for: the lines
-   * and blocks right above it, but for {@code @message} and the other annotations; or, if those
-   * name none, the comment right above its context, which then is about all of its invariants.
-   * Where it is in several documents, the comments of all of them count.
+   * Returns those ids that its comment names, to trace it to written rules. The comment is that
+   * right above it, without {@code @message} and the other annotations. If that names none, the
+   * comment right above its context counts, for all invariants of the context. If several documents
+   * contain the invariant, the comments in all of them count.
    *
-   * @param ids as of written rules; one is not found inside another
+   * @param ids such as ids of written rules; matched as whole words
    */
   public Set<String> named(Collection<String> ids) {
     return comments.named(ids);
   }
 
-  /** Where it is. */
+  /** Returns its location. */
   public SourceLocation location() {
     return location;
   }
 
   /**
-   * The features it reads, also by way of definitions, in the order of first mention: what a change
-   * of the model must touch to change the verdict.
+   * Returns the features it reads, also through definitions, in the order of first mention. Only a
+   * change of these can change the verdict.
    */
   public List<Expression.Navigation> navigations() {
     return condition.navigations();
   }
 
   /**
-   * Evaluates it on one element; undefined also if there is not the time for that.
+   * Evaluates it on one element; undefined also if the time runs out.
    *
    * @param element an instance of {@link #context}, which is a class; extents cover its whole
    *     resource set
-   * @param budget what the time is taken from
+   * @param budget the time budget
    */
   public Verdict evaluate(EObject element, TimeBudget budget) {
     Object value = evaluate(element, Evaluations.over(List.of(element)).withBudget(budget));
@@ -111,13 +111,13 @@ public final class OclConstraint {
     return Verdict.UNDEFINED;
   }
 
-  /** Whether evaluating it may need a deep stack. */
+  /** Returns whether evaluating it may need a deep stack. */
   boolean isRecursive() {
     return condition.isRecursive();
   }
 
   /**
-   * The value for an object, or for a value of a data type: a Boolean, null, or an {@link Invalid}.
+   * Returns the value for an object or a data type value: a Boolean, null, or an {@link Invalid}.
    */
   Object evaluate(Object subject, Evaluation run) {
     run.bind("self", HeldValue.self(subject));
@@ -128,7 +128,7 @@ public final class OclConstraint {
     }
   }
 
-  /** What to say of an object or a value that violates it. */
+  /** Returns the message for an object or a value that violates it. */
   String messageFor(Object subject, Evaluation run) {
     run.bind("self", HeldValue.self(subject));
     try {

@@ -4,36 +4,36 @@ import dev.eventchain.diagnostics.Diagnostic;
 import java.util.List;
 
 /**
- * What a validation found.
+ * The result of a validation.
  *
- * @param elements how many elements the model has
- * @param checks the invariants there were to evaluate, in the order of the rules, those included
- *     that are about no element of the model
+ * @param elements the number of elements in the model
+ * @param checks the invariants in the order of the rules, including those without any element in
+ *     the model
  * @param diagnostics the findings about the rules and then about the model, each in the order of
  *     places
  */
 public record OclResult(int elements, List<Check> checks, List<Diagnostic> diagnostics) {
 
   /**
-   * An invariant and what was done with it.
+   * An invariant and the number of its evaluations.
    *
-   * @param evaluations on how many elements it was evaluated; fewer than there are if it was given
-   *     up
+   * @param evaluations the number of elements it was evaluated on; fewer than there are if it was
+   *     abandoned
    */
   public record Check(OclConstraint constraint, long evaluations) {}
 
-  /** Keeps the lists from changing. */
+  /** Copies the lists. */
   public OclResult {
     checks = List.copyOf(checks);
     diagnostics = List.copyOf(diagnostics);
   }
 
-  /** How many invariants there were to evaluate. */
+  /** Returns the number of invariants. */
   public int constraints() {
     return checks.size();
   }
 
-  /** How often an invariant was evaluated on an element. */
+  /** Returns the number of evaluations of all invariants. */
   public long evaluations() {
     return checks.stream().mapToLong(Check::evaluations).sum();
   }

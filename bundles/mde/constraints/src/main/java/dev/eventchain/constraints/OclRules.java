@@ -21,11 +21,11 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
  * Invariants and definitions from Complete OCL documents, parsed and checked against metamodels.
  * Immutable and thread-safe.
  *
- * <p>A document may do without {@code package} clause; its classes are then looked for in all given
- * packages. {@code import} lines must name a given metamodel or document. A definition can be used before it
- * and in other documents. An invariant that is in several documents word for word counts once.
- * Comments above an invariant say how its violations are reported: {@code --
- * @severity warning}, {@code -- @message {self.name} is wrong}, {@code -- @hint ...}.
+ * <p>Without a {@code package} clause, the classes of a document are looked up in all given
+ * packages. {@code import} lines must name a given metamodel or document. A definition can be used
+ * before its declaration and in other documents. An identical invariant in several documents counts
+ * once. Comments above an invariant set how its violations are reported: {@code -- @severity
+ * warning}, {@code -- @message {self.name} is wrong}, {@code -- @hint ...}.
  */
 public final class OclRules {
 
@@ -41,8 +41,8 @@ public final class OclRules {
   }
 
   /**
-   * The files of documents and of those that they import, {@code import 'other.ocl'}: each once,
-   * the given ones first. An import that is not a file is left to {@link #parse}, which reports it.
+   * Returns documents and those that they import, {@code import 'other.ocl'}: each once, the given
+   * ones first. An import that is not a file is left to {@link #parse}, which reports it.
    *
    * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if a file cannot be read
    */
@@ -54,7 +54,7 @@ public final class OclRules {
    * Parses and checks documents.
    *
    * @param documents the documents, which see each other's definitions
-   * @param packages the metamodels that they may name; nested packages need not be listed
+   * @param packages the metamodels; nested packages need not be listed
    * @return the rules without those that have an error; {@link #diagnostics()} has the errors
    */
   public static OclRules parse(List<SourceText> documents, Collection<EPackage> packages) {
@@ -62,10 +62,10 @@ public final class OclRules {
   }
 
   /**
-   * As {@link #parse(List, Collection)}, with the invariants that the metamodels hold in
-   * annotations: first those, then the documents'.
+   * As {@link #parse(List, Collection)}, preceded by the invariants in annotations of the
+   * metamodels.
    *
-   * @param places where elements of the metamodels are
+   * @param places returns the location of an element of a metamodel
    */
   public static OclRules parse(
       List<SourceText> documents,
@@ -74,29 +74,29 @@ public final class OclRules {
     return new RuleParser(ExpressionLanguage.of(packages)).parse(documents, places);
   }
 
-  /** All errors and warnings of the documents, in the order of their places. */
+  /** Returns all errors and warnings of the documents, in the order of their places. */
   public List<Diagnostic> diagnostics() {
     return diagnostics;
   }
 
-  /** The names of the documents. */
+  /** Returns the names of the documents. */
   List<String> documents() {
     return documents;
   }
 
-  /** The invariants without errors, in the order of the documents. */
+  /** Returns the invariants without errors, in the order of the documents. */
   public List<OclConstraint> constraints() {
     return constraints;
   }
 
-  /** The qualified names of the invariants without errors: {@code Class::Name}. */
+  /** Returns the qualified names of the invariants without errors: {@code Class::Name}. */
   public List<String> constraintNames() {
     return constraints.stream().map(OclConstraint::qualifiedName).toList();
   }
 
   /**
-   * Whether some invariant is about an element, one inside it, or a value that one of them stores.
-   * Ends at the first such element.
+   * Returns whether some invariant applies to an element, its contents, or a value that one of them
+   * stores. Stops at the first such element.
    */
   public boolean areAbout(EObject root) {
     List<EClassifier> contexts =
@@ -112,7 +112,7 @@ public final class OclRules {
         : type.isInstance(element);
   }
 
-  /** The invariant of this qualified name. */
+  /** Returns the invariant of a qualified name. */
   public Optional<OclConstraint> constraint(String qualifiedName) {
     return constraints.stream().filter(c -> c.qualifiedName().equals(qualifiedName)).findFirst();
   }

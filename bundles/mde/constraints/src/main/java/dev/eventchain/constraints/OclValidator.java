@@ -33,10 +33,10 @@ public final class OclValidator {
    */
   public static final Duration TIME_LIMIT = Duration.ofSeconds(30);
 
-  /** How many invariants may take all of their time. */
+  /** Number of invariants that may use up their time. */
   private static final int SLOW_CONSTRAINTS = 4;
 
-  /** Below this, threads cost more than they save. */
+  /** Number of evaluations below which threads cost more than they save. */
   private static final long FEW_EVALUATIONS = 10_000;
 
   private static final int LARGEST_PART = 4096;
@@ -58,8 +58,8 @@ public final class OclValidator {
   }
 
   /**
-   * A validator that gives each invariant 30 seconds of processor time for a whole model, and uses
-   * all processors for a large one.
+   * Returns a validator that gives each invariant 30 seconds of processor time for a whole model,
+   * and uses all processors for a large one.
    */
   public static OclValidator of(OclRules rules) {
     int processors = Runtime.getRuntime().availableProcessors();
@@ -67,22 +67,22 @@ public final class OclValidator {
   }
 
   /**
-   * The same validator with another limit.
+   * Returns the same validator with another limit.
    *
    * @param limit the processor time of each invariant on a whole model; all of them together may
-   *     take four times as much
+   *     take four times as long
    */
   public OclValidator withTimeLimit(Duration limit) {
     return new OclValidator(rules, limit, threads, clock);
   }
 
-  /** The same validator with other clocks. */
+  /** Returns the same validator with other clocks. */
   OclValidator withClock(TimeBudget.Clock other) {
     return new OclValidator(rules, timeLimit, threads, other);
   }
 
   /**
-   * The same validator with another number of threads for large models.
+   * Returns the same validator with another number of threads for large models.
    *
    * @throws IllegalArgumentException if it is less than one
    */
@@ -94,12 +94,12 @@ public final class OclValidator {
   }
 
   /**
-   * Evaluates every invariant on every element it is about.
+   * Evaluates every invariant on all its elements.
    *
    * @param roots the roots of the models, whose elements are checked; {@code allInstances()} covers
    *     their whole resource sets
-   * @param locator tells where an element is; asked for one finding at a time
-   * @return the findings, those of the rules themselves included
+   * @param locator returns the location of an element; called for one finding at a time
+   * @return the findings, including those of the rules themselves
    * @throws IllegalStateException if the thread is interrupted meanwhile
    */
   public OclResult validate(
@@ -166,7 +166,7 @@ public final class OclValidator {
     }
   }
 
-  /** Small enough that all workers end at about the same time. */
+  /** Returns a size so small that all workers end at about the same time. */
   private static int partSize(int elements, int workers) {
     return Math.max(SMALLEST_PART, Math.min(LARGEST_PART, elements / (workers * 4) + 1));
   }

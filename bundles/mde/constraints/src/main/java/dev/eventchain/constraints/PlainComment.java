@@ -7,8 +7,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What the comment right above a clause says to people: its lines without the annotations, and its
- * blocks. A blank line parts it from what is above; a comment after other code is not above.
+ * The text of the comment right above a clause: its lines without the annotations, and its blocks.
+ * A blank line ends it; a comment after other code on its line does not belong to it.
  */
 final class PlainComment {
 
@@ -24,12 +24,12 @@ final class PlainComment {
 
   private PlainComment() {}
 
-  /** The text of the comment at the end of a part of a document that holds comments only. */
+  /** Returns the text of the comment at the end of a part that contains only comments. */
   static String in(SourceRange part) {
     return new PlainComment().read(part);
   }
 
-  /** Which of these ids a text holds as a separate word, in the order given. */
+  /** Returns those ids that a text contains as a separate word, in the order given. */
   static List<String> named(String text, Collection<String> ids) {
     return ids.stream()
         .filter(
@@ -48,7 +48,7 @@ final class PlainComment {
       if (piece.isBlank()) {
         long lines = LINE_END.matcher(piece).results().count();
         above |= lines > 0;
-        // The line break after a line comment is the first of these.
+        // The first line break ends a line comment.
         if (lines > 1) {
           text.setLength(0);
           annotated = false;

@@ -10,14 +10,14 @@ import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EPackage;
 
 /**
- * An invariant or a definition and what its names mean.
+ * An invariant or a definition with its resolved names.
  *
- * @param context the class or data type it is about
+ * @param context its class or data type
  * @param contextPackage the package whose types come first
  */
 record ResolvedClause(RuleDocument.Clause clause, EClassifier context, EPackage contextPackage) {
 
-  /** In an empty one of the language: {@code self}, and its other name if there is one. */
+  /** Returns the scope with {@code self} and its alias, if there is one. */
   Scope scope(ExpressionLanguage language) {
     Scope scope = language.root().in(contextPackage).with("self", context);
     String alias = clause.alias();
@@ -36,12 +36,12 @@ record ResolvedClause(RuleDocument.Clause clause, EClassifier context, EPackage 
     return clause.location();
   }
 
-  /** The text, whatever its white space and comments. */
+  /** Returns the text without white space and comments. */
   private String words() {
     return new Tokens(clause.text().text()).words();
   }
 
-  /** Whether another clause says the same in another document, which is not a fault. */
+  /** Returns whether another clause is the same in another document, which is no fault. */
   boolean repeats(ResolvedClause other) {
     return source() != other.source() && words().equals(other.words());
   }

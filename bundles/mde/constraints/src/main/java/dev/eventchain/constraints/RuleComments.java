@@ -15,9 +15,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What the comments above an invariant say about its findings: {@code -- @severity warning}, {@code
- * -- @message text with {expressions}}, {@code -- @hint text}. A comment line that follows and
- * starts with more than one space continues with the text.
+ * The annotations in the comments above an invariant: {@code -- @severity warning}, {@code
+ * -- @message text with {expressions}}, {@code -- @hint text}. A following comment line that starts
+ * with more than one space continues the text.
  */
 final class RuleComments {
 
@@ -45,19 +45,19 @@ final class RuleComments {
     this.context = PlainComment.in(clause.contextComment());
   }
 
-  /** Reads the comments above an invariant and above its context; the invariant's own win. */
+  /** Reads the comments above an invariant and its context; the invariant's own have priority. */
   static RuleComments read(RuleDocument.Clause clause, List<Diagnostic> problems) {
     RuleComments comments = new RuleComments(clause, problems);
     clause.comments().forEach(comments::readBlock);
     return comments;
   }
 
-  /** Takes in the comments above the same invariant in another document. */
+  /** Adds the comments above the same invariant in another document. */
   void addRepeated(RuleDocument.Clause clause) {
     repeated.add(new RuleComments(clause, new ArrayList<>()));
   }
 
-  /** Which of these ids the invariant's comment names, or else the comment of its context. */
+  /** Returns those ids that the invariant's comment names, or else the comment of its context. */
   Set<String> named(Collection<String> ids) {
     List<String> byItself = PlainComment.named(own, ids);
     Set<String> named =
@@ -82,22 +82,22 @@ final class RuleComments {
     last = "";
   }
 
-  /** How bad a violation is. */
+  /** Returns the severity of violations. */
   Severity severity() {
     return severity;
   }
 
-  /** The text of the message; empty for the default. */
+  /** Returns the text of the message; empty for the default. */
   String message() {
     return message.toString();
   }
 
-  /** The first line of the message as written; {@code null} if there is none. */
+  /** Returns the first line of the message as written; {@code null} if there is none. */
   SourceRange messageStart() {
     return messageStart;
   }
 
-  /** The hint; empty if there is none. */
+  /** Returns the hint; empty if there is none. */
   String hint() {
     return hint.toString();
   }

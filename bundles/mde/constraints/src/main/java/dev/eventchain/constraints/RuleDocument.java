@@ -10,12 +10,12 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Takes a Complete OCL document apart, so that each constraint is parsed on its own and an error in
- * one does not hide those in others.
+ * Splits a Complete OCL document into clauses that are parsed separately, so that an error in one
+ * does not hide those in others.
  */
 final class RuleDocument {
 
-  /** A qualified name and where it is. */
+  /** A qualified name and its location. */
   record Path(List<String> names, SourceLocation location) {
     @Override
     public String toString() {
@@ -26,16 +26,16 @@ final class RuleDocument {
   /**
    * An invariant or a definition.
    *
-   * @param definition whether it is a definition
+   * @param definition true for a definition
    * @param packagePath the package clause around it; {@code null} if there is none
-   * @param context the class it is about
+   * @param context the name of its class
    * @param alias another name of {@code self}; empty if there is none
    * @param name its name; empty if it has none
-   * @param location where its keyword is
-   * @param text its expression; all of it for a definition
+   * @param location the place of its keyword
+   * @param text its expression; the whole clause for a definition
    * @param message the expression for its message; {@code null} if there is none
-   * @param comments where the comments above it are; those above the context, for its first one
-   * @param contextComment where the comment above its context stands
+   * @param comments the text with the comments above it; for the first clause, above the context
+   * @param contextComment the text that ends with the comment above its context
    */
   record Clause(
       boolean definition,
@@ -49,18 +49,18 @@ final class RuleDocument {
       List<SourceRange> comments,
       SourceRange contextComment) {
 
-    /** Where the comment right above it stands. */
+    /** Returns the text that ends with the comment right above it. */
     SourceRange ownComment() {
       return comments.get(comments.size() - 1);
     }
   }
 
-  /** What says how a member is computed, or is about what happens while a program runs. */
+  /** Keywords of bodies, and of conditions about running programs. */
   private static final Set<String> CONDITIONS = Set.of("pre", "post", "body", "init", "derive");
 
   private static final Set<String> COMPUTING = Set.of("body", "derive");
 
-  /** A keyword after one of these is a name inside an expression. */
+  /** Tokens after which a keyword is a name inside an expression. */
   private static final Set<String> BEFORE_NAMES =
       Set.of(".", "->", "::", "^", ",", "(", "{", "|", "let");
 
@@ -89,7 +89,7 @@ final class RuleDocument {
     this.problems = problems;
   }
 
-  /** Takes a document apart; what is neither an invariant nor a definition becomes a problem. */
+  /** Reads a document; clauses other than invariants and definitions are reported as problems. */
   static RuleDocument read(SourceText source, List<Diagnostic> problems) {
     RuleDocument document = new RuleDocument(source, problems);
     int comment = document.tokens.unclosedComment();
@@ -112,12 +112,12 @@ final class RuleDocument {
     return clauses;
   }
 
-  /** The operations and features that the document computes. */
+  /** Returns the operations and features that the document computes. */
   List<MemberContext> members() {
     return members;
   }
 
-  /** How many conditions are about running programs: {@code pre}, {@code post}, {@code init}. */
+  /** Returns the number of runtime conditions: {@code pre}, {@code post}, {@code init}. */
   int unchecked() {
     return unchecked;
   }
@@ -213,7 +213,7 @@ final class RuleDocument {
     }
   }
 
-  /** {@code context b : Book}. */
+  /** Reads {@code context b : Book}. */
   private void readNamedContext(Path variable) {
     at++;
     SourceRange comments = contextComments;
@@ -225,9 +225,7 @@ final class RuleDocument {
     skipToClause(at);
   }
 
-  /**
-   * {@code context Book::lend(to : MemberContext) : Boolean}, {@code context Book::title : String}.
-   */
+  /** Reads {@code Book::lend(to : MemberContext) : Boolean} or {@code Book::title : String}. */
   private void readMember(Path path) {
     List<String> parameters = tokens.is(at, "(") ? new ArrayList<>() : null;
     int depth = 0;
@@ -268,7 +266,7 @@ final class RuleDocument {
     return new Path(List.copyOf(names), location);
   }
 
-  /** A name, which may be quoted: {@code _'in'}. */
+  /** Reads a name, which may be quoted: {@code _'in'}. */
   private String name() {
     String name = tokens.text(at++);
     if (name.equals("_") && tokens.touches(at - 1) && tokens.isString(at)) {
@@ -295,7 +293,7 @@ final class RuleDocument {
     add(false, name, keyword, start, message);
   }
 
-  /** {@code (expression)} after an invariant's name; null if there is none. */
+  /** Reads {@code (expression)} after an invariant's name; null if there is none. */
   private SourceRange readMessage() {
     if (!tokens.is(at, "(")) {
       return null;
@@ -341,12 +339,12 @@ final class RuleDocument {
     contextIsNew = false;
   }
 
-  /** What is between a token and the one before it. */
+  /** Returns the text between a token and the one before it. */
   private SourceRange before(int token) {
     return source.range(tokens.endBefore(token), tokens.start(token));
   }
 
-  /** The end of the last token before the next clause. */
+  /** Returns the end of the last token before the next clause. */
   private int endOfClause(int start) {
     return Math.max(start, tokens.endBefore(at));
   }
@@ -377,7 +375,7 @@ final class RuleDocument {
     };
   }
 
-  /** {@code import name : 'uri'}, {@code import a::b}. */
+  /** Returns whether the import has the form {@code import name : 'uri'} or {@code import a::b}. */
   private boolean isNamedImport(int index) {
     return tokens.isName(index + 1)
         && (tokens.is(index, "import")

@@ -44,9 +44,9 @@ final class RuleParser {
   }
 
   /**
-   * Parses documents, and what the metamodels hold themselves.
+   * Parses documents and the annotations of the metamodels.
    *
-   * @param places where elements of the metamodels are
+   * @param places returns the location of an element of a metamodel
    */
   OclRules parse(List<SourceText> documents, Function<EObject, SourceLocation> places) {
     return parse(documents, MetamodelRules.read(language, places, problems));
@@ -57,8 +57,8 @@ final class RuleParser {
   }
 
   /**
-   * Reads all documents before any invariant: what they compute may use what they define, and what
-   * the metamodels state may read it.
+   * Reads the members and definitions of all documents before any invariant, since invariants, also
+   * those of the metamodels, may use them.
    */
   private OclRules parse(List<SourceText> documents, List<ResolvedClause> embedded) {
     List<String> names = documents.stream().map(SourceText::name).toList();
@@ -97,7 +97,7 @@ final class RuleParser {
     return resolve(parsed, documents);
   }
 
-  /** The clauses whose classes are known; members that the document computes are kept. */
+  /** Returns the clauses whose classes are known, and stores the members of the document. */
   private List<ResolvedClause> resolve(RuleDocument document, List<String> documents) {
     members.addAll(document.members());
     document.imports().forEach(each -> contexts.check(each, documents));
@@ -119,7 +119,7 @@ final class RuleParser {
             element -> language.implement(element, member.parameters(), member.text(), problems));
   }
 
-  /** Says that there are conditions that nothing checks. */
+  /** Returns the finding that some conditions are not checked. */
   static Diagnostic unchecked(int conditions, SourceLocation place) {
     return Diagnostic.info(
         "ocl.condition.unchecked",
@@ -128,7 +128,7 @@ final class RuleParser {
         place);
   }
 
-  /** If all documents are empty, nothing is evaluated, which is said then. */
+  /** Returns the finding for an empty document; reported unless all documents are empty. */
   private static Diagnostic empty(SourceText document) {
     boolean blank = document.text().isBlank();
     return Diagnostic.error(
@@ -182,7 +182,7 @@ final class RuleParser {
         .filter(expression -> isBoolean(expression, name, resolved));
   }
 
-  /** Whether each feature that an invariant reads is stored, or computed by an expression. */
+  /** Returns whether each feature that an invariant reads is stored or has an expression. */
   private boolean isKnown(Expression condition, ResolvedClause resolved) {
     Optional<EStructuralFeature> missing =
         condition.navigations().stream()
@@ -206,7 +206,10 @@ final class RuleParser {
     return given.isEmpty() ? "inv" + unnamed.merge(resolved.context(), 1, Integer::sum) : given;
   }
 
-  /** Whether a name is new; the same words in another document are no fault, but count once. */
+  /**
+   * Returns whether a name is new; identical clauses in other documents are allowed, but count
+   * once.
+   */
   private boolean isNew(ResolvedClause resolved, String name) {
     ResolvedClause first = names.putIfAbsent(qualified(resolved, name), resolved);
     if (first == null) {

@@ -1,5 +1,5 @@
 /**
- * Complete OCL documents on any Ecore model: what invariants and definitions they and the
- * metamodels state, whether a model keeps them, and what is said of an element that does not.
+ * Validation of models of any Ecore metamodel by Complete OCL documents: invariants and definitions
+ * of documents and metamodels, their evaluation, and the findings.
  */
 package dev.eventchain.constraints;

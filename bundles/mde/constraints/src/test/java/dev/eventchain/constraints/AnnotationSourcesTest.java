@@ -17,7 +17,7 @@ import org.eclipse.emf.ecore.EcoreFactory;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.junit.jupiter.api.Test;
 
-/** Which annotations of a metamodel are read, and what they may use. */
+/** Tests the annotations of a metamodel that are read, and the names that they may use. */
 class AnnotationSourcesTest {
 
   private static final String OCL = "http://www.eclipse.org/emf/2002/Ecore/OCL";

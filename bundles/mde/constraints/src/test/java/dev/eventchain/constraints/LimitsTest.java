@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What grows or runs without end is abandoned: no want of memory, nothing that hangs. */
+/** Tests that expressions that grow or run without end are abandoned before memory runs out. */
 class LimitsTest {
 
   private static final String DEFINITIONS =

@@ -30,7 +30,7 @@ import org.eclipse.emf.ecore.EcoreFactory;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.junit.jupiter.api.Test;
 
-/** What metamodels say in annotations: invariants, messages, bodies and derivations. */
+/** Tests annotations of metamodels: invariants, messages, bodies and derivations. */
 class MetamodelRulesTest {
 
   private static final String OCL = "http://www.eclipse.org/emf/2002/Ecore/OCL";

@@ -14,7 +14,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.junit.jupiter.api.Test;
 
-/** What rules tell about their constraints. */
+/** Tests the accessors of rules and their constraints. */
 class OclRulesTest {
 
   private final TestModels models = new TestModels("library");

@@ -12,7 +12,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.junit.jupiter.api.Test;
 
-/** Definitions of a class that take the place of those above it. */
+/** Tests definitions of a class that override those of its superclasses. */
 class OverridingTest {
 
   private static final String DEFINITIONS =

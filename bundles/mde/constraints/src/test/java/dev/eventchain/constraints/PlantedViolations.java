@@ -24,12 +24,12 @@ import org.eclipse.emf.ecore.resource.impl.ResourceImpl;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
- * A metamodel, constraints on it and a model, made together at random: each constraint is about a
- * feature of its own, and what satisfies and what violates it is known without evaluating it.
+ * A metamodel, constraints on it and a model, made together at random: each constraint has a
+ * feature of its own, and its satisfying and violating values are known without an evaluation.
  */
 final class PlantedViolations {
 
-  /** The whole numbers that Ecore knows, each with the way to make one of a long. */
+  /** The integer types of Ecore, each with a conversion from long. */
   private record Whole(EDataType type, Function<Long, Object> of, long most) {}
 
   private static final List<Whole> WHOLES =
@@ -44,7 +44,7 @@ final class PlantedViolations {
           new Whole(EcorePackage.Literals.ELONG_OBJECT, each -> each, 1L << 60),
           new Whole(EcorePackage.Literals.EBIG_INTEGER, BigInteger::valueOf, 1L << 60));
 
-  /** The real numbers, each with the way to make one of a double that all of them hold. */
+  /** The real types of Ecore, each with a conversion from doubles that all of them can hold. */
   private record Real(EDataType type, Function<Double, Object> of) {}
 
   private static final List<Real> REALS =
@@ -86,7 +86,7 @@ final class PlantedViolations {
     return root;
   }
 
-  /** The document with the constraints; {@code Pn} is about the feature {@code fn}. */
+  /** Returns the document with the constraints; {@code Pn} is about the feature {@code fn}. */
   String document() {
     StringBuilder text = new StringBuilder("context Element\n");
     for (int i = 0; i < planted.size(); i++) {
@@ -95,7 +95,7 @@ final class PlantedViolations {
     return text.toString();
   }
 
-  /** What is to be found, and nothing else: {@code Element::P3 7} for the seventh element. */
+  /** Returns the expected violations: {@code Element::P3 7} for the seventh element. */
   Set<String> expected() {
     return expected;
   }

@@ -11,10 +11,10 @@ import java.util.TreeSet;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 
-/** Of the violations that were planted in random models, every one is found, and nothing else. */
+/** Tests that validation finds exactly the violations planted in random models. */
 class PlantedViolationsTest {
 
-  /** Two models a try: 2,000 of them usually, 40,000 in the profile {@code thorough}. */
+  /** Checks two models per try: usually 2,000 in all, 40,000 in the profile {@code thorough}. */
   @Property
   void everyPlantedViolationIsFoundAndNothingElse(@ForAll long seed) {
     check(seed);

@@ -17,8 +17,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * A folder for each case: {@code cases/METAMODEL/CASE} with rules ({@code *.ocl}), models ({@code
- * *.xmi}), perhaps more metamodels ({@code *.ecore}), and what is found, {@code expected.txt}. A
+ * Runs the cases {@code cases/METAMODEL/CASE}: rules ({@code *.ocl}), models ({@code *.xmi}),
+ * perhaps more metamodels ({@code *.ecore}), and the expected findings {@code expected.txt}. A
  * missing expectation is written, and the test fails.
  */
 class RuleCasesTest {

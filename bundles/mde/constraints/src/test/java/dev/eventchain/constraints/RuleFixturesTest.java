@@ -21,10 +21,10 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 
 /**
- * For each id of this bundle and of expressions, {@code rules/ID/good.ocl} does not give it and
+ * Tests each id of this bundle and of expressions: {@code rules/ID/good.ocl} does not give it and
  * {@code bad.ocl} does, on the model {@code rules/model.xmi}, together with {@code
- * rules/ID/other.ocl} if there is one; all that is found stands next to each. A missing expectation
- * is written, and the test fails.
+ * rules/ID/other.ocl} if there is one. The expected findings are next to each. A missing
+ * expectation is written, and the test fails.
  */
 class RuleFixturesTest {
 

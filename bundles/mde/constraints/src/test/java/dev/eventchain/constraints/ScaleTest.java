@@ -12,7 +12,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.junit.jupiter.api.Test;
 
-/** Many elements, and rules that do not end. */
+/** Tests large models, and rules that do not terminate. */
 class ScaleTest {
 
   private final EPackage metamodel = new TestModels("machine").metamodel();

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvFileSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What could vanish from a document, or from its findings, without a word. */
+/** Tests that no part of a document and no finding is dropped silently. */
 class SilentPassesTest {
 
   private final TestModels models = new TestModels("library");

@@ -20,8 +20,8 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 
 /**
- * The examples of OMG OCL 2.4, section 7, have the values that the standard gives them on a model,
- * or are said not to be understood or not to be checked.
+ * Tests that the examples of OMG OCL 2.4, section 7, have the values that the standard gives, or
+ * are reported as unsupported or unchecked.
  */
 class StandardExamplesTest {
 
@@ -31,7 +31,7 @@ class StandardExamplesTest {
   private final EPackage metamodel = models.metamodel();
   private final EObject town = models.load("town.xmi");
 
-  /** An example: its title, the document, and what is found. */
+  /** An example: its title, the document, and the expected findings. */
   private record Example(String title, String document, List<String> expected) {
 
     static Example of(String text) {
@@ -74,7 +74,7 @@ class StandardExamplesTest {
     assertEquals(example.expected(), found);
   }
 
-  /** What is wrong with an element, or with the document, and where. */
+  /** Returns a finding about an element or the document, with its place. */
   private static String text(Diagnostic found) {
     String what =
         switch (found.id()) {

@@ -25,8 +25,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * The standard rules of event chains, each with a bad model in {@code standard/RULE/bad.xmi} and
- * what is found, {@code expected.txt}. One good model breaks no rule.
+ * Tests the standard rules of event chains, each with a bad model {@code standard/RULE/bad.xmi} and
+ * the expected findings {@code expected.txt}. One good model breaks no rule.
  */
 class StandardRulesTest {
 
@@ -82,7 +82,7 @@ class StandardRulesTest {
     assertEquals(List.of(), result.diagnostics());
   }
 
-  /** Falling frequencies are against a design rule of the paper's project, and usual elsewhere. */
+  /** Falling frequencies break a design rule of the paper's project, but are usual elsewhere. */
   @Test
   void aFastSensorBeforeASlowComponentBreaksNoRule() throws IOException {
     EObject chain = models.load("good.xmi");
@@ -107,7 +107,7 @@ class StandardRulesTest {
     assertEquals(List.of(), validate(rules, models.load("good.xmi")).diagnostics());
   }
 
-  /** Each of these passed once, and failed only when the generated package was imported. */
+  /** Such names used to pass, and failed only when the generated package was imported. */
   @ParameterizedTest
   @CsvSource({
     "aeb_2, rclpy, ChainNameIsNoModule",
@@ -134,7 +134,7 @@ class StandardRulesTest {
     assertEquals(List.of(rule), rulesBrokenBy(good, bad, folder));
   }
 
-  /** The rules that the good model breaks with another name. */
+  /** Returns the rules that the good model breaks with another name. */
   private static List<String> rulesBrokenBy(String good, String bad, Path folder)
       throws IOException {
     String text = Files.readString(MODELS.resolve("good.xmi"));
@@ -153,7 +153,7 @@ class StandardRulesTest {
         .toList();
   }
 
-  /** What only looks like one of those, and what the generated nodes use within themselves. */
+  /** Names that only resemble reserved ones, or are local to the generated nodes. */
   @ParameterizedTest
   @CsvSource({
     "aeb_2, msgs",

@@ -20,7 +20,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.junit.jupiter.api.Test;
 
-/** Validation on several threads finds what one thread finds, and leaves no thread behind. */
+/** Tests that several threads find the same as one, and that none is left running. */
 class ThreadsTest {
 
   private static final int STATES = 6000;

@@ -16,7 +16,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.junit.jupiter.api.Test;
 
-/** Limits count the processor's time, by clocks of the tests' own: no machine is too slow here. */
+/** Tests time limits with simulated clocks, so that the speed of the machine does not matter. */
 class TimeLimitTest {
 
   private static final int STATES = 200;
@@ -25,7 +25,7 @@ class TimeLimitTest {
   private final EPackage metamodel = new TestModels("machine").metamodel();
   private final EObject machine = TestModels.machine(metamodel, STATES);
 
-  /** Clocks that continue with each look at them. */
+  /** Clocks that advance with each reading. */
   private static final class Clock implements TimeBudget.Clock {
     private final long wallStep;
     private final long processorStep;
@@ -130,7 +130,7 @@ class TimeLimitTest {
     String together =
         "State 's0': all constraints together take more than 1200 ms of processor time. It left"
             + " 200 of 200 elements unchecked.";
-    // The fourth would have its own time, but for what the others took until they noticed.
+    // The fourth has time of its own left, but the others overran the common limit.
     assertEquals(List.of(alone, alone, alone, together, together, together, together), messages);
     assertEquals(
         List.of(1L, 1L, 1L, 1L, 0L, 0L, 0L),

@@ -24,7 +24,7 @@ import org.eclipse.emf.ecore.EcorePackage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What goes wrong silently with Eclipse OCL as it is, and must not here. */
+/** Tests cases in which plain Eclipse OCL goes wrong silently. */
 class TrapsTest {
 
   private final TestModels models = new TestModels("library");
@@ -150,7 +150,7 @@ class TrapsTest {
         context E inv F: x::C.allInstances()->isEmpty()
         """;
     OclRules rules = parse(text, one, two, three);
-    // From inside a package, a name means what is nearest.
+    // From inside a package, a name means the nearest element.
     assertEquals(List.of("C::B", "C::D"), rules.constraintNames());
     assertEquals(
         List.of(

@@ -9,24 +9,24 @@ import java.util.Objects;
 import java.util.Set;
 
 /**
- * What a command has checked, so that "nothing found" and "nothing looked at" are not the same.
+ * Checks that a command ran. They tell "nothing found" from "nothing checked".
  *
- * @param files the files that were read and checked, as people know them, in order
- * @param elements how many elements the models have
+ * @param files the names of the files that were read and checked, in order
+ * @param elements the number of elements in the models
  * @param checks the checks that ran, in order
  */
 public record Coverage(List<String> files, long elements, List<Check> checks) {
 
-  /** Nothing was checked. */
+  /** Coverage of a command that checked nothing. */
   public static final Coverage NONE = new Coverage(List.of(), 0, List.of());
 
-  /** What a check is about. */
+  /** Kind of a check. */
   public enum Kind {
-    /** A constraint of the model: standard, or written by the user. */
+    /** Constraint of the model, standard or written by the user. */
     CONSTRAINT("constraints"),
-    /** What two ends of a topic promise each other. */
+    /** Contract between the publishers and subscribers of a topic. */
     CONTRACT("message contracts"),
-    /** What the metamodel itself demands of any model: multiplicities, opposites, keys. */
+    /** Requirement of the metamodel on any model: multiplicities, opposites, keys. */
     METAMODEL("metamodel checks");
 
     private final String title;
@@ -35,7 +35,7 @@ public record Coverage(List<String> files, long elements, List<Check> checks) {
       this.title = title;
     }
 
-    /** The name of all checks of this kind. */
+    /** Returns the name of all checks of this kind. */
     String title() {
       return title;
     }
@@ -44,13 +44,13 @@ public record Coverage(List<String> files, long elements, List<Check> checks) {
   /**
    * A check that ran.
    *
-   * @param id the id of the finding that it reports
-   * @param rule the user's rule, such as an OCL constraint's qualified name; empty if the id says
-   *     it all
-   * @param severity how bad its findings are
-   * @param location where the rule is; {@link SourceLocation#NONE} if it is part of the program
-   * @param hint what to do about its findings; may be empty
-   * @param evaluations how often it was evaluated; 0 if there was nothing that it is about
+   * @param id the id of its findings
+   * @param rule the user's rule, such as an OCL constraint's qualified name; empty if the id
+   *     suffices
+   * @param severity the severity of its findings
+   * @param location the location of the rule; {@link SourceLocation#NONE} if it is built in
+   * @param hint how to resolve its findings; may be empty
+   * @param evaluations the number of evaluations; 0 if it applied to nothing
    */
   public record Check(
       Kind kind,
@@ -61,7 +61,7 @@ public record Coverage(List<String> files, long elements, List<Check> checks) {
       String hint,
       long evaluations) {
 
-    /** Refuses nulls: what is not known is empty. */
+    /** Refuses nulls; unknown values are empty. */
     public Check {
       Objects.requireNonNull(kind);
       Objects.requireNonNull(id);
@@ -75,34 +75,37 @@ public record Coverage(List<String> files, long elements, List<Check> checks) {
       return new Check(kind, id, rule, severity, location, hint, evaluations + other.evaluations);
     }
 
-    /** What people call it. */
+    /** Returns the display name. */
     String name() {
       return rule.isEmpty() ? id : rule;
     }
   }
 
-  /** Keeps the lists from changing. */
+  /** Copies the lists. */
   public Coverage {
     files = List.copyOf(files);
     checks = List.copyOf(checks);
   }
 
-  /** How many there are of what, in words: {@code 1 element}, {@code 2 elements}. */
+  /** Returns a number with its noun: {@code 1 element}, {@code 2 elements}. */
   public static String counted(long number, String what) {
     return number + " " + what + (number == 1 ? "" : "s");
   }
 
-  /** How many constraints there were to evaluate. */
+  /** Returns the number of constraints. */
   public long constraints() {
     return checks.stream().filter(check -> check.kind == Kind.CONSTRAINT).count();
   }
 
-  /** How often a check of this kind was evaluated. */
+  /** Returns the number of evaluations of the checks of a kind. */
   public long evaluations(Kind kind) {
     return checks.stream().filter(check -> check.kind == kind).mapToLong(Check::evaluations).sum();
   }
 
-  /** What both have checked; a check that ran in both counts once, with all its evaluations. */
+  /**
+   * Returns the union of both coverages. A check that ran in both counts once, with the sum of its
+   * evaluations.
+   */
   public Coverage and(Coverage other) {
     Set<String> allFiles = new LinkedHashSet<>(files);
     allFiles.addAll(other.files);

@@ -8,18 +8,18 @@ import java.util.Objects;
 import java.util.stream.Stream;
 
 /**
- * A finding: what is wrong, where, and what to do about it.
+ * A finding: a problem, its location and a hint.
  *
  * @param id the stable dotted id, {@code ocl.violated}; each has a page in the rules folder of the
  *     bundle that reports it
- * @param severity how bad it is
- * @param message what is wrong: one sentence that names the values it speaks of
- * @param location where it is
- * @param hint what to do about it; empty if nothing helps that the message does not say
+ * @param severity the severity
+ * @param message the problem in one sentence that names the values involved
+ * @param location the location of the problem
+ * @param hint how to resolve it; empty if the message suffices
  * @param rule the user's own rule that found it, such as an OCL constraint's qualified name; empty
- *     if the id says it all
- * @param related other places that it is about, most telling first: where the violated rule is, or
- *     the other side of a contract
+ *     if the id suffices
+ * @param related other locations involved, most relevant first: the violated rule, or the other
+ *     side of a contract
  */
 public record Diagnostic(
     String id,
@@ -31,7 +31,7 @@ public record Diagnostic(
     List<SourceLocation> related)
     implements Comparable<Diagnostic> {
 
-  /** By place first, so that a report reads like the file; ties broken by all that is left. */
+  /** Order by location, as in the file, then by all other components. */
   private static final Comparator<Diagnostic> ORDER =
       Comparator.comparing(Diagnostic::location)
           .thenComparing(Diagnostic::severity)
@@ -41,7 +41,7 @@ public record Diagnostic(
           .thenComparing(Diagnostic::hint)
           .thenComparing(Diagnostic::related, Diagnostic::compare);
 
-  /** Refuses nulls: what is not known is empty. */
+  /** Refuses nulls; unknown values are empty. */
   public Diagnostic {
     Objects.requireNonNull(id);
     Objects.requireNonNull(severity);
@@ -52,47 +52,47 @@ public record Diagnostic(
     related = List.copyOf(related);
   }
 
-  /** A finding that makes a command fail. */
+  /** Returns a finding that makes a command fail. */
   public static Diagnostic error(String id, String message, SourceLocation location) {
     return new Diagnostic(id, Severity.ERROR, message, location, "", "", List.of());
   }
 
-  /** A finding that people should look at. */
+  /** Returns a finding that needs attention. */
   public static Diagnostic warning(String id, String message, SourceLocation location) {
     return new Diagnostic(id, Severity.WARNING, message, location, "", "", List.of());
   }
 
-  /** A finding that is good to know. */
+  /** Returns an informational finding. */
   public static Diagnostic info(String id, String message, SourceLocation location) {
     return new Diagnostic(id, Severity.INFO, message, location, "", "", List.of());
   }
 
-  /** Whether one of the findings is an error. */
+  /** Returns whether any finding is an error. */
   public static boolean anyError(Collection<Diagnostic> diagnostics) {
     return diagnostics.stream().anyMatch(diagnostic -> diagnostic.severity == Severity.ERROR);
   }
 
-  /** The same finding with another severity. */
+  /** Returns this finding with another severity. */
   public Diagnostic withSeverity(Severity newSeverity) {
     return new Diagnostic(id, newSeverity, message, location, hint, rule, related);
   }
 
-  /** The same finding with another hint. */
+  /** Returns this finding with another hint. */
   public Diagnostic withHint(String newHint) {
     return new Diagnostic(id, severity, message, location, newHint, rule, related);
   }
 
-  /** The same finding with the user's rule that found it. */
+  /** Returns this finding with the user's rule that found it. */
   public Diagnostic withRule(String newRule) {
     return new Diagnostic(id, severity, message, location, hint, newRule, related);
   }
 
-  /** The same finding at another place. */
+  /** Returns this finding at another location. */
   public Diagnostic withLocation(SourceLocation newLocation) {
     return new Diagnostic(id, severity, message, newLocation, hint, rule, related);
   }
 
-  /** The same finding with other places that it is about; those that are nowhere are left out. */
+  /** Returns this finding with other related locations, without {@code NONE}. */
   public Diagnostic withRelated(SourceLocation... places) {
     List<SourceLocation> known =
         Stream.of(places).filter(place -> !place.equals(SourceLocation.NONE)).toList();

@@ -4,22 +4,22 @@ import java.util.List;
 import java.util.function.Supplier;
 
 /**
- * A stage could not make its result, and these findings say why. Findings that still allow a result
- * are part of the result instead.
+ * Thrown when a stage cannot produce its result; the findings give the reasons. Findings that still
+ * allow a result are part of the result instead.
  */
 public final class DiagnosticException extends RuntimeException {
 
   private static final long serialVersionUID = 1L;
 
-  /** Why there is no result, which decides how a command ends. */
+  /** Reason for the missing result, which decides the exit code of a command. */
   public enum Reason {
-    /** The input was read and found invalid. */
+    /** Input that was read and found invalid. */
     FINDINGS,
-    /** The input could not be read, or the command was used wrongly. */
+    /** Unreadable input, or wrong use of the command. */
     INPUT,
-    /** This machine lacks something. */
+    /** Prerequisite missing on this machine. */
     UNAVAILABLE,
-    /** An answer is awaited from outside. */
+    /** External answer pending. */
     WAITING
   }
 
@@ -27,9 +27,9 @@ public final class DiagnosticException extends RuntimeException {
   private final transient List<Diagnostic> diagnostics;
 
   /**
-   * Says why there is no result.
+   * Creates an exception with findings.
    *
-   * @param diagnostics the findings, at least one, of which one is an error
+   * @param diagnostics the findings; at least one is an error
    */
   public DiagnosticException(Reason reason, List<Diagnostic> diagnostics) {
     super(summary(diagnostics));
@@ -42,17 +42,17 @@ public final class DiagnosticException extends RuntimeException {
     this(reason, List.of(diagnostic));
   }
 
-  /** Why there is no result. */
+  /** Returns the reason for the missing result. */
   public Reason reason() {
     return reason;
   }
 
-  /** What was found, in the order of discovery; at least one. */
+  /** Returns the findings in the order of discovery; at least one. */
   public List<Diagnostic> diagnostics() {
     return diagnostics;
   }
 
-  /** Accompanies an unforeseen failure, and says what it is about. */
+  /** Location of an unforeseen failure, attached as a suppressed exception. */
   private static final class Place extends RuntimeException {
 
     private static final long serialVersionUID = 1L;
@@ -66,8 +66,8 @@ public final class DiagnosticException extends RuntimeException {
   }
 
   /**
-   * Does something that is about a place. What goes wrong with it that is not a finding is thrown
-   * as it is, and {@link #placeOf} knows the place; the innermost one if there are several.
+   * Runs work on a location. Exceptions are rethrown unchanged; for those that are not findings,
+   * {@link #placeOf} returns the innermost such location.
    */
   public static <T> T at(SourceLocation place, Supplier<T> work) {
     try {
@@ -92,7 +92,10 @@ public final class DiagnosticException extends RuntimeException {
         });
   }
 
-  /** What was handled when a failure happened; {@link SourceLocation#NONE} if unknown. */
+  /**
+   * Returns the location that was being processed at a failure; {@link SourceLocation#NONE} if
+   * unknown.
+   */
   public static SourceLocation placeOf(Throwable failure) {
     for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
       for (Throwable with : cause.getSuppressed()) {

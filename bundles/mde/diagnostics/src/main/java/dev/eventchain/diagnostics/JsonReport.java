@@ -2,7 +2,7 @@ package dev.eventchain.diagnostics;
 
 import java.io.IOException;
 
-/** A report for programs, in a form of our own that has everything. */
+/** Report as JSON, in this program's own format with all data. */
 final class JsonReport {
 
   private final Report report;

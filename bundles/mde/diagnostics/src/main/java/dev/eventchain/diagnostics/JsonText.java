@@ -8,12 +8,12 @@ import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
 
-/** Writes JSON for people to read, too: indented, lines end with LF. */
+/** Writer of indented JSON; lines end with LF. */
 final class JsonText {
 
   private final JsonGenerator json;
 
-  /** What is written. */
+  /** Content of a document, object or array. */
   interface Content {
     void write(JsonText json) throws IOException;
   }
@@ -22,7 +22,7 @@ final class JsonText {
     this.json = json;
   }
 
-  /** A whole document, an object. */
+  /** Returns a document whose root is an object. */
   static String document(Content members) {
     StringWriter text = new StringWriter();
     try (JsonGenerator json = new JsonFactory().createGenerator(text)) {
@@ -36,7 +36,7 @@ final class JsonText {
     return text + "\n";
   }
 
-  /** An object in an array. */
+  /** Writes an object into an array. */
   void object(Content members) throws IOException {
     json.writeStartObject();
     members.write(this);
@@ -54,7 +54,7 @@ final class JsonText {
     json.writeEndArray();
   }
 
-  /** A text in an array. */
+  /** Writes a text into an array. */
   void text(String value) throws IOException {
     json.writeString(value);
   }

@@ -3,7 +3,7 @@ package dev.eventchain.diagnostics;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A test case of a JUnit report: fails with an error, and only then. */
+/** Test case of a JUnit report. It fails if it has an error. */
 final class JunitCase {
 
   private final String name;
@@ -17,7 +17,7 @@ final class JunitCase {
     this.name = name;
   }
 
-  /** It stands for a check that was evaluated so many times more. */
+  /** Adds to the number of evaluations of its check. */
   void evaluated(long times) {
     isCheck = true;
     evaluations += times;

@@ -7,9 +7,9 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * A report as JUnit XML: a test suite for each kind of check, a test case for each check. What the
- * checks say nothing about is in two suites more: a test case for each file, and one for each id of
- * the findings that are left. Times are 0, so that the same input gives the same bytes.
+ * Report as JUnit XML: a test suite for each kind of check, a test case for each check. Two more
+ * suites hold the rest: a test case for each file, and one for each id of the remaining findings.
+ * Times are 0, so that equal inputs give equal bytes.
  */
 final class JunitReport {
 

@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** Finds the name that was probably meant by one that does not exist. */
+/** Suggestions of known names for an unknown one. */
 public final class NearestName {
 
   private static final int MOST_NAMES_LISTED = 12;
@@ -15,10 +15,9 @@ public final class NearestName {
   private NearestName() {}
 
   /**
-   * The known name that is nearest to an unknown one, if any is near: at most a third of its
-   * characters (at least one) inserted, deleted, changed or swapped, letter case and underscores
-   * not counted. Where several are as near, the one whose case and underscores are, then the first
-   * in alphabetical order.
+   * Returns the known name nearest to an unknown one, if any is near. Near means at most a third of
+   * its characters (at least one) inserted, deleted, changed or swapped, letter case and
+   * underscores not counted. Ties are decided by case and underscores, then by alphabetical order.
    */
   public static Optional<String> of(String unknown, Collection<String> known) {
     String plain = plain(unknown);
@@ -32,16 +31,16 @@ public final class NearestName {
   }
 
   /**
-   * The question whether the nearest name was meant; empty when none is near. It never asks for the
-   * unknown name itself, which may be known as something else.
+   * Returns the question whether the nearest name was meant; empty if none is near. It never
+   * suggests the unknown name itself, which may be known in another role.
    */
   public static String question(String unknown, Collection<String> known) {
     return asked(of(unknown, known.stream().filter(name -> !name.equals(unknown)).toList()));
   }
 
   /**
-   * A hint for people: the nearest name, or else all known names as far as they fit in a line;
-   * empty when there is nothing to name.
+   * Returns a hint: the nearest name, or else all known names that fit in a line; empty if there
+   * are none.
    */
   public static String hint(String unknown, Collection<String> known) {
     String question = asked(of(unknown, known));
@@ -68,7 +67,10 @@ public final class NearestName {
     return name.toLowerCase(Locale.ROOT).replace("_", "");
   }
 
-  /** The optimal string alignment distance: Levenshtein's with swapped neighbours as one step. */
+  /**
+   * Returns the optimal string alignment distance: Levenshtein's, with the swap of two neighbours
+   * as one step.
+   */
   private static int distance(String first, String second) {
     int[] older = new int[second.length() + 1];
     int[] previous = new int[second.length() + 1];

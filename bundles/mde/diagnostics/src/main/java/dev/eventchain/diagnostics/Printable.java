@@ -3,8 +3,8 @@ package dev.eventchain.diagnostics;
 import java.util.Locale;
 
 /**
- * Makes what comes from models and foreign programs harmless where it is shown: it must not steer a
- * terminal, nor pass for something that this program says.
+ * Sanitizer of text from models and other programs before it is shown. Such text must neither
+ * control a terminal nor pass for output of this program.
  */
 public final class Printable {
 
@@ -13,12 +13,16 @@ public final class Printable {
 
   private Printable() {}
 
-  /** For a terminal: no line after the first can be taken for one of ours. */
+  /**
+   * Returns text for a terminal, where no line after the first passes for output of this program.
+   */
   static String lines(String text) {
     return clean(text).replace("\n", "\n    | ");
   }
 
-  /** What a foreign program said, as a part of a sentence: one line, cut beyond 400 characters. */
+  /**
+   * Returns output of another program as part of a sentence: one line, cut beyond 400 characters.
+   */
   public static String line(String text) {
     String stripped = text.strip();
     int most = Math.min(stripped.length(), LONGEST_LINE);
@@ -26,7 +30,7 @@ public final class Printable {
     return most < stripped.length() ? shown + "\u2026" : shown;
   }
 
-  /** With control characters, and those that make text read as something else, as escapes. */
+  /** Returns text with control characters and misleading characters as escapes. */
   public static String clean(String text) {
     StringBuilder result = new StringBuilder(text.length());
     for (int i = 0; i < text.length(); i++) {
@@ -40,7 +44,10 @@ public final class Printable {
     return result.toString();
   }
 
-  /** A part of a source line: as {@link #clean}, but each character stays where it is. */
+  /**
+   * Returns a part of a source line, cleaned as by {@link #clean} but with each character in its
+   * place.
+   */
   static String excerpt(String line) {
     StringBuilder result = new StringBuilder(line.length());
     for (int i = 0; i < line.length(); i++) {
@@ -55,7 +62,7 @@ public final class Printable {
     return !steers && !isLoneSurrogate(text, index);
   }
 
-  /** Half a character, which no file can hold. */
+  /** Returns whether there is an unpaired surrogate, which no file can hold. */
   private static boolean isLoneSurrogate(String text, int index) {
     char c = text.charAt(index);
     if (Character.isHighSurrogate(c)) {
@@ -65,7 +72,7 @@ public final class Printable {
         && (index == 0 || !Character.isHighSurrogate(text.charAt(index - 1)));
   }
 
-  /** Characters that reverse the direction of text, or break a line invisibly. */
+  /** Returns whether a character reverses the direction of text, or breaks a line invisibly. */
   private static boolean isDirection(char c) {
     return (c >= '\u202A' && c <= '\u202E')
         || (c >= '\u2066' && c <= '\u2069')

@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * Everything that a command reports about its input, which every {@link DiagnosticFormat} renders.
+ * Report of a command about its input, rendered by every {@link DiagnosticFormat}.
  *
  * @param version the version of the program
  * @param exitCode the exit code of the command
- * @param coverage what was checked
- * @param diagnostics what was found, in order; without what is suppressed
- * @param suppressed what was found and is suppressed
+ * @param coverage the checks that ran
+ * @param diagnostics the findings that are not suppressed, in order
+ * @param suppressed the suppressed findings
  */
 public record Report(
     String version,
@@ -20,10 +20,10 @@ public record Report(
     List<Diagnostic> diagnostics,
     List<Suppressions.Suppressed> suppressed) {
 
-  /** The exit code from which on the command could not do its work. */
+  /** Lowest exit code of a command that could not do its work. */
   private static final int FIRST_FAILURE = 2;
 
-  /** Keeps the lists from changing. */
+  /** Copies the lists. */
   public Report {
     Objects.requireNonNull(version);
     Objects.requireNonNull(coverage);
@@ -31,18 +31,18 @@ public record Report(
     suppressed = List.copyOf(suppressed);
   }
 
-  /** Findings alone, of a command that says nothing else. */
+  /** Returns a report with findings alone. */
   static Report of(List<Diagnostic> diagnostics) {
     int exitCode = Diagnostic.anyError(diagnostics) ? 1 : 0;
     return new Report("", exitCode, Coverage.NONE, diagnostics, List.of());
   }
 
-  /** Whether the command did its work, whatever it found. */
+  /** Returns whether the command did its work, whatever the findings. */
   boolean successful() {
     return exitCode < FIRST_FAILURE;
   }
 
-  /** What was found and checked, in a line: the same for the same input. */
+  /** Returns a line about findings and checks; equal for equal inputs. */
   public String summary() {
     List<String> parts = new ArrayList<>();
     parts.add(Coverage.counted(count(Severity.ERROR), "error"));
@@ -72,7 +72,7 @@ public record Report(
     return known ? ", " + Coverage.counted(coverage.evaluations(kind), what) : "";
   }
 
-  /** How many findings are this bad. */
+  /** Returns the number of findings of a severity. */
   long count(Severity severity) {
     return diagnostics.stream().filter(found -> found.severity() == severity).count();
   }

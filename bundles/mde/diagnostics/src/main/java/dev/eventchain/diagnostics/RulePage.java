@@ -19,8 +19,8 @@ import java.util.jar.Manifest;
 import java.util.stream.Stream;
 
 /**
- * The page that explains a diagnostic id. Each bundle has its own pages in {@code rules/}, and its
- * jar holds them; those of all jars on the class path are found.
+ * Page that explains a diagnostic id. The jar of each bundle holds its pages in {@code rules/};
+ * those of all jars on the class path are found.
  *
  * @param id the diagnostic id
  * @param bundle the bundle that reports it
@@ -31,7 +31,7 @@ public record RulePage(String id, String bundle, String text) {
   private static final String FOLDER = "META-INF/eventchain/rules/";
   private static final String SUFFIX = ".md";
 
-  /** The page of an id, if a bundle on the class path has one. */
+  /** Returns the page of an id, if a bundle on the class path has one. */
   public static Optional<RulePage> of(String id) {
     if (!id.matches("[a-z0-9]+([.-][a-z0-9]+)*")) {
       return Optional.empty();
@@ -40,7 +40,7 @@ public record RulePage(String id, String bundle, String text) {
     return Optional.ofNullable(resource).map(found -> read(id, found));
   }
 
-  /** All pages, by bundle and id. */
+  /** Returns all pages, sorted by bundle and id. */
   public static List<RulePage> all() {
     List<RulePage> pages = new ArrayList<>();
     try {
@@ -83,7 +83,7 @@ public record RulePage(String id, String bundle, String text) {
     }
   }
 
-  /** The last part of the name that the manifest next to the page gives the bundle. */
+  /** Returns the last segment of the bundle name in the manifest next to the page. */
   private static String bundleOf(URL resource) throws IOException {
     String address = resource.toString();
     String root = address.substring(0, address.lastIndexOf(FOLDER));
@@ -96,7 +96,7 @@ public record RulePage(String id, String bundle, String text) {
     }
   }
 
-  /** What the page says first: what the finding means. */
+  /** Returns the first sentence, which explains the finding. */
   public String firstSentence() {
     String body =
         text.replaceFirst("\\A#[^\n]*\n+", "").replaceFirst("\\A\\*\\*What\\.\\*\\* ", "");

@@ -7,10 +7,10 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Locale;
 
-/** Places as SARIF has them. */
+/** Writer of SARIF locations. */
 final class SarifPlaces {
 
-  /** What relative file names are relative to: the folder that the program was started in. */
+  /** Base of relative file names: the working folder of the program. */
   static final String BASE = "SRCROOT";
 
   private static final int LONGEST_SNIPPET = 200;
@@ -19,7 +19,7 @@ final class SarifPlaces {
 
   private SarifPlaces() {}
 
-  /** The members of a location. */
+  /** Writes the members of a location. */
   static void location(SourceLocation place, JsonText json) throws IOException {
     if (!place.file().isEmpty()) {
       json.object("physicalLocation", physical -> physicalLocation(place, physical));
@@ -38,7 +38,7 @@ final class SarifPlaces {
     json.object("region", region -> region(place, region));
   }
 
-  /** The members of an artifact location. */
+  /** Writes the members of an artifact location. */
   static void artifact(String file, JsonText json) throws IOException {
     String name = nameOf(file);
     json.text("uri", uri(name));
@@ -48,8 +48,8 @@ final class SarifPlaces {
   }
 
   /**
-   * The name of a file: relative for one inside the working folder, however it was given, and
-   * absolute for any other. Viewers show nothing for a relative name that leaves its base.
+   * Returns the name of a file: relative inside the working folder, otherwise absolute. Viewers
+   * show nothing for a relative name that leaves its base.
    */
   private static String nameOf(String file) {
     String workingFolder = SourceLocation.nameOf(Path.of("").toAbsolutePath());
@@ -73,14 +73,17 @@ final class SarifPlaces {
     return name.startsWith(base) ? name.substring(base.length()) : name;
   }
 
-  /** What tells a file apart from others on every machine: relative wherever that is possible. */
+  /**
+   * Returns a file name for fingerprints, relative where possible, so that it is the same on every
+   * machine.
+   */
   static String fingerprintOf(String file) {
     String name = nameOf(file);
     return uri(name.startsWith("/") ? file : name);
   }
 
   private static void region(SourceLocation place, JsonText json) throws IOException {
-    // Viewers want a line for each finding; one about a whole file is put to the first.
+    // Viewers require a line; a finding about a whole file gets the first.
     json.number("startLine", Math.max(1, place.line()));
     json.numberIfKnown("startColumn", place.column());
     String line = place.excerpt();
@@ -97,7 +100,7 @@ final class SarifPlaces {
     }
   }
 
-  /** A file's name as a URI, absolute if the name is. */
+  /** Returns a file name as a URI, absolute if the name is. */
   static String uri(String file) {
     StringBuilder uri = new StringBuilder(file.startsWith("/") ? "file://" : "");
     for (byte b : file.getBytes(StandardCharsets.UTF_8)) {

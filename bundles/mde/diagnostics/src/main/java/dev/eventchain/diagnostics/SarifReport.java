@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A report as SARIF 2.1.0. Nothing in it depends on the machine, the time or the run, but for the
- * names of files outside the working folder. Numbers in comments are sections of the standard.
+ * Report as SARIF 2.1.0, independent of machine, time and run, except for the names of files
+ * outside the working folder. Numbers in comments are sections of the standard.
  */
 final class SarifReport {
 
@@ -88,7 +88,7 @@ final class SarifReport {
           members -> {
             result(finding, members);
             if (!report.suppressed().isEmpty()) {
-              // 3.27.23: in a run that has suppressions, every result says whether it is
+              // 3.27.23: if a run has suppressions, every result states whether it is
               // suppressed.
               members.array("suppressions", none -> {});
             }
@@ -128,7 +128,10 @@ final class SarifReport {
         "partialFingerprints", all -> all.text("eventchainFinding/v1", fingerprint(finding)));
   }
 
-  /** 3.11.6: brackets before a parenthesis would be a link, and the text may be a model's. */
+  /**
+   * Returns the message with escaped brackets, because brackets before a parenthesis would form a
+   * link (3.11.6).
+   */
   private static String message(Diagnostic finding) {
     String hint = finding.hint().isEmpty() ? "" : " " + finding.hint();
     String text = Printable.clean(finding.message() + hint);
@@ -137,7 +140,10 @@ final class SarifReport {
         : text;
   }
 
-  /** Viewers drop a result without a file, so one about everything is put to the first file. */
+  /**
+   * Returns the location of a finding. One without a file gets the first file, because viewers drop
+   * results without a file.
+   */
   private SourceLocation placeOf(Diagnostic finding) {
     List<String> files = report.coverage().files();
     SourceLocation place = finding.location();
@@ -158,7 +164,10 @@ final class SarifReport {
     }
   }
 
-  /** What stays the same when lines move: the rule and the element, or else the source line. */
+  /**
+   * Returns a fingerprint that is stable when lines move: of the rule and the element, or else the
+   * source line.
+   */
   private String fingerprint(Diagnostic finding) {
     SourceLocation place = finding.location();
     String where = place.element().isEmpty() ? place.excerpt().strip() : place.element();

@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The rules of a SARIF run: one for each diagnostic id, and one below it for each rule of the user
- * ({@code ocl.violated/SoftwareNode::Name}), because viewers group by rule and show its help.
+ * Rules of a SARIF run: one for each diagnostic id, with one for each user rule below it ({@code
+ * ocl.violated/SoftwareNode::Name}). Viewers group by rule and show its help.
  */
 final class SarifRules {
 
@@ -35,7 +35,10 @@ final class SarifRules {
         key(id, name), key -> new Rule(rules.size(), id, name, severity, location, hint));
   }
 
-  /** The rule's id in SARIF; a slash parts the levels of an id, so names must do without. */
+  /**
+   * Returns the SARIF id of a rule. A slash separates the levels of an id, so names must not
+   * contain it.
+   */
   static String key(String id, String rule) {
     return rule.isEmpty() ? id : id + "/" + Printable.clean(rule).replace("/", "%2F");
   }
@@ -70,7 +73,10 @@ final class SarifRules {
         configuration -> configuration.text("level", level(rule.severity())));
   }
 
-  /** A single word in Pascal case, as viewers show it; nothing if the rule's name is none. */
+  /**
+   * Returns the name of a rule as a word in Pascal case, as viewers show it; empty if it contains
+   * other characters.
+   */
   private static String friendlyName(Rule rule) {
     String source = rule.name().isEmpty() ? rule.id() : rule.name().replaceFirst(".*::", "");
     StringBuilder name = new StringBuilder();
@@ -80,7 +86,9 @@ final class SarifRules {
     return name.toString().matches("[A-Z][A-Za-z0-9]*") ? name.toString() : "";
   }
 
-  /** What to do about a violation of a user's rule comes before what such rules are. */
+  /**
+   * Returns the help: first the hint and the location of a user rule, then the page about its id.
+   */
   private static String help(Rule rule, String page) {
     StringBuilder help = new StringBuilder();
     if (!rule.hint().isEmpty()) {

@@ -1,12 +1,12 @@
 package dev.eventchain.diagnostics;
 
-/** How bad a finding is, worst first. Only {@link #ERROR} makes a command fail. */
+/** Severity of a finding, worst first. Only {@link #ERROR} makes a command fail. */
 public enum Severity {
   ERROR,
   WARNING,
   INFO;
 
-  /** The word that people read. */
+  /** Returns the display name. */
   @Override
   public String toString() {
     return switch (this) {

@@ -5,14 +5,14 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
-/** The SHA-256 of what is added, by which contents are told apart in reports, keys and records. */
+/** SHA-256 of the added content, which identifies it in reports, keys and records. */
 public final class Sha256 {
 
   private static final int ABBREVIATED = 12;
 
   private final MessageDigest digest;
 
-  /** Of nothing yet. */
+  /** Starts an empty hash. */
   public Sha256() {
     try {
       digest = MessageDigest.getInstance("SHA-256");
@@ -21,12 +21,12 @@ public final class Sha256 {
     }
   }
 
-  /** Of a text in UTF-8. */
+  /** Returns the hash of a text in UTF-8. */
   public static Sha256 of(String text) {
     return new Sha256().add(text);
   }
 
-  /** Adds bytes. Who adds several things has to keep them apart. */
+  /** Adds bytes. Callers that add several values must delimit them. */
   public Sha256 add(byte[] bytes) {
     digest.update(bytes);
     return this;
@@ -37,17 +37,19 @@ public final class Sha256 {
     return add(text.getBytes(StandardCharsets.UTF_8));
   }
 
-  /** The 32 bytes of the hash. Ends it: what is added now is the start of another one. */
+  /** Returns the 32 bytes of the hash and resets it. */
   public byte[] bytes() {
     return digest.digest();
   }
 
-  /** The 64 lower-case hexadecimal digits of the hash, which this ends. */
+  /** Returns the 64 lower-case hexadecimal digits of the hash and resets it. */
   public String hex() {
     return HexFormat.of().formatHex(bytes());
   }
 
-  /** The first 12 hexadecimal digits, for names of files and folders; this ends the hash. */
+  /**
+   * Returns the first 12 hexadecimal digits, for names of files and folders, and resets the hash.
+   */
   public String abbreviated() {
     return hex().substring(0, ABBREVIATED);
   }

@@ -4,9 +4,10 @@ import java.nio.file.Path;
 import java.util.Comparator;
 
 /**
- * Where something is.
+ * Location in a file.
  *
- * @param file the file as people know it, with {@code /} between its parts; empty if there is none
+ * @param file the displayed name of the file, with {@code /} between its parts; empty if there is
+ *     none
  * @param line the line, from 1; 0 if unknown
  * @param column the column in characters, from 1; 0 if unknown
  * @param element the element inside the file: a JSON pointer, or the path of a model element; empty
@@ -16,7 +17,7 @@ import java.util.Comparator;
 public record SourceLocation(String file, int line, int column, String element, String excerpt)
     implements Comparable<SourceLocation> {
 
-  /** Nowhere in particular. */
+  /** No location. */
   public static final SourceLocation NONE = new SourceLocation("", 0, 0, "", "");
 
   private static final Comparator<SourceLocation> ORDER =
@@ -26,22 +27,22 @@ public record SourceLocation(String file, int line, int column, String element, 
           .thenComparing(SourceLocation::element)
           .thenComparing(SourceLocation::excerpt);
 
-  /** A whole file. */
+  /** Returns the location of a whole file. */
   public static SourceLocation of(String file) {
     return new SourceLocation(file, 0, 0, "", "");
   }
 
-  /** A whole file. */
+  /** Returns the location of a whole file. */
   public static SourceLocation of(Path file) {
     return of(nameOf(file));
   }
 
-  /** The same place in another file, of which this one is a copy. */
+  /** Returns the same location in another file, of which this one is a copy. */
   public SourceLocation inFile(Path other) {
     return new SourceLocation(nameOf(other), line, column, element, excerpt);
   }
 
-  /** The same place, narrowed to an element. */
+  /** Returns this location, narrowed to an element. */
   public SourceLocation withElement(String newElement) {
     return new SourceLocation(file, line, column, newElement, excerpt);
   }
@@ -51,7 +52,7 @@ public record SourceLocation(String file, int line, int column, String element, 
     return ORDER.compare(this, other);
   }
 
-  /** {@code file:line:column}, as far as each is known; empty for {@link #NONE}. */
+  /** Returns {@code file:line:column}, without unknown parts; empty for {@link #NONE}. */
   @Override
   public String toString() {
     StringBuilder text = new StringBuilder(file);
@@ -64,7 +65,7 @@ public record SourceLocation(String file, int line, int column, String element, 
     return text.toString();
   }
 
-  /** The name under which people know a file: the same on every system, and for {@code ./x}. */
+  /** Returns the displayed name of a file: the same on every system, and for {@code ./x}. */
   static String nameOf(Path file) {
     String name = file.normalize().toString().replace('\\', '/');
     return name.isEmpty() ? "." : name;

@@ -3,7 +3,7 @@ package dev.eventchain.diagnostics;
 import java.util.Objects;
 
 /**
- * A part of a text that knows the text, so that whoever is given one can say where it is.
+ * A range of a source text, with a reference to the text to locate it.
  *
  * @param source the whole text
  * @param start the offset of the first character
@@ -11,27 +11,27 @@ import java.util.Objects;
  */
 public record SourceRange(SourceText source, int start, int end) {
 
-  /** Refuses what is not inside the text. */
+  /** Refuses ranges outside the text. */
   public SourceRange {
     Objects.checkFromToIndex(start, end, source.text().length());
   }
 
-  /** What is there. */
+  /** Returns the text of the range. */
   public String text() {
     return source.text().substring(start, end);
   }
 
-  /** The place of its first character. */
+  /** Returns the location of the first character. */
   public SourceLocation location() {
     return source.at(start);
   }
 
-  /** Whether nothing is there, not even white space. */
+  /** Returns whether the range is empty; white space counts as content. */
   public boolean isEmpty() {
     return start == end;
   }
 
-  /** The same part without white space at its ends. */
+  /** Returns the range without white space at its ends. */
   public SourceRange strip() {
     String text = source.text();
     int from = start;

@@ -17,26 +17,26 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Map;
 
-/** A text and its name, which turns offsets into locations. Immutable. */
+/** A named text that converts offsets into locations. Immutable. */
 public final class SourceText {
 
   private static final long LARGEST = 256L << 20;
 
   private static final char BYTE_ORDER_MARK = '\uFEFF';
 
-  /** What Java puts in place of bytes that are not UTF-8; a text may also hold it. */
+  /** Replacement of invalid UTF-8 by Java; a valid text may also contain it. */
   private static final char REPLACEMENT = '\uFFFD';
 
   private final String name;
   private final String text;
   private final int[] lineStarts;
 
-  /** The line that was last asked for: many findings on a line of megabytes share one copy. */
+  /** Most recently requested line, so that many findings on a line of megabytes share one copy. */
   private volatile Line last;
 
   private record Line(int index, String text) {}
 
-  /** Where all of the text is; null if its own lines are those of its file. */
+  /** Location of the whole text; null if its lines are those of its file. */
   private final SourceLocation place;
 
   private SourceText(String name, String text, SourceLocation place) {
@@ -46,15 +46,15 @@ public final class SourceText {
     this.place = place;
   }
 
-  /** A text that is in memory already, under the name that people know it by. */
+  /** Returns a text from memory under its displayed name. */
   public static SourceText of(String name, String text) {
     boolean marked = !text.isEmpty() && text.charAt(0) == BYTE_ORDER_MARK;
     return new SourceText(name, marked ? text.substring(1) : text, null);
   }
 
   /**
-   * A text that is written in another one with escapes, as an attribute's value in XML is, so that
-   * its offsets are none of the file: all of it is at one place.
+   * Returns a text that is written with escapes inside another one, such as an XML attribute value.
+   * Its offsets are not those of the file, so all of it has one location.
    */
   public static SourceText within(SourceLocation place, String text) {
     return new SourceText(place.file(), text, place);
@@ -74,7 +74,7 @@ public final class SourceText {
       SourceText text = of(name, decode(bytes));
       int nul = text.text.indexOf('\0');
       if (nul >= 0) {
-        // What UTF-16 writes between the letters is valid UTF-8.
+        // The NUL bytes of UTF-16 are valid UTF-8.
         throw wrongEncoding(
             "The file contains a NUL character, which text never does.", text.at(nul));
       }
@@ -90,7 +90,9 @@ public final class SourceText {
         Diagnostic.error("file.encoding", message, place).withHint("Save it as UTF-8."));
   }
 
-  /** Large files are decoded without a copy of two bytes for each character on the way. */
+  /**
+   * Decodes bytes; for large files without an intermediate copy of two bytes for each character.
+   */
   private static String decode(byte[] bytes) throws CharacterCodingException {
     String text = new String(bytes, StandardCharsets.UTF_8);
     return text.indexOf(REPLACEMENT) < 0
@@ -112,7 +114,7 @@ public final class SourceText {
     }
   }
 
-  /** A device or a pipe never ends, and no text of a project is as large as the limit. */
+  /** Refuses devices and pipes, which never end, and files beyond the size limit. */
   private static void requireReadable(Path file) throws IOException {
     if (!Files.isRegularFile(file)) {
       throw unreadable("file.unreadable", "This is not a regular file.", file);
@@ -138,7 +140,7 @@ public final class SourceText {
           "File name too long", "the name is too long",
           "Too many open files", "this process has too many files open");
 
-  /** Why a file could not be read or written, in words for people, without a full stop. */
+  /** Returns the reason why a file could not be read or written, without a full stop. */
   public static String reason(IOException e) {
     if (e instanceof AccessDeniedException) {
       return "permission is denied";
@@ -155,7 +157,7 @@ public final class SourceText {
     } else if (e instanceof CharacterCodingException) {
       return "it is not UTF-8 text";
     }
-    // Java gives the file's name as the message where the system gives no reason.
+    // Without a reason of the system, Java's message is the file name.
     String reason = e instanceof FileSystemException file ? file.getReason() : e.getMessage();
     return reason == null || reason.isBlank() ? "the system does not say why" : plain(reason);
   }
@@ -165,7 +167,7 @@ public final class SourceText {
     return reason(e.getCause());
   }
 
-  /** What Linux says, as far as it is known, begins such a text or is in brackets. */
+  /** Returns a plain wording for a known error message of Linux; other messages unchanged. */
   private static String plain(String reason) {
     for (Map.Entry<String, String> known : SAID_BY_THE_SYSTEM.entrySet()) {
       if (reason.contains(known.getKey())) {
@@ -180,7 +182,7 @@ public final class SourceText {
         DiagnosticException.Reason.INPUT, Diagnostic.error(id, message, SourceLocation.of(file)));
   }
 
-  /** The line of the first byte that is not UTF-8. */
+  /** Returns the line of the first byte that is not UTF-8. */
   private static SourceLocation encodingError(String name, byte[] bytes) {
     ByteBuffer input = ByteBuffer.wrap(bytes);
     StandardCharsets.UTF_8
@@ -195,23 +197,23 @@ public final class SourceText {
     return new SourceLocation(name, line, 0, "", "");
   }
 
-  /** The name that people know the text by. */
+  /** Returns the displayed name of the text. */
   public String name() {
     return name;
   }
 
-  /** The text, without a byte order mark. */
+  /** Returns the text, without a byte order mark. */
   public String text() {
     return text;
   }
 
-  /** All of the text. */
+  /** Returns the range of the whole text. */
   public SourceRange whole() {
     return range(0, text.length());
   }
 
   /**
-   * A part of the text.
+   * Returns a range of the text.
    *
    * @param start the offset of the first character
    * @param end the offset after the last character
@@ -222,9 +224,9 @@ public final class SourceText {
   }
 
   /**
-   * The place of an offset.
+   * Returns the location of an offset.
    *
-   * @param offset from 0 to the length of the text; anything beyond is taken for the nearest end
+   * @param offset from 0 to the length of the text; other values are clamped
    */
   public SourceLocation at(int offset) {
     if (place != null) {
@@ -237,7 +239,8 @@ public final class SourceText {
   }
 
   /**
-   * The place of a line and a column, both from 1; a line beyond the end is taken for the last one.
+   * Returns the location of a line and a column, both from 1; a line beyond the end counts as the
+   * last one.
    */
   public SourceLocation at(int line, int column) {
     if (place != null) {
@@ -248,7 +251,7 @@ public final class SourceText {
   }
 
   /**
-   * The offset of a line and a column, both from 1; never beyond the end of the text.
+   * Returns the offset of a line and a column, both from 1; never beyond the end of the text.
    *
    * @return from 0 to the length of the text
    */
@@ -275,7 +278,10 @@ public final class SourceText {
     return text.substring(start, end);
   }
 
-  /** The last character of a line's end, which is LF, CRLF or CR; -1 if there is no more. */
+  /**
+   * Returns the offset of the last character of the next line end (LF, CRLF or CR); -1 if there is
+   * none.
+   */
   private static int lineEnd(String text, int from, boolean onlyLineFeeds) {
     if (onlyLineFeeds) {
       return text.indexOf('\n', from);

@@ -11,16 +11,15 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * Findings that people have decided to live with for a while, each with a reason and an expiry
- * date. A suppressed finding does not make a command fail, and stays visible in the reports.
- * Immutable.
+ * Temporarily accepted findings, each with a reason and an expiry date. A suppressed finding does
+ * not make a command fail and stays visible in the reports. Immutable.
  */
 public final class Suppressions {
 
-  /** Nothing is suppressed. */
+  /** No suppressions. */
   public static final Suppressions NONE = new Suppressions(List.of(), LocalDate.EPOCH);
 
-  /** What says that something was not checked or not proved would otherwise pass for a proof. */
+  /** Ids that report missing checks or proofs; suppressed, they would pass for a proof. */
   private static final Set<String> NEVER =
       Set.of(
           "eventchain.defect",
@@ -35,10 +34,9 @@ public final class Suppressions {
   private final LocalDate today;
 
   /**
-   * Suppressions as of a day.
+   * Creates suppressions as of a day.
    *
-   * @param today the day on which they are judged, which is an input so that equal inputs give
-   *     equal results
+   * @param today the reference date for expiry, an input so that equal inputs give equal results
    */
   public Suppressions(List<Entry> entries, LocalDate today) {
     this.entries = List.copyOf(entries);
@@ -46,17 +44,17 @@ public final class Suppressions {
   }
 
   /**
-   * Which findings are suppressed, why, and until when. In all parts but the id and the reason,
-   * {@code *} stands for any characters, and what is empty matches everything.
+   * A suppression: a pattern of findings, a reason and an expiry date. In all parts except id and
+   * reason, {@code *} stands for any characters, and an empty pattern matches everything.
    *
    * @param id the id of the findings
    * @param rule the user's rule that found them
-   * @param element the element that they are about
-   * @param file the file that they are in; a file's last parts are enough
-   * @param message their message
-   * @param reason why that is right
-   * @param expires the last day on which it is
-   * @param location where the entry is
+   * @param element the element of the findings
+   * @param file the file of the findings; its last path segments suffice
+   * @param message the message of the findings
+   * @param reason the reason for the suppression
+   * @param expires the last day of validity
+   * @param location the location of the entry
    */
   public record Entry(
       String id,
@@ -78,7 +76,7 @@ public final class Suppressions {
       }
     }
 
-    /** Whether the finding is one of those meant, the day apart. */
+    /** Returns whether the finding matches, regardless of expiry. */
     public boolean matches(Diagnostic finding) {
       return finding.id().equals(id)
           && like(rule, finding.rule())
@@ -88,9 +86,9 @@ public final class Suppressions {
     }
 
     /**
-     * Whether all findings that it is about would have been found by these checks: those of the
-     * same kind ({@code ocl.undefined} comes of the checks for {@code ocl.violated}), in the files
-     * that were checked.
+     * Returns whether these checks would have reported every finding that it matches. These are
+     * checks of the same kind in the checked files; {@code ocl.undefined} comes from the checks for
+     * {@code ocl.violated}.
      */
     private boolean isAboutChecksOf(Coverage coverage) {
       return coverage.checks().stream().anyMatch(check -> kindOf(check.id()).equals(kindOf(id)))
@@ -118,21 +116,21 @@ public final class Suppressions {
   }
 
   /**
-   * A finding that is suppressed.
+   * A suppressed finding.
    *
-   * @param by the entry that says so, the first of several
+   * @param by the first entry that matches
    */
   public record Suppressed(Diagnostic finding, Entry by) {}
 
   /**
-   * Findings, parted.
+   * Partition of findings.
    *
-   * @param remaining those that count
-   * @param suppressed those that do not
+   * @param remaining the findings that are not suppressed
+   * @param suppressed the suppressed findings
    */
   public record Parted(List<Diagnostic> remaining, List<Suppressed> suppressed) {}
 
-  /** Whether findings of this id may be suppressed at all. */
+  /** Returns whether findings of this id may be suppressed. */
   public static boolean mayBeSuppressed(String id) {
     return !NEVER.contains(id)
         && !id.endsWith(".syntax")
@@ -140,17 +138,17 @@ public final class Suppressions {
         && !id.startsWith("report.");
   }
 
-  /** The entries that count on the day. */
+  /** Returns the entries that have not expired. */
   public List<Entry> inForce() {
     return entries.stream().filter(entry -> !isExpired(entry)).toList();
   }
 
-  /** Whether a finding is suppressed. */
+  /** Returns whether a finding is suppressed. */
   public boolean accepts(Diagnostic finding) {
     return entryFor(finding).isPresent();
   }
 
-  /** Parts the findings into those that count and those that do not, each in the order given. */
+  /** Splits the findings into remaining and suppressed ones, each in the given order. */
   public Parted part(List<Diagnostic> findings) {
     List<Diagnostic> remaining = new ArrayList<>();
     List<Suppressed> suppressed = new ArrayList<>();
@@ -177,12 +175,12 @@ public final class Suppressions {
   }
 
   /**
-   * Warnings about the entries themselves: those that have expired, and those that match nothing
-   * any more. The latter needs the findings of an entry to have been looked for.
+   * Returns warnings about entries that have expired or no longer match. An entry is only reported
+   * as unmatched if checks for its findings ran.
    *
-   * @param findings everything that was found, whether suppressed or not
-   * @param coverage the checks that ran; an entry about others is not judged
-   * @param complete whether everything was looked for, so that each entry can be judged
+   * @param findings all findings, suppressed or not
+   * @param coverage the checks that ran; entries about other checks are skipped
+   * @param complete true if all checks ran, so that no entry is skipped
    */
   public List<Diagnostic> warnings(List<Diagnostic> findings, Coverage coverage, boolean complete) {
     List<Diagnostic> warnings = new ArrayList<>();

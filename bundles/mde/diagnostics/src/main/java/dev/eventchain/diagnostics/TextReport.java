@@ -4,14 +4,14 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** A report for people. */
+/** Report as plain text. */
 final class TextReport {
 
   private static final int LONGEST_EXCERPT = 160;
 
   private TextReport() {}
 
-  /** Everything, with the summary where something was checked. */
+  /** Returns the whole report, with the summary if anything was checked. */
   static String render(Report report) {
     String findings = findings(report, Integer.MAX_VALUE);
     return report.coverage().equals(Coverage.NONE) ? findings : findings + report.summary() + "\n";
@@ -35,7 +35,7 @@ final class TextReport {
     return text.toString();
   }
 
-  /** A finding with its place, its source line and what helps. */
+  /** Appends a finding with its location, source line and hint. */
   static void append(Diagnostic diagnostic, StringBuilder text) {
     SourceLocation location = diagnostic.location();
     String place = location.toString();
@@ -61,7 +61,7 @@ final class TextReport {
     return diagnostic.id() + rule;
   }
 
-  /** The place, or else the element where no place is known. */
+  /** Returns the location, or the element if no location is known. */
   private static String nameOf(SourceLocation related) {
     return related.toString().isEmpty() ? related.element() : related.toString();
   }

@@ -1,16 +1,16 @@
 package dev.eventchain.diagnostics;
 
-/** Text as XML 1.0 can hold it; characters that it cannot hold are replaced. */
+/** Escapes text for XML 1.0; characters that it cannot hold are replaced. */
 final class Xml {
 
   private Xml() {}
 
-  /** The content of an attribute in double quotes. */
+  /** Returns the content of an attribute in double quotes. */
   static String attribute(String text) {
     return text(text).replace("\"", "&quot;").replace("\n", "&#10;").replace("\t", "&#9;");
   }
 
-  /** The content of an element. */
+  /** Returns the content of an element. */
   static String text(String text) {
     return Printable.clean(text)
         .replace('\uFFFE', '\uFFFD')

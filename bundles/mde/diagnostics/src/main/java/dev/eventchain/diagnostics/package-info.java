@@ -1,2 +1,2 @@
-/** Findings as values, the places they point to, and the formats they are written in. */
+/** Findings, their locations, and the formats of reports. */
 package dev.eventchain.diagnostics;

@@ -26,7 +26,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.xml.sax.SAXException;
 
-/** A report in each format, to the byte, and valid by the format's own schema. */
+/** Reports in each format, compared byte by byte and validated by the schema of the format. */
 class ReportFilesTest {
 
   private static final Path EXPECTED =
@@ -71,7 +71,7 @@ class ReportFilesTest {
     }
   }
 
-  /** A relative name that leaves its base shows nothing in a viewer. */
+  /** Viewers show nothing for a relative name that leaves its base. */
   @ParameterizedTest
   @CsvSource({
     "FOLDER/a b/x.xmi, a%20b/x.xmi, SRCROOT",

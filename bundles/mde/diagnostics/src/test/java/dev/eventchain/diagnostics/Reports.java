@@ -14,7 +14,7 @@ final class Reports {
 
   private Reports() {}
 
-  /** Has one of everything. */
+  /** Returns a report with every kind of content. */
   static Report full() {
     Diagnostic violated =
         Diagnostic.error("ocl.violated", "Node 'TTC' [see](http://x) has no output.", NODE)

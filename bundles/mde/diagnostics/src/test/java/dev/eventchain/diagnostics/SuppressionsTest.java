@@ -89,7 +89,10 @@ class SuppressionsTest {
     assertFalse(isJudged(elsewhere, coverage));
   }
 
-  /** Where nothing was found, an entry is stale as soon as its findings have been looked for. */
+  /**
+   * Returns whether an entry counts as stale when nothing was found: if checks for its findings
+   * ran.
+   */
   private static boolean isJudged(Entry entry, Coverage coverage) {
     return !new Suppressions(List.of(entry), LAST_DAY)
         .warnings(List.of(), coverage, false)

@@ -11,12 +11,12 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * A JSON or YAML file that knows the location of each of its values and keys. Its values are
- * addressed by JSON pointers, in YAML, too. Immutable.
+ * A JSON or YAML file with the location of each of its values and keys. JSON pointers address its
+ * values, also in YAML. Immutable.
  */
 public final class Document {
 
-  /** How deep a document may be nested. */
+  /** Greatest nesting depth of a document. */
   public static final int DEEPEST = 200;
 
   static final int LONGEST = 16 * 1024 * 1024;
@@ -38,12 +38,12 @@ public final class Document {
   }
 
   /**
-   * Reads a text: one document, at most 200 levels deep and 16 Mi characters long, in which every
-   * text can be shown. A duplicate key, a key that is not text, and a text with control characters
-   * are findings, and reading continues.
+   * Reads a document of at most 200 levels and 16 Mi characters without control characters.
+   * Duplicate keys, keys that are not text, and control characters are findings, after which
+   * reading continues.
    *
-   * @param findings gets what is wrong with the document
-   * @throws DiagnosticException INPUT if it is no such document ({@link FindingIds#syntax})
+   * @param findings receives the problems of the document
+   * @throws DiagnosticException INPUT if the text is no such document ({@link FindingIds#syntax})
    */
   public static Document parse(
       SourceText source, DocumentFormat format, FindingIds ids, Consumer<Diagnostic> findings) {
@@ -54,15 +54,13 @@ public final class Document {
     return document;
   }
 
-  /** As {@link #parse}, but nothing where the text is empty, or has nothing but comments. */
+  /** As {@link #parse}, but empty if the text is empty or has only comments. */
   public static Optional<Document> parseIfAny(
       SourceText source, DocumentFormat format, FindingIds ids, Consumer<Diagnostic> findings) {
     return Optional.of(parse(source, format, ids, false, findings)).filter(d -> !d.isEmpty());
   }
 
-  /**
-   * As {@link #parse}, for documents that hold texts of others, whatever characters are in them.
-   */
+  /** As {@link #parse}, for documents that hold foreign texts, which may contain any characters. */
   public static Document parseWithAnyText(
       SourceText source, DocumentFormat format, FindingIds ids, Consumer<Diagnostic> findings) {
     Document document = parse(source, format, ids, true, findings);
@@ -114,13 +112,13 @@ public final class Document {
     return root.isMissingNode();
   }
 
-  /** The whole document. Not to be changed. */
+  /** Returns the root value, which must not be modified. */
   public JsonNode root() {
     return root;
   }
 
   /**
-   * A reader of the object at a pointer; nothing if that is not an object, which is a finding.
+   * Returns a reader of the object at a pointer; empty, with a finding, if it is not an object.
    *
    * @param pointer empty for the whole document
    */
@@ -134,7 +132,7 @@ public final class Document {
     return Optional.empty();
   }
 
-  /** Readers of the objects in the array that the document is; whatever is none is a finding. */
+  /** Returns readers of the objects in the root array; everything else there is a finding. */
   public List<ObjectReader> objects(Consumer<Diagnostic> findings) {
     if (!root.isArray()) {
       String message = "The file must hold " + format.array() + ", not " + kind(root) + ".";
@@ -152,8 +150,8 @@ public final class Document {
   }
 
   /**
-   * The place of a pointer's value; where there is no such value, that of the nearest one around
-   * it.
+   * Returns the location of the value at a pointer; without such a value, that of the nearest
+   * enclosing one.
    */
   public SourceLocation at(String pointer) {
     String known = pointer;
@@ -164,13 +162,13 @@ public final class Document {
     return source.at(offset == null ? 0 : offset).withElement(pointer);
   }
 
-  /** The place of the key before a pointer's value; as {@link #at} where there is none. */
+  /** Returns the location of the key of the value at a pointer; as {@link #at} without a key. */
   public SourceLocation atKey(String pointer) {
     Integer offset = notes.key(pointer);
     return offset == null ? at(pointer) : source.at(offset).withElement(pointer);
   }
 
-  /** What a value is, in the words of the format: "a list". */
+  /** Returns the kind of a value in the terms of the format: "a list". */
   public String kind(JsonNode value) {
     return format.kind(value);
   }
@@ -183,7 +181,7 @@ public final class Document {
     return ids;
   }
 
-  /** The pointer to a property or an element below another one. */
+  /** Returns the pointer to a property or an element below a pointer. */
   public static String below(String pointer, Object name) {
     return pointer + "/" + name.toString().replace("~", "~0").replace("/", "~1");
   }

@@ -2,15 +2,15 @@ package dev.eventchain.documents;
 
 import com.fasterxml.jackson.databind.JsonNode;
 
-/** The formats of documents, in the words of the people who write them. */
+/** Formats of documents, with the terms that their users know. */
 public enum DocumentFormat {
-  /** Strict JSON (RFC 8259). A value that is {@code null} counts as not written. */
+  /** Strict JSON (RFC 8259). A {@code null} value counts as absent. */
   JSON("property", "an array", "an object"),
 
   /**
-   * YAML, of which only what all its versions read alike is taken for more than text: {@code true},
-   * {@code false}, {@code null}, {@code ~}, and decimal numbers without leading zeros. No tags, no
-   * aliases.
+   * YAML without tags and aliases. Only scalars that all versions of YAML read alike are more than
+   * text: {@code true}, {@code false}, {@code null}, {@code ~}, and decimal numbers without leading
+   * zeros.
    */
   YAML("key", "a list", "a mapping");
 
@@ -36,7 +36,7 @@ public enum DocumentFormat {
     return object;
   }
 
-  /** What a value is, in words. */
+  /** Returns the kind of a value in words. */
   String kind(JsonNode node) {
     return switch (node.getNodeType()) {
       case OBJECT -> object;

@@ -1,19 +1,19 @@
 package dev.eventchain.documents;
 
 /**
- * The ids under which a kind of file reports what is wrong with it.
+ * Ids of the findings about a kind of file.
  *
- * @param syntax it is not JSON or YAML, or uses what is not read
- * @param duplicate a key is duplicated in an object
- * @param type a value is of another type than the one that is meant
- * @param missing something that is needed is not there
- * @param unknown a key that no reader asks for
- * @param range a value of the right type that cannot be
+ * @param syntax a text that is not JSON or YAML, or uses unsupported features
+ * @param duplicate a duplicate key in an object
+ * @param type a value of the wrong type
+ * @param missing a missing required value
+ * @param unknown an unknown key
+ * @param range a value of the right type that is out of range
  */
 public record FindingIds(
     String syntax, String duplicate, String type, String missing, String unknown, String range) {
 
-  /** One id for all that can be wrong. */
+  /** Returns ids that are all the same. */
   public static FindingIds all(String id) {
     return new FindingIds(id, id, id, id, id, id);
   }

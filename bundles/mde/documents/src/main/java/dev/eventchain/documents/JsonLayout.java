@@ -8,13 +8,13 @@ import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 
-/** The layout in which JSON is shown to people and language models, and written to files. */
+/** Layout of JSON for users, language models and files. */
 public final class JsonLayout {
   private static final JsonMapper MAPPER = new JsonMapper();
 
   private JsonLayout() {}
 
-  /** The text, indented by two blanks, without a line break at its end. */
+  /** Returns the text, indented by two blanks, without a line break at its end. */
   public static String of(JsonNode node) {
     DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
     DefaultPrettyPrinter printer =

@@ -14,7 +14,7 @@ import com.fasterxml.jackson.databind.node.MissingNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 
-/** Builds the tree of a JSON text. */
+/** Builder of the tree of a JSON text. */
 final class JsonTree {
 
   private static final JsonFactory FACTORY = new JsonFactory();
@@ -29,7 +29,7 @@ final class JsonTree {
     this.notes = notes;
   }
 
-  /** The tree; a missing node if the text is empty. */
+  /** Returns the tree; a missing node if the text is empty. */
   static JsonNode read(String text, TreeNotes notes) throws MalformedException {
     try (JsonParser parser = FACTORY.createParser(text)) {
       return new JsonTree(parser, notes).root();
@@ -42,7 +42,7 @@ final class JsonTree {
     }
   }
 
-  /** What the parser says, without the names of its settings and a second place. */
+  /** Returns the message of the parser without the names of its settings and its own location. */
   private static String reason(JsonProcessingException e) {
     if (e instanceof StreamConstraintsException) {
       return "a name or a number is too long.";
@@ -78,7 +78,7 @@ final class JsonTree {
       case START_ARRAY -> array(pointer);
       case VALUE_STRING -> JSON.textNode(notes.check(parser.getText(), pointer, offset));
       case VALUE_NUMBER_INT -> integer();
-      // As it is written: a trailing zero is shown again.
+      // Keeps the notation: trailing zeros are shown again.
       case VALUE_NUMBER_FLOAT -> DecimalNode.valueOf(parser.getDecimalValue());
       case VALUE_TRUE -> JSON.booleanNode(true);
       case VALUE_FALSE -> JSON.booleanNode(false);

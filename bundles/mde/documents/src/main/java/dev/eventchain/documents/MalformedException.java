@@ -1,6 +1,6 @@
 package dev.eventchain.documents;
 
-/** A text is not a document. The message is a whole sentence for people. */
+/** Thrown for a text that is not a document. The message is a whole sentence for users. */
 final class MalformedException extends Exception {
 
   private static final long serialVersionUID = 1L;
@@ -12,7 +12,7 @@ final class MalformedException extends Exception {
     this.offset = offset;
   }
 
-  /** Where in the text; below zero if it is about the whole. */
+  /** Returns the offset in the text; negative if the whole text is concerned. */
   int offset() {
     return offset;
   }

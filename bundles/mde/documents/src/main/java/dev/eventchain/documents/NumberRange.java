@@ -1,30 +1,30 @@
 package dev.eventchain.documents;
 
 /**
- * Which numbers are allowed.
+ * Range of allowed numbers.
  *
- * @param least the least one
- * @param above whether the least one itself cannot be
- * @param most the greatest one, which can be
+ * @param least the lower bound
+ * @param above true if the lower bound is excluded
+ * @param most the upper bound, included
  */
 public record NumberRange(double least, boolean above, double most) {
 
-  /** From one number to another, both included. */
+  /** Returns a range with both bounds included. */
   public static NumberRange of(double least, double most) {
     return new NumberRange(least, false, most);
   }
 
-  /** A number and all finite ones beyond it. */
+  /** Returns the range of a number and all greater finite ones. */
   public static NumberRange atLeast(double least) {
     return new NumberRange(least, false, Double.POSITIVE_INFINITY);
   }
 
-  /** All finite numbers beyond a number. */
+  /** Returns the range of all finite numbers greater than a number. */
   public static NumberRange above(double least) {
     return new NumberRange(least, true, Double.POSITIVE_INFINITY);
   }
 
-  /** The same range, up to a number. */
+  /** Returns this range with another upper bound. */
   public NumberRange upTo(double newMost) {
     return new NumberRange(least, above, newMost);
   }
@@ -33,7 +33,7 @@ public record NumberRange(double least, boolean above, double most) {
     return Double.isFinite(number) && (above ? number > least : number >= least) && number <= most;
   }
 
-  /** What a number has to be: "from 0 to 5". */
+  /** Returns the range in words: "from 0 to 5". */
   String words() {
     if (Double.isInfinite(most)) {
       String bound = least == 0 ? "zero" : plain(least);

@@ -15,11 +15,11 @@ import java.util.Set;
 import java.util.function.Consumer;
 
 /**
- * Reads one object of a document (a mapping in YAML) key by key. Whatever is not as it should be is
- * a finding, and reading continues.
+ * Reader of one object of a document (a mapping in YAML), key by key. Invalid content is a finding,
+ * after which reading continues.
  *
- * <p>A value of the wrong type is never turned into the right one. In JSON, {@code null} counts as
- * not written; in YAML it is a forgotten value.
+ * <p>A value of the wrong type is never converted. In JSON, {@code null} counts as absent; in YAML
+ * it is a finding.
  */
 public final class ObjectReader {
 
@@ -36,47 +36,47 @@ public final class ObjectReader {
     this.findings = findings;
   }
 
-  /** Where the object begins. */
+  /** Returns the location where the object begins. */
   public SourceLocation location() {
     return document.at(pointer);
   }
 
-  /** The pointer to a key's value. */
+  /** Returns the pointer to the value of a key. */
   public String pointerTo(Object name) {
     return Document.below(pointer, name);
   }
 
-  /** The place of a key's value, or of the object where the key is missing. */
+  /** Returns the location of the value of a key, or of the object if the key is missing. */
   public SourceLocation at(String name) {
     return document.at(pointerTo(name));
   }
 
-  /** The place of a key, or of the object where the key is missing. */
+  /** Returns the location of a key, or of the object if the key is missing. */
   public SourceLocation atKey(String name) {
     return document.atKey(pointerTo(name));
   }
 
-  /** Whether the key is there, with a value or not. */
+  /** Returns whether the key is present, with or without a value. */
   public boolean has(String name) {
     known.add(name);
     return object.has(name);
   }
 
-  /** The keys, in the order of the file. */
+  /** Returns the keys, in the order of the file. */
   public List<String> names() {
     List<String> names = new ArrayList<>();
     object.fieldNames().forEachRemaining(names::add);
     return names;
   }
 
-  /** The value as it is; nothing where it is missing or null. */
+  /** Returns the raw value; empty if it is missing or null. */
   public Optional<JsonNode> value(String name) {
     known.add(name);
     JsonNode value = object.get(name);
     return value == null || value.isNull() ? Optional.empty() : Optional.of(value);
   }
 
-  /** A value that is looked at; a null that counts as one is a finding. */
+  /** Returns the value of a key. A null value in YAML is a finding. */
   private Optional<JsonNode> given(String name, String wanted) {
     Optional<JsonNode> value = value(name);
     if (value.isEmpty() && object.has(name) && document.format() == DocumentFormat.YAML) {
@@ -85,7 +85,7 @@ public final class ObjectReader {
     return value;
   }
 
-  /** The finding that a key is missing, unless its value is there and was invalid. */
+  /** Reports that a key is missing, unless it has an invalid value, which was reported. */
   private void require(String name) {
     if (!object.has(name)) {
       find(document.ids().missing(), "'" + name + "' is missing.", location());
@@ -94,7 +94,7 @@ public final class ObjectReader {
     }
   }
 
-  /** A text with more than blanks; empty where it is missing, which is a finding. */
+  /** Returns a text that is not blank; empty, with a finding, if it is missing. */
   public String requiredText(String name) {
     Optional<String> value = text(name);
     require(name);
@@ -104,7 +104,7 @@ public final class ObjectReader {
     return value.orElse("");
   }
 
-  /** A text that may be missing. */
+  /** Returns an optional text. */
   public Optional<String> text(String name) {
     Optional<JsonNode> value = given(name, "a string");
     if (value.isPresent() && !value.get().isTextual()) {
@@ -114,14 +114,14 @@ public final class ObjectReader {
     return value.map(JsonNode::textValue);
   }
 
-  /** A number; the least one where it is missing or wrong, which is a finding. */
+  /** Returns a number; the lower bound, with a finding, if it is missing or invalid. */
   public double requiredNumber(String name, NumberRange range) {
     OptionalDouble value = number(name, range);
     require(name);
     return value.orElse(range.least());
   }
 
-  /** A number that may be missing. */
+  /** Returns an optional number. */
   public OptionalDouble number(String name, NumberRange range) {
     Optional<JsonNode> value = given(name, "a number");
     if (value.isEmpty()) {
@@ -135,7 +135,7 @@ public final class ObjectReader {
     return isIn(name, number, range) ? OptionalDouble.of(number) : OptionalDouble.empty();
   }
 
-  /** A whole number that may be missing. */
+  /** Returns an optional whole number. */
   public OptionalLong wholeNumber(String name, NumberRange range) {
     Optional<JsonNode> value = given(name, "a whole number");
     if (value.isEmpty()) {
@@ -150,7 +150,7 @@ public final class ObjectReader {
         : OptionalLong.empty();
   }
 
-  /** A whole number; the least one where it is missing or wrong, which is a finding. */
+  /** Returns a whole number; the lower bound, with a finding, if it is missing or invalid. */
   public long requiredWholeNumber(String name, NumberRange range) {
     OptionalLong value = wholeNumber(name, range);
     require(name);
@@ -167,7 +167,7 @@ public final class ObjectReader {
     return range.holds(number);
   }
 
-  /** A key that is either there and {@code true}, or left out. */
+  /** Reports a finding unless a key is {@code true} or absent. */
   public void requireTrue(String name) {
     Optional<JsonNode> value = given(name, "true");
     if (value.isPresent() && !(value.get().isBoolean() && value.get().booleanValue())) {
@@ -177,7 +177,7 @@ public final class ObjectReader {
     }
   }
 
-  /** The texts of an array that may be missing. */
+  /** Returns the texts of an optional array. */
   public List<String> texts(String name) {
     List<String> texts = new ArrayList<>();
     JsonNode array = array(name);
@@ -196,7 +196,7 @@ public final class ObjectReader {
     return texts;
   }
 
-  /** The pointers to the elements of an array that may be missing. */
+  /** Returns the pointers to the elements of an optional array. */
   public List<String> elements(String name) {
     List<String> pointers = new ArrayList<>();
     int size = array(name).size();
@@ -215,7 +215,7 @@ public final class ObjectReader {
     return value.filter(JsonNode::isArray).orElse(MissingNode.getInstance());
   }
 
-  /** An object that may be missing. */
+  /** Returns a reader of an optional object. */
   public Optional<ObjectReader> object(String name) {
     String wanted = document.format().object();
     Optional<JsonNode> value = given(name, wanted);
@@ -226,26 +226,26 @@ public final class ObjectReader {
     return value.map(node -> new ObjectReader(document, pointerTo(name), node, findings));
   }
 
-  /** A required object. */
+  /** Returns a reader of a required object. */
   public Optional<ObjectReader> requiredObject(String name) {
     Optional<ObjectReader> found = object(name);
     require(name);
     return found;
   }
 
-  /** The objects of an array that may be missing. */
+  /** Returns readers of the objects of an optional array. */
   public List<ObjectReader> objects(String name) {
     return document.objects(pointerTo(name), array(name), findings);
   }
 
-  /** The objects of a required array. */
+  /** Returns readers of the objects of a required array. */
   public List<ObjectReader> requiredObjects(String name) {
     List<ObjectReader> found = objects(name);
     require(name);
     return found;
   }
 
-  /** Reports the keys that were not asked for. Called last. */
+  /** Reports the keys that were not read. Must be called last. */
   public void refuseOthers() {
     for (String name : names()) {
       if (!known.contains(name)) {
@@ -257,20 +257,20 @@ public final class ObjectReader {
     }
   }
 
-  /** Reports something else about the object. */
+  /** Reports another finding about the object. */
   public void find(String id, String message, SourceLocation location) {
     find(Diagnostic.error(id, message, location));
   }
 
-  /** Reports something else about the object. */
+  /** Reports another finding about the object. */
   public void find(Diagnostic finding) {
     findings.accept(finding);
   }
 
   /**
-   * Reports that a value is of another type.
+   * Reports a value of the wrong type.
    *
-   * @param wanted what it must be: "a string"
+   * @param wanted the required type: "a string"
    */
   public void refuseType(String name, String wanted) {
     findings.accept(
@@ -289,7 +289,7 @@ public final class ObjectReader {
     return text.length() > 60 ? text.substring(0, 60) + "..." : text;
   }
 
-  /** What is here, with the value itself if it is short enough to be shown. */
+  /** Returns the kind of a value, with the value itself if it is short. */
   private String shown(JsonNode value) {
     String kind = document.kind(value);
     if (!value.isValueNode() || value.isNull()) {

@@ -3,9 +3,9 @@ package dev.eventchain.documents;
 import java.util.regex.Pattern;
 
 /**
- * What a YAML scalar without quotes says. Versions of YAML disagree about {@code yes}, {@code 012},
- * {@code 1:30}, {@code 0x1F} or {@code 1_000}: these are the text that is written, which is refused
- * where a number or a Boolean is meant.
+ * Types of a YAML scalar without quotes. Versions of YAML disagree about {@code yes}, {@code 012},
+ * {@code 1:30}, {@code 0x1F} or {@code 1_000}. These are text, which is refused where a number or a
+ * Boolean is required.
  */
 enum PlainScalar {
   NOTHING,

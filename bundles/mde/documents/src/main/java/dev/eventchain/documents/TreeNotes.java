@@ -9,8 +9,8 @@ import java.util.Map;
 import java.util.function.Consumer;
 
 /**
- * Where the values and keys of a tree stand, noted while it is built, and what is wrong with it
- * that does not keep anybody from reading on.
+ * Locations of the values and keys of a tree, noted while it is built, and its recoverable
+ * problems.
  */
 final class TreeNotes {
 
@@ -35,7 +35,7 @@ final class TreeNotes {
     this.findings = findings;
   }
 
-  /** The pointer to something below a pointer; nothing below nothing, which has no place. */
+  /** Returns the pointer to a property or element below a pointer; null for null. */
   static String below(String pointer, Object name) {
     return pointer == null ? null : Document.below(pointer, name);
   }
@@ -55,9 +55,9 @@ final class TreeNotes {
   }
 
   /**
-   * Notes a key, and whether it is the first of its name.
+   * Notes a key and reports a duplicate one.
    *
-   * @return the pointer to its value; null if the value is to be read and forgotten
+   * @return the pointer to its value; null if the value is to be ignored
    */
   String noteKey(ObjectNode object, String pointer, String name, int offset) {
     if (pointer == null) {
@@ -81,7 +81,7 @@ final class TreeNotes {
     }
   }
 
-  /** A text or a key that no terminal, file or message could show as it is. */
+  /** Returns a text or a key. Reports it if it contains unprintable characters. */
   String check(String text, String pointer, int offset) {
     int found = anyText || pointer == null ? -1 : unprintable(text);
     if (found >= 0) {
@@ -91,7 +91,7 @@ final class TreeNotes {
     return text;
   }
 
-  /** The first character of a text that is not text; -1 if there is none. */
+  /** Returns the offset of the first unprintable character; -1 if there is none. */
   static int unprintable(String text) {
     for (int i = 0; i < text.length(); i++) {
       char c = text.charAt(i);
@@ -110,7 +110,7 @@ final class TreeNotes {
     return Character.isISOControl(c) && c != '\t' && c != '\n' && c != '\r';
   }
 
-  /** A character that cannot be shown, in words. */
+  /** Returns the description of an unprintable character. */
   static String described(char c) {
     String kind = Character.isSurrogate(c) ? "half of a character, U+" : "the control character U+";
     return kind + String.format("%04X", (int) c);
@@ -120,7 +120,7 @@ final class TreeNotes {
     findings.accept(Diagnostic.error(id, message, source.at(offset).withElement(pointer)));
   }
 
-  /** Reports a value that cannot be one, in a part of the document that is read at all. */
+  /** Reports an invalid value, except in an ignored part of the document. */
   void reportType(String message, String pointer, int offset) {
     if (pointer != null) {
       report(ids.type(), message, pointer, offset);

@@ -2,12 +2,12 @@ package dev.eventchain.documents;
 
 import com.fasterxml.jackson.databind.JsonNode;
 
-/** What to do about a value that is of another type than the one that is meant. */
+/** Hints about values of the wrong type. */
 final class TypeHint {
 
   private TypeHint() {}
 
-  /** The hint; empty if the message says it all. */
+  /** Returns the hint; empty if the message suffices. */
   static String of(String wanted, JsonNode value) {
     if (wanted.equals("a string")) {
       return value.isNumber() || value.isBoolean()

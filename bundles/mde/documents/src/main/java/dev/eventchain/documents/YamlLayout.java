@@ -8,13 +8,13 @@ import java.util.Map;
 import org.yaml.snakeyaml.DumperOptions;
 import org.yaml.snakeyaml.Yaml;
 
-/** The layout in which YAML that people may edit is written. */
+/** Layout of YAML files that users may edit. */
 public final class YamlLayout {
   private static final int WIDTH = 120;
 
   private YamlLayout() {}
 
-  /** The text, one line for each object that contains no others; with a line break at its end. */
+  /** Returns the text with a final line break; each object without nested ones is on one line. */
   public static String of(JsonNode node) {
     DumperOptions options = new DumperOptions();
     options.setDefaultFlowStyle(DumperOptions.FlowStyle.AUTO);

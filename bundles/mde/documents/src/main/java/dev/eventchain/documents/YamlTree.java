@@ -23,8 +23,8 @@ import org.yaml.snakeyaml.parser.ParserImpl;
 import org.yaml.snakeyaml.reader.StreamReader;
 
 /**
- * Builds the tree of a YAML text from its events, so that nothing is resolved that the text does
- * not say: what a scalar is follows from {@link PlainScalar} alone.
+ * Builder of the tree of a YAML text from its events, without implicit resolution. Only {@link
+ * PlainScalar} decides the type of a scalar.
  */
 final class YamlTree {
 
@@ -45,7 +45,7 @@ final class YamlTree {
     this.plainOffsets = text.chars().noneMatch(c -> Character.isSurrogate((char) c));
   }
 
-  /** The tree; a missing node if the text contains no value. */
+  /** Returns the tree; a missing node if the text contains no value. */
   static JsonNode read(String text, TreeNotes notes) throws MalformedException {
     refuseUnprintable(text);
     YamlTree tree = new YamlTree(text, notes);
@@ -61,7 +61,10 @@ final class YamlTree {
     }
   }
 
-  /** Characters that YAML does not allow, and those that end a line in some of its versions. */
+  /**
+   * Refuses characters that YAML does not allow, and those that end a line only in some of its
+   * versions.
+   */
   private static void refuseUnprintable(String text) throws MalformedException {
     int found = TreeNotes.unprintable(text);
     if (found >= 0) {
@@ -98,7 +101,7 @@ final class YamlTree {
     return offset(event.getStartMark());
   }
 
-  /** Marks count code points. */
+  /** Returns the offset of a mark, which counts code points. */
   private int offset(Mark mark) {
     if (mark == null) {
       return -1;

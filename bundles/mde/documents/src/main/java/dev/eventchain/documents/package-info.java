@@ -1,2 +1,2 @@
-/** JSON and YAML files, read strictly and in one way, with the place of each value. */
+/** Strict readers of JSON and YAML files that keep the location of each value. */
 package dev.eventchain.documents;

@@ -23,7 +23,7 @@ class DocumentTest {
 
   private final List<Diagnostic> found = new ArrayList<>();
 
-  /** Reads every kind of value under the key that is called like it. */
+  /** Reads each kind of value from the key of that name. */
   private void readAll(String text, DocumentFormat format) {
     try {
       Document document = Document.parse(SourceText.of("file", text), format, IDS, found::add);

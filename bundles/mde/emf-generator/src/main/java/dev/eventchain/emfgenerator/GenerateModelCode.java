@@ -31,8 +31,8 @@ public final class GenerateModelCode {
   /**
    * Generates the model code.
    *
-   * @param arguments the .genmodel file, and the folder that stands for the workspace project
-   *     {@code eventchain.metamodel}
+   * @param arguments the .genmodel file, and the folder of the workspace project {@code
+   *     eventchain.metamodel}
    * @throws IOException if a file cannot be read or written
    */
   public static void main(String[] arguments) throws IOException {
@@ -73,7 +73,7 @@ public final class GenerateModelCode {
     }
   }
 
-  /** The module compiles with all lints as errors, which EMF's code was not written for. */
+  /** Suppresses lint warnings, which are errors in this module, in EMF's code. */
   private static void quietLints(Path folder) throws IOException {
     try (Stream<Path> files = Files.walk(folder)) {
       files.filter(file -> file.toString().endsWith(".java")).forEach(GenerateModelCode::quietLint);
@@ -84,7 +84,7 @@ public final class GenerateModelCode {
     String annotation = "@SuppressWarnings({\"rawtypes\", \"unchecked\", \"serial\"})\n";
     try {
       String text = Files.readString(file);
-      if (!text.contains(annotation)) { // left as it is by a second run that changes nothing
+      if (!text.contains(annotation)) { // unchanged by a second run
         Files.writeString(file, text.replaceFirst("(?m)^public ", annotation + "public "));
       }
     } catch (IOException e) {

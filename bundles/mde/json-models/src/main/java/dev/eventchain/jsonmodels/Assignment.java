@@ -8,7 +8,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
-/** Sets a reference after checking everything that EMF would repair silently or trip over. */
+/** Sets a reference after checking what EMF would repair silently or fail on. */
 final class Assignment {
 
   private final EObject source;
@@ -25,7 +25,7 @@ final class Assignment {
     return new Assignment(source, reference, target);
   }
 
-  /** Sets the reference; or says, without a place, why it cannot be set. */
+  /** Sets the reference; returns a finding without place if it cannot be set. */
   Optional<Diagnostic> make() {
     Optional<Diagnostic> problem = problem();
     if (problem.isPresent()) {

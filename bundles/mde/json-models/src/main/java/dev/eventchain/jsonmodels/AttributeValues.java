@@ -18,7 +18,7 @@ import org.eclipse.emf.ecore.EEnumLiteral;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
-/** Turns JSON values into attribute values of exactly the type that the metamodel demands. */
+/** Converts JSON values into attribute values of exactly the type in the metamodel. */
 final class AttributeValues {
 
   private static final Set<Class<?>> REALS =
@@ -50,7 +50,7 @@ final class AttributeValues {
   }
 
   /**
-   * What values of a type are in JSON, as JSON Schema calls it: integer, number, boolean or string;
+   * Returns the JSON Schema type of values of a data type: integer, number, boolean or string;
    * empty for types whose values cannot be written.
    */
   static Optional<String> jsonType(EDataType type) {
@@ -184,7 +184,7 @@ final class AttributeValues {
         : outOfRange(attribute, value, pointer);
   }
 
-  /** Texts, and the few other types that can be written as texts; no others. */
+  /** Converts a text to a value of a string type or another type that is safe to read from text. */
   private Optional<Object> fromText(EAttribute attribute, JsonNode value, String pointer) {
     EDataType type = attribute.getEAttributeType();
     if (!value.isTextual()) {
@@ -198,7 +198,7 @@ final class AttributeValues {
         return Optional.of(EcoreUtil.createFromString(type, value.asText()));
       }
     } catch (RuntimeException e) {
-      // EMF says in its own way that the text is not a value; below it is said in ours.
+      // Not a value of the type: reported below.
     }
     find(
         "modeler.value.type",

@@ -27,7 +27,7 @@ final class ClassIndex {
     ePackage.getESubpackages().forEach(this::add);
   }
 
-  /** The names of the classes that objects can have, sorted. */
+  /** Returns the sorted names of the classes that can be instantiated. */
   List<String> concreteNames() {
     return classes.entrySet().stream()
         .filter(entry -> entry.getValue().stream().anyMatch(c -> !c.isAbstract()))
@@ -36,8 +36,8 @@ final class ClassIndex {
   }
 
   /**
-   * The classes that a name can mean: {@code Book}, {@code library.Book}, {@code library::Book},
-   * {@code library:Book}, or a URI that ends with {@code #//Book}.
+   * Returns the classes that a name can mean: {@code Book}, {@code library.Book}, {@code
+   * library::Book}, {@code library:Book}, or a URI that ends with {@code #//Book}.
    */
   List<EClass> find(String name) {
     int fragment = name.indexOf("#//");

@@ -8,8 +8,8 @@ import java.util.List;
 
 /**
  * Keeps the enumerations of a schema within what OpenAI accepts: 1,000 values in all of them, and
- * 15,000 characters in one of more than 250. An enumeration of texts that is too much for it is
- * taken out, the largest first, and texts are free there; the checks of an answer know the values.
+ * 15,000 characters in one of more than 250. Enumerations of texts beyond that are removed, the
+ * largest first, so that any text is allowed there; the checks of an answer know the values.
  */
 public final class EnumLimits {
 
@@ -21,7 +21,7 @@ public final class EnumLimits {
 
   private EnumLimits() {}
 
-  /** Takes out what is too much, and returns the schema. */
+  /** Removes enumerations beyond the limits, and returns the schema. */
   public static ObjectNode keep(ObjectNode schema) {
     List<ObjectNode> free = new ArrayList<>();
     collect(schema, free);
@@ -45,7 +45,7 @@ public final class EnumLimits {
     return sum;
   }
 
-  /** A property that is called "enum" contains no array. */
+  /** Collects the enumerations; a property named "enum" contains no array. */
   private static void collect(JsonNode node, List<ObjectNode> found) {
     if (node instanceof ObjectNode object && object.path(ENUM).isArray()) {
       found.add(object);

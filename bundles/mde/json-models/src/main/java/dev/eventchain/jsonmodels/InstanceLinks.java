@@ -17,7 +17,7 @@ import org.eclipse.emf.ecore.EReference;
 /** Second step of the instance modeler: references by id. */
 final class InstanceLinks {
 
-  /** What messages show of an id, which may be a whole object that was written as a text. */
+  /** The longest id shown in messages; an id may be a whole object written as a text. */
   private static final int LONGEST = 60;
 
   private record Slot(EObject source, EReference reference) {}
@@ -87,7 +87,7 @@ final class InstanceLinks {
         : NearestName.hint(link.id(), objects.byId().keySet());
   }
 
-  /** Setting one side of a pair of references can undo what the other side was told. */
+  /** Reports a link that was undone by setting its opposite. */
   private void requireKept(Link link) {
     EObject target = objects.byId().get(link.id());
     Object value = link.source().eGet(link.reference());
@@ -102,7 +102,7 @@ final class InstanceLinks {
     }
   }
 
-  /** An opposite may have filled the list before; the order of the text counts. */
+  /** Restores the order of the text in a list that an opposite may have filled before. */
   private static void arrange(Slot slot, List<EObject> order) {
     if (slot.reference().isMany() && slot.reference().isUnique()) {
       EList<?> values = (EList<?>) slot.source().eGet(slot.reference());

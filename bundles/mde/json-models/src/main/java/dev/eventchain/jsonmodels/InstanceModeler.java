@@ -12,20 +12,20 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 
 /**
- * Turns a conceptual instance model, the JSON that language models write well (paper, Section IV-B;
+ * Converts a conceptual instance model, JSON that language models write well (paper, Section IV-B;
  * arXiv 2503.22587), into a model of any Ecore metamodel.
  *
  * <p>An object names its class in {@code eClass} and itself in {@code id}; the other properties are
- * features. Contained objects are nested in the feature that contains them, or elsewhere with their
- * ids in it; all other references are ids. The document is one object, an array of objects, or an
- * object with an array for each class ({@code {"Book": [...], "Person": [...]}}). {@code null}
- * means that a feature is not set. Where a class has an attribute {@code id}, the property is both.
+ * features. Contained objects are nested in their containment feature, or listed there by id; all
+ * other references are ids. The document is one object, an array of objects, or an object with an
+ * array for each class ({@code {"Book": [...], "Person": [...]}}). {@code null} means that a
+ * feature is not set. If a class has an attribute {@code id}, the property sets it, too.
  */
 public final class InstanceModeler {
 
   private final ClassIndex classes;
 
-  /** A modeler for the classes of some metamodels and their subpackages. */
+  /** Creates a modeler for the classes of some metamodels and their subpackages. */
   public InstanceModeler(Collection<? extends EPackage> metamodels) {
     classes = new ClassIndex(metamodels);
   }
@@ -33,8 +33,7 @@ public final class InstanceModeler {
   /**
    * Reads an instance model.
    *
-   * @return the objects that nothing contains, in the order of the text, and everything that is
-   *     wrong with the text
+   * @return the root objects in the order of the text, and all findings about the text
    * @throws dev.eventchain.diagnostics.DiagnosticException INPUT ({@code modeler.json.syntax}) if
    *     the text is not JSON
    */
@@ -59,10 +58,10 @@ public final class InstanceModeler {
   }
 
   /**
-   * Reads an instance model that consists of one object of a class and what it contains.
+   * Reads an instance model that consists of one object of a class and its contents.
    *
-   * @return as {@link #model(SourceText)}; the root is an empty object of the class where there is
-   *     none. Other objects that nothing contains are findings.
+   * @return as {@link #model(SourceText)}; the root is an empty object of the class if there is
+   *     none. Other root objects are findings.
    */
   public Modeled<EObject> modelOne(SourceText instance, EClass rootClass) {
     Modeled<List<EObject>> all = model(instance);

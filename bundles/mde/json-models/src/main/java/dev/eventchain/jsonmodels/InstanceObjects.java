@@ -29,7 +29,7 @@ final class InstanceObjects {
   static final String CLASS = "eClass";
   static final String ID = "id";
 
-  /** Ids in a reference, in the order of the text. */
+  /** An id in a reference. */
   record Link(EObject source, EReference reference, String id, String pointer) {}
 
   private final Document text;
@@ -51,7 +51,7 @@ final class InstanceObjects {
     this.attributes = new AttributeValues(text, findings);
   }
 
-  /** All objects, in the order of the text. */
+  /** Returns all objects in the order of the text. */
   List<EObject> all() {
     return all;
   }
@@ -64,12 +64,12 @@ final class InstanceObjects {
     return links;
   }
 
-  /** Whether the text says something about a feature of an object, right or wrong. */
+  /** Returns whether the text states a feature of an object, validly or not. */
   boolean isGiven(EObject object, EStructuralFeature feature) {
     return given.getOrDefault(object, Set.of()).contains(feature);
   }
 
-  /** The place of a feature of an object; that of the object where the text lacks the feature. */
+  /** Returns the place of a feature, or of its object if the text lacks the feature. */
   SourceLocation placeOf(EObject object, EStructuralFeature feature) {
     String pointer = pointers.get(object);
     return text.at(isGiven(object, feature) ? Document.below(pointer, feature.getName()) : pointer);
@@ -108,7 +108,7 @@ final class InstanceObjects {
     }
   }
 
-  /** The object, or nothing where its class is not known; that is a finding. */
+  /** Reads an object; empty, with a finding, if its class is unknown. */
   private Optional<EObject> readObject(JsonNode json, String pointer, EClass implied) {
     if (!json.isObject()) {
       type("This must be an object", json, pointer);
@@ -261,7 +261,7 @@ final class InstanceObjects {
     }
   }
 
-  /** A form that some models write for a reference: {@code {"id": "x"}}, with the class or not. */
+  /** Returns whether a reference is written as {@code {"id": "x"}}, with or without class. */
   private static boolean isOnlyAnId(JsonNode json) {
     JsonNode id = json.get(ID);
     boolean bare = json.size() == 1 || (json.size() == 2 && json.has(CLASS));

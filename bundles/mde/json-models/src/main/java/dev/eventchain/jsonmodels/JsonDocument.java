@@ -9,7 +9,7 @@ import dev.eventchain.documents.FindingIds;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The JSON that models are made of: descriptions of chains and signals, and instance models. */
+/** Reads the JSON of instance models and of descriptions of chains and signals. */
 public final class JsonDocument {
 
   private static final FindingIds IDS =

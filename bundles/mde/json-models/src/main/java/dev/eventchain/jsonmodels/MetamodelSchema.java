@@ -26,14 +26,13 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
  * The JSON Schema of the instance models that {@link InstanceModeler} reads, derived from a
- * metamodel, in two shapes. Both keep to what providers of language models accept in their strict
- * modes: the root is an object, no other properties than those that are named are allowed, of the
- * combining keywords only {@code anyOf} is used, and numbers, texts and arrays have no bounds.
+ * metamodel, in two shapes. Both use only what providers of language models accept in their strict
+ * modes: the root is an object, additional properties are not allowed, {@code anyOf} is the only
+ * combining keyword, and numbers, texts and arrays have no bounds.
  *
- * <p>Features that are derived or transient and those that name the container are left out, and of
- * a pair of opposite references the one that comes first in the metamodel stays. What a schema
- * cannot say is said by the modeler: how many values a feature takes, whether a number fits its
- * type, whether an id is that of an object of the right class.
+ * <p>Derived, transient and container features are left out; of two opposite references, only the
+ * first in the metamodel is kept. The modeler checks what a schema cannot express: multiplicities,
+ * ranges of numbers, and the classes of referenced objects.
  */
 public final class MetamodelSchema {
 
@@ -51,30 +50,30 @@ public final class MetamodelSchema {
   }
 
   /**
-   * The schema of an object of a class and of everything that it can contain.
+   * Returns the schema of an object of a class and of everything that it can contain.
    *
-   * @param metamodels those that the instance modeler is given
+   * @param metamodels the metamodels of the instance modeler
    * @param root a concrete class
    */
   public static MetamodelSchema of(Collection<? extends EPackage> metamodels, EClass root) {
     return new MetamodelSchema(metamodels, root);
   }
 
-  /** Leaves out features that are not asked for. */
+  /** Leaves out features. */
   public MetamodelSchema without(Collection<? extends EStructuralFeature> features) {
     without.addAll(features);
     return this;
   }
 
-  /** Demands features that the metamodel leaves open. */
+  /** Requires features that are optional in the metamodel. */
   public MetamodelSchema demanding(Collection<? extends EStructuralFeature> features) {
     demanded.addAll(features);
     return this;
   }
 
   /**
-   * States the ids of all objects of a class, which then become an enumeration. They stay free
-   * where they could not be ids: if one is blank, or names two objects.
+   * Sets the ids of all objects of a class, which become an enumeration. Any id stays allowed if
+   * one of them is blank or names two objects.
    */
   public MetamodelSchema knowing(EClass eClass, List<String> known) {
     ids.put(eClass, List.copyOf(known));
@@ -82,25 +81,25 @@ public final class MetamodelSchema {
   }
 
   /**
-   * Contained objects are in the feature that contains them, each class is a definition. Every
-   * property is required, and those that the metamodel does not demand may be null: for services
-   * that follow pointers and want each property to be written.
+   * Returns the schema in which contained objects are nested in their containment feature, and each
+   * class is a definition. Every property is required; those that are optional in the metamodel may
+   * be null. For services that follow pointers and require every property.
    */
   public ObjectNode nested() {
     return new Shape(true).nested();
   }
 
   /**
-   * An array for each class; features hold the ids of what they contain. There is no definition and
-   * no recursion, and what the metamodel does not demand is not required: for services that know no
-   * recursion, or count the alternatives of a schema. Objects of classes with a feature {@code id}
-   * that is not text and no whole number cannot be named, and are left out.
+   * Returns the schema with an array for each class; containment features hold ids. It has no
+   * definitions and no recursion, and properties that are optional in the metamodel are not
+   * required. For services without recursion, or with limits for alternatives. Classes whose
+   * feature {@code id} is neither text nor integer are left out, as their objects have no ids.
    */
   public ObjectNode flat() {
     return new Shape(false).flat();
   }
 
-  /** One schema in the making. */
+  /** The builder of one schema. */
   private final class Shape {
 
     private final boolean nested;
@@ -167,7 +166,7 @@ public final class MetamodelSchema {
       return id.put("description", "A name that no other object has.");
     }
 
-    /** Arrays are written, if empty. */
+    /** Returns whether a feature may be absent; empty arrays are written. */
     private boolean isOptional(EStructuralFeature feature) {
       return !feature.isMany() && !feature.isRequired() && !demanded.contains(feature);
     }
@@ -198,7 +197,7 @@ public final class MetamodelSchema {
       return JSON.objectNode().put("$ref", "#/$defs/" + definition(eClass));
     }
 
-    /** Without a character that means something in a pointer; unlike those of other classes. */
+    /** Returns a unique name of a class without special characters of pointers. */
     private String definition(EClass eClass) {
       String name = classes.name(eClass);
       return name.matches("[\\w.]+")
@@ -207,7 +206,7 @@ public final class MetamodelSchema {
     }
   }
 
-  /** The ids of all objects of some classes; empty if those of one are not known. */
+  /** Returns the ids of all objects of some classes; empty if those of one are unknown. */
   private Optional<ObjectNode> known(List<EClass> targets) {
     List<String> all = ids.values().stream().flatMap(List::stream).toList();
     boolean clear = all.stream().noneMatch(String::isBlank) && Set.copyOf(all).size() == all.size();

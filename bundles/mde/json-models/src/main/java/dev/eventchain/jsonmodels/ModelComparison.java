@@ -13,10 +13,7 @@ import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EReference;
 
-/**
- * Compares two models of the same metamodel: what one contains and the other does not. If they were
- * made independently, they check each other.
- */
+/** Compares two models of the same metamodel. Models made independently check each other. */
 public final class ModelComparison {
 
   private final Function<EObject, SourceLocation> locator;
@@ -29,13 +26,13 @@ public final class ModelComparison {
   }
 
   /**
-   * The differences between two models.
+   * Returns the differences between two models.
    *
-   * @param expected the root of the model that is taken to be right
-   * @param actual the root of the model that is judged
+   * @param expected the root of the reference model
+   * @param actual the root of the compared model
    * @param locator the places of the elements of {@code actual}
-   * @return errors for what is different, missing or additional, warnings for another order in
-   *     features that are ordered; empty if the models say the same
+   * @return errors for different, missing or additional elements and values, warnings for another
+   *     order in ordered features; empty if the models are equal
    */
   public static List<Diagnostic> compare(
       EObject expected, EObject actual, Function<EObject, SourceLocation> locator) {
@@ -147,7 +144,7 @@ public final class ModelComparison {
         : objects.stream().map(ModelMatch::describe).collect(Collectors.joining(", "));
   }
 
-  /** Names that are the same on both sides, with what tells the elements apart. */
+  /** Returns the names of elements with the same name, with their distinguishing details. */
   private static String places(List<EObject> objects) {
     if (objects.isEmpty()) {
       return "nothing";

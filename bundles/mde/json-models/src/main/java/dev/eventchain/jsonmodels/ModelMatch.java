@@ -14,10 +14,10 @@ import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
- * Which element of one model is meant by which of another: in each containment feature, first those
- * that agree in all attributes and contents (at the same position, so that of several which are
- * alike each gets its own, then anywhere), then in all attributes, then in their names, then in
- * their position.
+ * The matching of the elements of two models, by containment feature. First match elements with
+ * equal attributes and contents (at the same position, so that equal elements match one to one,
+ * then at any). Then follow those with equal attributes, with equal names, and at the same
+ * position.
  */
 final class ModelMatch {
 
@@ -29,12 +29,12 @@ final class ModelMatch {
     pair(expected, actual);
   }
 
-  /** The element of the other model; null if there is none. */
+  /** Returns the element of the other model; null if there is none. */
   EObject partner(EObject expected) {
     return partners.get(expected);
   }
 
-  /** The element of the other model, or the element itself where it belongs to neither model. */
+  /** Returns the element of the other model, or the element itself if it is in neither model. */
   EObject counterpart(EObject expected) {
     return partners.getOrDefault(expected, expected);
   }
@@ -123,7 +123,7 @@ final class ModelMatch {
     return true;
   }
 
-  /** The values of a reference, as a list also where there can be only one. */
+  /** Returns the values of a reference, as a list also if it is single-valued. */
   static List<EObject> values(EObject object, EReference reference) {
     Object value = object.eGet(reference);
     if (value instanceof List<?> list) {
@@ -132,7 +132,7 @@ final class ModelMatch {
     return value == null ? List.of() : List.of((EObject) value);
   }
 
-  /** How people call an element: its class and, if it has one, its name. */
+  /** Returns the class of an element and its name, if it has one. */
   static String describe(EObject object) {
     String name = name(object);
     return object.eClass().getName() + (name.isEmpty() ? "" : " '" + name + "'");

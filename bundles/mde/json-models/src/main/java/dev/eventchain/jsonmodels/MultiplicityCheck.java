@@ -6,7 +6,7 @@ import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
-/** Whether each feature of an object has as many values as the metamodel demands. */
+/** Checks that each feature of an object has as many values as its multiplicity requires. */
 final class MultiplicityCheck {
 
   private final InstanceObjects objects;
@@ -31,7 +31,7 @@ final class MultiplicityCheck {
     }
   }
 
-  /** What was given and found wrong is reported there; a default value stands for a given one. */
+  /** Returns whether a feature is missing: neither given, even if invalid, nor with a default. */
   private boolean isMissing(EObject object, EStructuralFeature feature) {
     if (objects.isGiven(object, feature)) {
       return false;

@@ -5,12 +5,12 @@ public final class Names {
 
   private Names() {}
 
-  /** A name without the characters that would break a line or steer a terminal. */
+  /** Returns a name without line breaks and control characters of terminals. */
   public static String printable(String name) {
     return name.replaceAll("\\p{Cntrl}", "\uFFFD");
   }
 
-  /** How the values of a property of event-chain descriptions must look. */
+  /** Returns the rule for values of a property of event-chain descriptions, or an empty text. */
   public static String ruleOf(String property) {
     return switch (property) {
       case "topic" ->

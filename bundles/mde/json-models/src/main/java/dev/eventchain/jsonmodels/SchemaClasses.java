@@ -14,7 +14,7 @@ import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
-/** What of a metamodel an instance model can hold: the classes, and the features of each. */
+/** The classes of a metamodel that an instance model can contain, and the features of each. */
 final class SchemaClasses {
 
   private final EClass root;
@@ -25,10 +25,10 @@ final class SchemaClasses {
   private final Set<EClass> contained = new HashSet<>();
 
   /**
-   * The classes of a root object and of everything that it can contain.
+   * Collects the classes of a root object and of everything that it can contain.
    *
-   * @param without features that are left out
-   * @param byId whether objects are contained by their ids, so that those without cannot be
+   * @param without the features to leave out
+   * @param byId true if objects are contained by id, which excludes those without id
    */
   SchemaClasses(
       Collection<? extends EPackage> metamodels,
@@ -59,19 +59,19 @@ final class SchemaClasses {
     ePackage.getESubpackages().forEach(this::add);
   }
 
-  /** The classes of objects that something can contain, in the order of the metamodel. */
+  /** Returns the classes of objects that can be contained, in the order of the metamodel. */
   List<EClass> contained() {
     return all.stream().filter(contained::contains).toList();
   }
 
-  /** The class of the root, and then those of everything that it can contain. */
+  /** Returns the class of the root, and then those of everything that it can contain. */
   List<EClass> used() {
     List<EClass> used = new ArrayList<>(List.of(root));
     contained().stream().filter(eClass -> eClass != root).forEach(used::add);
     return used;
   }
 
-  /** The classes that the targets of a reference can have. */
+  /** Returns the classes that the targets of a reference can have. */
   List<EClass> targets(EReference reference) {
     return reference.isContainment()
         ? concrete(reference)
@@ -89,7 +89,7 @@ final class SchemaClasses {
         .toList();
   }
 
-  /** The name by which the instance modeler knows exactly this class. */
+  /** Returns the unique name of the class for the instance modeler. */
   String name(EClass eClass) {
     String name = eClass.getName();
     String inPackage = eClass.getEPackage().getName() + "." + name;
@@ -102,9 +102,9 @@ final class SchemaClasses {
   }
 
   /**
-   * The features that an instance model states, but for the id: not those that are derived, that
-   * name the container, or that no value can be written for. Of a pair of opposites the first one
-   * in the metamodel stays.
+   * Returns the features that an instance model states, except for the id: none that are derived,
+   * refer to the container, or have values that cannot be written. Of two opposites, the first in
+   * the metamodel is kept.
    */
   List<EStructuralFeature> features(EClass eClass) {
     return eClass.getEAllStructuralFeatures().stream()
@@ -114,12 +114,12 @@ final class SchemaClasses {
         .toList();
   }
 
-  /** The attribute that is the id of objects, too; null where ids stand for themselves. */
+  /** Returns the attribute that holds the ids of objects; null if ids are no attribute values. */
   static EStructuralFeature key(EClass eClass) {
     return eClass.getEStructuralFeature(InstanceObjects.ID);
   }
 
-  /** Whether objects can say their ids: a feature of that name may be no name of anything. */
+  /** Returns whether objects can state ids, which a feature {@code id} of another type prevents. */
   static boolean hasId(EClass eClass) {
     EStructuralFeature key = key(eClass);
     return key == null
@@ -151,7 +151,7 @@ final class SchemaClasses {
         && isWritten(opposite);
   }
 
-  /** By lists: feature ids are not there before a class was looked at. */
+  /** Returns the position in the metamodel, by index, as feature ids are set lazily. */
   private long position(EReference reference) {
     EClass owner = reference.getEContainingClass();
     return (long) all.indexOf(owner) << 32 | owner.getEStructuralFeatures().indexOf(reference);

@@ -18,7 +18,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * A folder a case; {@code expected.txt} holds what is found, and what is made if there is no error.
+ * Runs one case per folder; {@code expected.txt} holds the findings, or without errors the model,
+ * too.
  */
 class InstanceCasesTest {
 

@@ -18,7 +18,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
-/** Writes a model as the JSON that a schema asks for: what its properties name, and no more. */
+/** Writes a model as JSON of a schema, with exactly the properties of the schema. */
 final class InstanceJson {
 
   private static final JsonNodeFactory JSON = JsonNodeFactory.instance;

@@ -37,7 +37,7 @@ class MetamodelSchemaTest {
 
   private static final int INSTANCES = 60;
 
-  /** What a schema can keep a model from saying. */
+  /** The ids of findings that a schema can prevent. */
   private static final Set<String> STRUCTURAL =
       Set.of(
           "modeler.class.abstract",
@@ -53,7 +53,7 @@ class MetamodelSchemaTest {
   private static final List<String> REFUSED_BY_PROVIDERS =
       List.of("oneOf", "allOf", "not", "minItems", "maxItems", "minimum", "maximum", "pattern");
 
-  /** Metamodels, and the classes of their roots. */
+  /** Metamodels with the classes of their roots. */
   enum Metamodel {
     LIBRARY("Library"),
     ZOO("Zoo"),
@@ -145,12 +145,11 @@ class MetamodelSchemaTest {
     for (int seed = 0; seed < INSTANCES; seed++) {
       JsonNode instance = new RandomJson(nested, seed).next();
       EObject model = read(loaded, instance).root().get(0);
-      // What refers to nothing, though it must, cannot be written; who is their own spouse, and
-      // then
-      // another's, is something else to each of them.
+      // Models that lack required targets cannot be written, nor those with contradictory
+      // opposites.
       if (isComplete(model) && isMutual(model)) {
         checkWritten(loaded, model, nested, nestedValidator);
-        // It has no id, and cannot be contained by it.
+        // A plaque has no id, so it cannot be contained by id.
         Optional.ofNullable(model.eClass().getEStructuralFeature("plaque"))
             .ifPresent(model::eUnset);
         checkWritten(loaded, model, flat, flatValidator);
@@ -198,7 +197,7 @@ class MetamodelSchemaTest {
     return count[0];
   }
 
-  /** The order on the other side of a pair follows from the order of the text. */
+  /** Equality that ignores the values of opposite lists, whose order follows from the text. */
   private static final class Equality extends EcoreUtil.EqualityHelper {
     private static final long serialVersionUID = 1L;
 

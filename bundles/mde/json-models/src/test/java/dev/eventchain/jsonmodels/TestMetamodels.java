@@ -6,7 +6,7 @@ import java.util.List;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EPackage;
 
-/** Metamodels as files: none is known to the bundle, that of event chains neither. */
+/** Metamodels as files; the bundle knows none, not even that of event chains. */
 final class TestMetamodels {
 
   private TestMetamodels() {}

@@ -12,8 +12,8 @@ import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.FeatureMapUtil;
 
 /**
- * Visits objects and what they contain, parents first, in the order of the model. Asks each object
- * for the features that can contain something, which is faster than EMF's own walk.
+ * Visitor of objects and their contents, parents first, in the order of the model. It reads only
+ * containment features, which is faster than EMF's tree iterator.
  */
 final class ModelWalk {
   private static final EReference[] UNUSUAL = {};
@@ -21,7 +21,7 @@ final class ModelWalk {
   private final Consumer<EObject> visitor;
   private final Map<EClass, EReference[]> containments = new HashMap<>();
 
-  /** Most objects are followed by one of their class. */
+  /** Class of the previous object; most objects are followed by one of the same class. */
   private EClass latest;
 
   private EReference[] latestContainments;
@@ -43,7 +43,7 @@ final class ModelWalk {
       return;
     }
     for (EReference feature : features) {
-      // Ecore's own classes have contents that count as unset, which EMF's walk leaves out, too.
+      // Some contents of Ecore's own classes count as unset; EMF's iterator skips them, too.
       Object value = object.eIsSet(feature) ? object.eGet(feature) : null;
       if (value instanceof AbstractList<?> contents) {
         for (int i = 0; i < contents.size(); i++) {

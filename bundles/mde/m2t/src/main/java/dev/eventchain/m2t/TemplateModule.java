@@ -28,7 +28,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 
 /**
- * A template module (OMG MOFM2T 1.0 in the syntax of Acceleo 3) with all that it imports, compiled.
+ * A compiled template module (OMG MOFM2T 1.0 in the syntax of Acceleo 3) with its imports.
  * Immutable; several threads can generate with it at the same time.
  */
 public final class TemplateModule {
@@ -58,10 +58,11 @@ public final class TemplateModule {
   /**
    * As {@link #compile(Path, Collection)}, with source roots and Java services.
    *
-   * @param roots folders in which {@code a::b} is {@code a/b.mtl}; those that a file is in need not
-   *     be named if the import begins with the name of such a folder
-   * @param services the public methods of its own classes, but not of its parents', can be called
-   *     by {@code invoke('class', 'method(types)', Sequence{...})}; without it nothing can
+   * @param roots source roots, in which {@code a::b} is {@code a/b.mtl}; an enclosing folder of a
+   *     file need not be listed if the import begins with the name of a folder in it
+   * @param services the class loader of Java services. The public methods of its own classes, not
+   *     of its parents', can be called by {@code invoke('class', 'method(types)', Sequence{...})};
+   *     empty to disable services
    */
   public static TemplateModule compile(
       Path file, List<Path> roots, Collection<EPackage> packages, Optional<ClassLoader> services) {
@@ -70,10 +71,10 @@ public final class TemplateModule {
   }
 
   /**
-   * Compiles a file; modules that it imports or extends, and those that these do, are looked for
-   * next to it, then elsewhere, and at last in other folders of its project.
+   * Compiles a file. Modules that it imports or extends, directly or indirectly, are looked up next
+   * to it, then by the resolver, and finally in other folders of its project.
    *
-   * @param elsewhere finds modules by their qualified names, in the order of the imports
+   * @param elsewhere a resolver of modules by qualified names, called in the order of the imports
    * @param packages the metamodels that modules may name by their namespaces
    * @throws DiagnosticException reason INPUT, with every problem of every module
    */
@@ -89,11 +90,11 @@ public final class TemplateModule {
   }
 
   /**
-   * The files that make a module: its own, and those of all that it imports or extends. One that is
-   * not there, or has errors, is for the compiler to report.
+   * Returns the files of a module: its own, and those of all modules that it imports or extends.
+   * Missing or invalid ones are left to the compiler to report.
    *
-   * @param elsewhere as for {@link #compile(Path, Function, Collection)}; what it finds is not
-   *     among the files, but what that imports may be
+   * @param elsewhere as for {@link #compile(Path, Function, Collection)}; the modules that it finds
+   *     are not among the files, but their imports may be
    * @throws DiagnosticException INPUT if one of them cannot be read
    */
   public static List<Path> files(Path file, Function<String, Optional<SourceText>> elsewhere) {
@@ -108,7 +109,7 @@ public final class TemplateModule {
   /**
    * Compiles a text.
    *
-   * @param sources finds the modules that it imports or extends, by their qualified names
+   * @param sources a resolver of imported or extended modules by qualified names
    * @param packages the metamodels that modules may name by their namespaces
    * @throws DiagnosticException reason INPUT, with every problem of every module
    */
@@ -141,7 +142,7 @@ public final class TemplateModule {
     Map<String, ModuleLoader.Loaded> modules = ModuleLoader.load(main, sources, found);
     List<Template> templates = Linker.link(modules, packages, new Services(services));
     if (Diagnostic.anyError(found)) {
-      // What templates seldom mean says nothing while they have errors.
+      // Lint warnings are meaningless while there are errors.
       found.removeIf(each -> each.id().startsWith(Lints.PREFIX));
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT, found.stream().sorted().distinct().toList());
@@ -151,25 +152,24 @@ public final class TemplateModule {
     return new TemplateModule(main, mains, warnings, services.isPresent());
   }
 
-  /** What the compiler warns about. */
+  /** Returns the warnings of the compiler. */
   public List<Diagnostic> warnings() {
     return warnings;
   }
 
   /**
-   * Runs the templates marked {@code @main} on each element of the models that their parameter
-   * takes, roots and what they contain, in the order of the model. Text outside file blocks goes
-   * nowhere.
+   * Runs the templates marked {@code @main} on each accepted element of the models: roots and their
+   * contents, in the order of the model. Text outside file blocks is discarded.
    *
-   * @return the files, and a finding for all that went wrong; an undefined value is an error that
-   *     says what it counts as. Nothing to run, or no file and nothing printed, is an error, too
-   * @throws IllegalStateException if the thread is interrupted meanwhile
+   * @return the files, and findings for all problems. An undefined value is an error that names its
+   *     substitute. Nothing to run, or no file and nothing printed, is an error, too
+   * @throws IllegalStateException if the thread is interrupted
    */
   public GenerationResult generate(Collection<? extends EObject> roots, GenerationContext context) {
     return DeepStack.call(() -> generateHere(roots, context));
   }
 
-  /** As {@link #generate(Collection, GenerationContext)}, with the stack of this thread. */
+  /** As {@link #generate(Collection, GenerationContext)}, on the stack of this thread. */
   GenerationResult generateHere(Collection<? extends EObject> roots, GenerationContext context) {
     GenerationRun run = new GenerationRun(roots, context, hasServices);
     try {
@@ -177,7 +177,7 @@ public final class TemplateModule {
         DiagnosticException.runAt(main.place().location(), () -> generate(main, roots, run));
       }
     } catch (GenerationRun.StoppedException e) {
-      // The reason is among the findings; files that were complete stay.
+      // The findings contain the reason; complete files are kept.
       return run.result();
     } catch (VirtualMachineError e) {
       if (!run.isTooDeep()) {

@@ -10,7 +10,7 @@ import java.util.Set;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
-/** The Java services of the cases. */
+/** Java services of the test cases. */
 public class CaseServices {
   private int calls;
 
@@ -22,7 +22,7 @@ public class CaseServices {
     return (object.eClass().getName() + " ").repeat(times).strip();
   }
 
-  /** Counts, and shows that the instance lives as long as the run. */
+  /** Returns a counter, which shows that the instance lives as long as the run. */
   public int count() {
     return ++calls;
   }
@@ -78,12 +78,12 @@ public class CaseServices {
     return List.of(1L, 2L);
   }
 
-  /** Objects that have a text, and ones that hold something or nothing. */
+  /** Returns objects with a text, and empty and non-empty Optionals. */
   public static List<Object> objects() {
     return List.of(URI.create("built"), Optional.of("held"), Optional.empty(), new int[] {1, 2});
   }
 
-  /** Puts a copy of an object next to it, in its file. */
+  /** Adds a copy of an object next to it, in its file. */
   public static String grow(EObject object) {
     object.eResource().getContents().add(EcoreUtil.copy(object));
     return "grown";

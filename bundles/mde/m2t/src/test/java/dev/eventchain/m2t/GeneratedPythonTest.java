@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the template sets for Python write is Python, whatever the model says. */
+/** The template sets for Python generate valid Python for any model. */
 class GeneratedPythonTest {
   private static final Path CASES = Path.of("src/test/resources/cases");
 

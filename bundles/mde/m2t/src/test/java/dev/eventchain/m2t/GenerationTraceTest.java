@@ -20,7 +20,7 @@ import org.eclipse.emf.ecore.EcoreFactory;
 import org.eclipse.emf.ecore.EcorePackage;
 import org.junit.jupiter.api.Test;
 
-/** Each line of the templates is named by its number: the header is line 1, the file block 4. */
+/** Template lines are named by their numbers: the header is line 1, the file block line 4. */
 class GenerationTraceTest {
 
   private static final String HEADER =
@@ -64,7 +64,7 @@ class GenerationTraceTest {
     return new String(result.files().get("o"), UTF_8);
   }
 
-  /** The text, and for each segment its lines and what it comes from. */
+  /** Asserts the text, and the lines and origins of each segment. */
   private static void assertTrace(String text, String lines, GenerationResult result) {
     assertEquals(List.of(), result.diagnostics());
     assertEquals(text, text(result));

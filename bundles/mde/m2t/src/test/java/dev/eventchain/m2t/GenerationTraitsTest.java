@@ -20,7 +20,7 @@ import org.eclipse.emf.ecore.EcoreFactory;
 import org.eclipse.emf.ecore.EcorePackage;
 import org.junit.jupiter.api.Test;
 
-/** Generations that go otherwise than usually. */
+/** Generations with traits. */
 class GenerationTraitsTest {
   private static final String HEAD =
       """

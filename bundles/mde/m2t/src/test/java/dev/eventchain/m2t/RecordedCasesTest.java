@@ -28,14 +28,14 @@ import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Runs templates of which it is recorded what Acceleo does with them. One that comes out
- * differently must be in {@code ACCELEO.md}, and what is there must come out differently.
+ * Compares templates with recorded results of Acceleo. A case must differ if and only if it is
+ * listed in {@code ACCELEO.md}.
  */
 class RecordedCasesTest {
   private static final Path RECORDED = Path.of("src/test/resources/acceleo/recorded.json");
   private static final Pattern CASE = Pattern.compile("\\b[a-g]\\d\\d(-\\w+)*\\b");
 
-  /** What came of a case: no files if it does not compile. */
+  /** Result of a case; without files if it does not compile. */
   private record Outcome(Optional<SortedMap<String, String>> files, String findings) {}
 
   private final JsonNode recorded = read();

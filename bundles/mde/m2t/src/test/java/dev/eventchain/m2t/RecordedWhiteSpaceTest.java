@@ -10,12 +10,12 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** White space is what Acceleo makes of it, in bodies of files and of templates. */
+/** White space in bodies of files and templates is the same as in Acceleo. */
 class RecordedWhiteSpaceTest {
   private static final Path RECORDED = Path.of("src/test/resources/acceleo/white-space.tsv");
   private static final int SHOWN = 20;
 
-  /** A body of a file (F) or a template (T), and what comes out. */
+  /** A body of a file (F) or a template (T), and the expected output. */
   private record Body(String kind, String text, String expected) {
     String written() {
       return kind.equals("F") ? WhiteSpaceBodies.file(text) : WhiteSpaceBodies.called(text);

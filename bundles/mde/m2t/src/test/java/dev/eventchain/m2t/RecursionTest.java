@@ -21,12 +21,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Templates and queries that call themselves: as deep as there is memory, and no deeper. */
+/** Recursive templates and queries, up to the limit of memory. */
 class RecursionTest {
 
   private static final Duration LONGEST = Duration.ofMinutes(10);
 
-  /** How a module generates for a model. */
+  /** Generation of a module for a model. */
   private interface Generator {
     GenerationResult generate(
         TemplateModule module, List<EPackage> model, GenerationContext context);

@@ -25,13 +25,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The same template and model give the same, however often and on however many threads. */
+/** Repeated and concurrent generations give equal results. */
 class SameBytesTest {
   private static final Path CASES = Path.of("src/test/resources/cases");
   private static final int THREADS = 8;
   private static final int RUNS_EACH = 3;
 
-  /** All that a run gives, in a form that can be compared. */
+  /** Comparable result of a run. */
   private record Given(
       SortedMap<String, String> files,
       String findings,
@@ -73,7 +73,7 @@ class SameBytesTest {
     }
   }
 
-  /** On threads that start at once: some with a trace, some without. */
+  /** Generates on threads that start simultaneously, some with a trace, some without. */
   private static List<Future<List<Given>>> onThreads(TemplateCase.Prepared prepared)
       throws Exception {
     ExecutorService threads = Executors.newFixedThreadPool(THREADS);

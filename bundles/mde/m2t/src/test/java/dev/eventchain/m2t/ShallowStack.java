@@ -7,7 +7,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import org.eclipse.emf.ecore.EObject;
 
-/** Generates with less stack than usually, which recursion without end fills in less time. */
+/** Generates on a small stack, which endless recursion fills in less time. */
 final class ShallowStack {
   private static final long SIZE = 16L << 20;
 

@@ -32,19 +32,19 @@ import org.eclipse.emf.ecore.xmi.impl.EcoreResourceFactoryImpl;
 import org.eclipse.emf.ecore.xmi.impl.XMIResourceFactoryImpl;
 
 /**
- * A template, a metamodel ({@code *.ecore}) and a model ({@code model.xmi}) in a folder; what it
- * lacks of the last two is looked for in the folders around it. Instead of a template there may be
- * a {@code links.properties} that says where in the repository the {@code template} and the {@code
- * metamodel}s are, with commas between them. Files of an earlier run may be in {@code earlier/}.
- * The templates may call {@link CaseServices}, and ask for what is in {@code texts.properties}.
+ * A template, a metamodel ({@code *.ecore}) and a model ({@code model.xmi}) in a folder; missing
+ * ones of the last two are looked up in the enclosing folders. Instead of a template there may be a
+ * {@code links.properties} with the comma-separated paths of the {@code template} and the {@code
+ * metamodel}s in the repository. Files of an earlier run may be in {@code earlier/}. The templates
+ * may call {@link CaseServices}, and read {@code texts.properties}.
  */
 record TemplateCase(Path folder) {
   private static final String TEXTS = "texts.properties";
 
-  /** What came of it: files, and findings one a line. */
+  /** Result of a case: files, and findings one per line. */
   record Outcome(SortedMap<String, byte[]> files, String findings) {}
 
-  /** A compiled template, the model that it is for, and what else a generation is given. */
+  /** A compiled template, its model, and the context of a generation. */
   record Prepared(TemplateModule module, Resource model, GenerationContext context) {
     GenerationResult generate(UnaryOperator<GenerationContext> changed) {
       return ShallowStack.generate(module, model.getContents(), changed.apply(context));
@@ -66,7 +66,7 @@ record TemplateCase(Path folder) {
   /**
    * Loads and compiles.
    *
-   * @throws DiagnosticException if the template is wrong
+   * @throws DiagnosticException if the template is invalid
    */
   Prepared prepare() throws IOException {
     ResourceSet resources = new ResourceSetImpl();
@@ -93,7 +93,7 @@ record TemplateCase(Path folder) {
         : TemplateModule.compile(source("template"), this::find, packages, services);
   }
 
-  /** Files elsewhere in the repository. */
+  /** Returns linked files of the repository. */
   private List<Path> linked(String what) throws IOException {
     Path links = folder.resolve("links.properties");
     if (!Files.exists(links)) {
@@ -120,7 +120,7 @@ record TemplateCase(Path folder) {
         .withPropertyFiles(propertyFiles());
   }
 
-  /** The file {@code texts.properties} of the case, if it has one. */
+  /** Returns the properties of {@code texts.properties}, if the case has one. */
   private Map<String, Map<String, String>> propertyFiles() {
     Path file = folder.resolve(TEXTS);
     if (!Files.exists(file)) {

@@ -23,10 +23,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
 /**
- * One test for each folder that holds a {@link TemplateCase}. Beside the template stand the files
- * it is expected to write ({@code expected/}) and the findings it is expected to give ({@code
- * findings.txt}, absent if there are none). A case without expectations gets the actual ones
- * written, and fails once.
+ * One test for each folder with a {@link TemplateCase}. Next to the template are the expected files
+ * ({@code expected/}) and the expected findings ({@code findings.txt}, absent if there are none).
+ * For a case without expectations, the actual results are written, and the test fails once.
  */
 class TemplateCasesTest {
   private static final Path CASES = Path.of("src/test/resources/cases");
@@ -117,7 +116,7 @@ class TemplateCasesTest {
     assertEquals(List.of(), keywords.stream().filter(each -> !all.contains(each)).toList());
   }
 
-  /** The texts of the templates of all cases in a folder. */
+  /** Returns the texts of the templates of all cases in a folder. */
   private static List<String> templates(String folder) throws IOException {
     List<String> texts = new ArrayList<>();
     try (Stream<Path> all = Files.walk(CASES.resolve(folder))) {
@@ -171,7 +170,7 @@ class TemplateCasesTest {
     return files;
   }
 
-  /** Bytes as a text that shows every difference, whatever their encoding. */
+  /** Returns bytes as a text that shows every difference in any encoding. */
   private static String text(byte[] bytes) {
     String decoded = new String(bytes, UTF_8);
     return java.util.Arrays.equals(decoded.getBytes(UTF_8), bytes)

@@ -23,7 +23,7 @@ import org.eclipse.emf.ecore.EcorePackage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What template files hold besides well-formed templates of a usual size. */
+/** Malformed and unusually large template files. */
 class TemplateFilesTest {
 
   private static final String HEAD =

@@ -41,7 +41,7 @@ class TemplateModuleTest {
 
   @TempDir Path temporary;
 
-  /** A model of classes, which are model elements like any others. */
+  /** Returns a model of classes, which are model elements like any others. */
   private static EPackage model(int classes) {
     EPackage model = EcoreFactory.eINSTANCE.createEPackage();
     model.setName("model");
@@ -138,14 +138,14 @@ class TemplateModuleTest {
     Files.writeString(path, sharedText(file).text());
   }
 
-  /** A module that says where it is. */
+  /** Returns a module that writes its own location. */
   private static SourceText sharedText(String file) {
     String header = "[module m('http://www.eclipse.org/emf/2002/Ecore')]\n";
     String body = "[template public shown(p : EPackage)]" + file + "[/template]\n";
     return SourceText.of(file, header + body);
   }
 
-  /** The place of the module that is taken for a name in a file of a project; empty if none is. */
+  /** Returns the location of the module found for a name in a project; empty if none is found. */
   private Optional<String> taken(String name, Optional<SourceText> shipped) throws IOException {
     Path main = temporary.resolve("o/project/src/gen/main.mtl");
     Files.createDirectories(main.getParent());

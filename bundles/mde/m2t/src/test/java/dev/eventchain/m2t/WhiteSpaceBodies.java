@@ -14,24 +14,24 @@ import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EcoreFactory;
 import org.eclipse.emf.ecore.EcorePackage;
 
-/** Writes bodies of files and of templates, which may use {@code l}, a library called City. */
+/** Generator for bodies of files and templates, which may use {@code l}, a library called City. */
 final class WhiteSpaceBodies {
   private static final EPackage LIBRARY = library();
   private static final EObject CITY = city();
 
   private WhiteSpaceBodies() {}
 
-  /** What a {@code [file]} block with a body writes. */
+  /** Returns the output of a {@code [file]} block with a body. */
   static String file(String body) {
     return file(body, "[template public t(l : Library)]");
   }
 
-  /** What a template with a body writes that is called between {@code <} and {@code >}. */
+  /** Returns the output of a template with a body, called between {@code <} and {@code >}. */
   static String called(String body) {
     return file("<[l.t()/]>", "[template public t(l : Library)]" + body);
   }
 
-  /** The same for a file that calls a template, which is not closed yet. */
+  /** Returns the output of a file with an unclosed template that it calls. */
   static String file(String body, String template) {
     String module =
         "[module m('http://library')/]\n[template public main(l : Library)]\n[comment @main /]\n"

@@ -11,9 +11,9 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What holds for the white space of any body, whatever the rules are. */
+/** Properties of the white space of any body, independent of the rules. */
 class WhiteSpacePropertyTest {
-  /** A part of a body, and its text if tags took nothing with them. */
+  /** A part of a body, and its text if tags take no white space. */
   private record Piece(String source, String plain) {
     static Piece text(String text) {
       return new Piece(text, text);

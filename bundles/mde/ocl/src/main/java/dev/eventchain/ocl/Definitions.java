@@ -19,17 +19,17 @@ import org.eclipse.ocl.expressions.OCLExpression;
 
 /**
  * Adds operations and properties to the classes of a language: first the signatures of all, then
- * their bodies, so that they may call each other in any order, also mutually. What uses a
- * definition that has an error is found to be unusable without an error of its own.
+ * their bodies, so that they may call each other in any order, also mutually. Users of a definition
+ * with an error become unusable without an error of their own.
  */
 public final class Definitions {
 
   /**
    * A definition: {@code def: name(parameter : Type) : Type = expression}.
    *
-   * @param text all of it, from {@code def} or {@code static} on
-   * @param scope in which {@code self} is of the class that is to have it
-   * @param location what findings about it name as its place
+   * @param text the whole definition, from {@code def} or {@code static} on
+   * @param scope the scope, in which {@code self} has the class to extend
+   * @param location the place of findings about it
    */
   public record Definition(SourceRange text, Scope scope, SourceLocation location) {
 
@@ -41,7 +41,7 @@ public final class Definitions {
       return new Tokens(text.text());
     }
 
-    /** Whether another one says the same in another document, which is not a fault. */
+    /** Returns whether another one is the same in another document, which is no fault. */
     private boolean repeats(Definition other) {
       return text.source() != other.text.source()
           && tokens().words().equals(other.tokens().words());
@@ -61,14 +61,14 @@ public final class Definitions {
   /**
    * Definitions for a language.
    *
-   * @param problems takes all errors and warnings
+   * @param problems the list to add all errors and warnings to
    */
   public Definitions(ExpressionLanguage language, List<Diagnostic> problems) {
     this.language = language;
     this.problems = problems;
   }
 
-  /** Adds all of these. */
+  /** Adds definitions to their classes. */
   public void addAll(List<Definition> definitions) {
     for (Definition each : definitions) {
       DiagnosticException.runAt(each.location(), () -> declare(each));
@@ -79,7 +79,7 @@ public final class Definitions {
     spoilUsers();
   }
 
-  /** What uses a definition that has an error is unusable itself. */
+  /** Marks the users of unusable definitions as unusable. */
   private void spoilUsers() {
     Map<Object, List<Declared>> users = new HashMap<>();
     Deque<Declared> unusable = new ArrayDeque<>();
@@ -107,7 +107,7 @@ public final class Definitions {
     }
   }
 
-  /** Notes the text of a definition for a class that there is not. */
+  /** Records the name of a definition whose class is unknown, so that its uses give no errors. */
   public void addHomeless(SourceRange text) {
     language.environment().addFailedName(nameOf(new Tokens(text.text())));
   }
@@ -116,7 +116,7 @@ public final class Definitions {
     return language.environment().getDefinition(feature).getSpecification().getBodyExpression();
   }
 
-  /** Takes back what has an error, so that nothing that is parsed later can use it. */
+  /** Removes definitions with errors, so that expressions parsed later cannot use them. */
   public void forgetUnusable() {
     for (Declared each : declared) {
       if (bodyOf(each.feature()) == null) {
@@ -126,7 +126,7 @@ public final class Definitions {
     language.environment().forgetFailedNames();
   }
 
-  /** Whether all definitions that an expression uses have a body. */
+  /** Returns whether all definitions that an expression uses have a body. */
   public boolean isUsable(Expression expression) {
     return Navigations.definitionsIn(expression.ast(), language.environment()).stream()
         .allMatch(each -> bodyOf(each) != null);
@@ -160,7 +160,7 @@ public final class Definitions {
     }
   }
 
-  /** Nothing that cannot be declared goes unsaid. */
+  /** Reports a definition that cannot be declared, if no error has been reported for it. */
   private void fail(Definition definition, Tokens tokens, int before) {
     language.environment().addFailedName(nameOf(tokens));
     if (!Diagnostic.anyError(problems.subList(before, problems.size()))) {
@@ -170,7 +170,7 @@ public final class Definitions {
     }
   }
 
-  /** Mistakes that Eclipse OCL would report in unhelpful words. */
+  /** Returns the finding for a mistake that Eclipse OCL would report in unhelpful words. */
   private static Optional<Diagnostic> shapeProblem(
       Definition definition, Tokens tokens, int equals) {
     SourceRange text = definition.text();
@@ -196,7 +196,7 @@ public final class Definitions {
     return Optional.empty();
   }
 
-  /** The index of a parameter without a type; -1 if there is none. */
+  /** Returns the index of a parameter without a type; -1 if there is none. */
   private static int untypedParameter(Tokens tokens, int equals) {
     int colon = 0;
     while (colon < equals && !tokens.is(colon, ":")) {
@@ -214,7 +214,7 @@ public final class Definitions {
     return -1;
   }
 
-  /** The index of the colon after the name and the parameters; -1 if there is none. */
+  /** Returns the index of the colon after the name and the parameters; -1 if there is none. */
   private static int typeColon(Tokens tokens, int equals) {
     int depth = 0;
     int colons = 0;
@@ -228,7 +228,7 @@ public final class Definitions {
     return -1;
   }
 
-  /** The index of the first equals sign outside parentheses; the number of tokens if none. */
+  /** Returns the index of the first {@code =} outside parentheses; the number of tokens if none. */
   private static int equalsSign(Tokens tokens) {
     int depth = 0;
     for (int i = 0; i < tokens.size(); i++) {
@@ -240,7 +240,7 @@ public final class Definitions {
     return tokens.size();
   }
 
-  /** The name of the feature: what follows the first colon. */
+  /** Returns the name of the feature, which follows the first colon. */
   private static String nameOf(Tokens tokens) {
     for (int i = 0; i + 1 < tokens.size(); i++) {
       if (tokens.is(i, ":")) {

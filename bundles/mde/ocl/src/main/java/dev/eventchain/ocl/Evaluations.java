@@ -5,13 +5,13 @@ import dev.eventchain.ocl.nodes.Run;
 import java.util.Collection;
 import org.eclipse.emf.ecore.EObject;
 
-/** Makes {@link Evaluation}s. */
+/** Creates {@link Evaluation}s. */
 public final class Evaluations {
 
   private Evaluations() {}
 
   /**
-   * An evaluation on the models that these objects belong to.
+   * Returns an evaluation on the models of some objects.
    *
    * @param objects some objects of each model; the extent of a class covers the whole resource set
    *     of each, or the tree it is in if it has no resource

@@ -43,28 +43,25 @@ import org.eclipse.ocl.types.CollectionType;
  */
 public final class Expression {
 
-  /** What gives no more elements than there are in a collection, and one for a single value. */
+  /** Operations that give no more elements than their source has, and one for a single value. */
   private static final Set<String> KEEPING =
       Set.of("oclAsSet", "asSet", "asBag", "select", "reject");
 
   private final ExpressionLanguage language;
   private final OCLExpression<EClassifier> ast;
 
-  /** Made at the first evaluation; published through a volatile field, as it is not all final. */
+  /** Created at the first evaluation; volatile, as not all of its fields are final. */
   private volatile Lowered lowered;
 
-  /** As {@link #lowered}, to find out why there is no value; made when that is first asked. */
+  /** As {@link #lowered}, to explain invalid values; created when first needed. */
   private volatile Lowered traced;
 
-  /**
-   * Made when it is first asked for, as the next; threads that do so at the same time find the
-   * same.
-   */
+  /** Created when first needed, like the next field; concurrent threads get equal results. */
   private volatile SourceLocation location;
 
   private volatile Parts parts;
 
-  /** What an explanation evaluates; made when the first one is asked for. */
+  /** Evaluated by explanations; created when first needed. */
   private volatile SubExpressions subExpressions;
 
   Expression(ExpressionLanguage language, OCLExpression<EClassifier> ast) {
@@ -72,12 +69,12 @@ public final class Expression {
     this.ast = ast;
   }
 
-  /** The static type of the value. */
+  /** Returns the static type of the value. */
   public EClassifier type() {
     return ast.getType();
   }
 
-  /** Where the expression is. */
+  /** Returns the location of the expression. */
   public SourceLocation location() {
     SourceLocation known = location;
     if (known == null) {
@@ -88,10 +85,10 @@ public final class Expression {
   }
 
   /**
-   * What a library does for the outermost call of the expression: for {@code x.f()} what it does
-   * for {@code f}, also if it is called for each element of a collection.
+   * Returns the implementation of the outermost call, if it calls a library: for {@code x.f()} that
+   * of {@code f}, also if it is called for each element of a collection.
    *
-   * @return empty if the outermost part is anything but a call of a library's operation
+   * @return empty if the outermost node is no call of a library operation
    */
   public Optional<OperationLibrary.Implementation> outermostCall() {
     OCLExpression<?> outermost = ast;
@@ -105,11 +102,10 @@ public final class Expression {
   }
 
   /**
-   * A call of a library's operation.
+   * A call of a library operation.
    *
-   * @param sourceType the static type of what is before the dot or the arrow; of nothing, an
-   *     arbitrary type
-   * @param implementation what the library does for it
+   * @param sourceType the static type of the source; arbitrary if there is none
+   * @param implementation its implementation in the library
    */
   public record LibraryCall(
       EClassifier sourceType, OperationLibrary.Implementation implementation) {}
@@ -117,31 +113,31 @@ public final class Expression {
   /**
    * A feature that an expression reads.
    *
-   * @param type the class it is read of
+   * @param type the static class of the object
    */
   public record Navigation(EClass type, EStructuralFeature feature) {}
 
-  /** The features it reads, also by way of definitions, in the order of first mention. */
+  /** Returns the features it reads, also through definitions, in the order of first mention. */
   public List<Navigation> navigations() {
     return Navigations.of(ast, language.environment());
   }
 
-  /** The calls of libraries' operations anywhere in the expression. */
+  /** Returns the calls of library operations anywhere in the expression. */
   public List<LibraryCall> libraryCalls() {
     return parts().calls();
   }
 
   /**
-   * The names of all variables that the expression reads, those that it declares itself among them;
-   * {@code self} also where it is the source that was left out.
+   * Returns the names of all variables that the expression reads, including those that it declares
+   * and an implicit {@code self}.
    */
   public Set<String> variableNames() {
     return parts().variables();
   }
 
   /**
-   * Whether the value is a collection that has at most one element, as far as can be told from the
-   * expression alone: {@code x->filter(T)} for a single x. Its order says nothing.
+   * Returns whether the value is known statically to be a collection of at most one element, such
+   * as {@code x->filter(T)} for a single x. Its order has no meaning.
    */
   public boolean holdsAtMostOne() {
     return holdsAtMostOne(ast);
@@ -181,14 +177,14 @@ public final class Expression {
   }
 
   /**
-   * The features anywhere in the expression that only Java code computes, which is not there:
-   * reading them gives their defaults.
+   * Returns the features in the expression that only missing Java code computes: reading them gives
+   * their defaults.
    */
   public List<EStructuralFeature> computedInJava() {
     return parts().computedInJava();
   }
 
-  /** What linters ask for, found in one walk. */
+  /** Properties for linters, collected in one walk. */
   private record Parts(
       List<LibraryCall> calls, Set<String> variables, List<EStructuralFeature> computedInJava) {
     static Parts of(OCLExpression<EClassifier> ast) {
@@ -219,31 +215,29 @@ public final class Expression {
   /**
    * Evaluates.
    *
-   * @param run gives the values of the variables in the scope that the expression was parsed in; a
-   *     variable that it does not bind is {@code null}
+   * @param run the values of the variables in the scope of the expression; a variable that it does
+   *     not bind is {@code null}
    * @return the value: {@code null} for OCL's null; an {@link Invalid} if there is none; an Integer
    *     is an {@link Integer} if it fits, else a {@link Long} or a {@link java.math.BigInteger}, a
-   *     Real a {@link Double} or a {@link java.math.BigDecimal}; collections are to be read only,
-   *     sets and bags are walked in the order in which their elements came; a type literal gives
-   *     the {@link EClassifier}
+   *     Real a {@link Double} or a {@link java.math.BigDecimal}; collections are read-only, sets
+   *     and bags keep the order of insertion; a type literal gives the {@link EClassifier}
    */
   public Object evaluate(Evaluation run) {
     return evaluate(run, null, false);
   }
 
   /**
-   * Evaluates for a caller that only walks through the value, at once, and keeps no reference to
-   * it: of a collection, which may be the model's own list, only its elements and their order can
-   * be relied on.
+   * Evaluates for a caller that iterates over the value at once and keeps no reference to it. A
+   * collection may be the model's own list; only its elements and their order are reliable.
    */
   public Object read(Evaluation run) {
     return evaluate(run, null, true);
   }
 
   /**
-   * Evaluates, but gives the outermost call to a receiver in place of the library: for {@code
-   * x.f()} one call, for {@code xs.f()} one for each element. What the receiver answers goes
-   * nowhere, so that a call which makes a large value can put it where it belongs at once.
+   * Evaluates, but passes the outermost call to a receiver instead of the library: for {@code
+   * x.f()} one call, for {@code xs.f()} one per element. Results of the receiver are discarded, so
+   * that it can write a large value directly to its destination.
    *
    * @return an {@link Invalid} if the expression has no value, which may be known only after some
    *     calls; otherwise {@code null}
@@ -288,7 +282,7 @@ public final class Expression {
     }
   }
 
-  /** Whether its definitions may call themselves, so that evaluating it may need a deep stack. */
+  /** Returns whether its definitions may be recursive, so that evaluation may need a deep stack. */
   public boolean isRecursive() {
     try {
       return lowered().isRecursive();
@@ -298,11 +292,10 @@ public final class Expression {
   }
 
   /**
-   * Why a condition is false, in words: the values that made it so. Parts of it are evaluated
-   * again.
+   * Explains in words why a condition is false: the decisive values. Evaluates parts of it again.
    *
    * @param run binds the variables as for the evaluation; its time limit applies to this, too
-   * @return such as {@code self.pages is 3}; empty if there is nothing to tell
+   * @return such as {@code self.pages is 3}; empty if there is no explanation
    */
   public String whyFalse(Evaluation run) {
     SubExpressions known = subExpressions;
@@ -315,7 +308,7 @@ public final class Expression {
     return Explanation.whyFalse(ast, known, run);
   }
 
-  /** Evaluates again with nodes that remember where a value becomes invalid. */
+  /** Evaluates again with nodes that record where a value becomes invalid. */
   private Invalid explain(Frame frame) {
     Lowered known = traced;
     if (known == null) {

@@ -45,14 +45,14 @@ import org.eclipse.ocl.util.TypeUtil;
 import org.eclipse.ocl.utilities.ExpressionInOCL;
 
 /**
- * OCL, or a {@link Dialect} of it, over some metamodels. Parses expressions; those that it parsed
- * can be evaluated by several threads while another thread parses on.
+ * OCL, or a {@link Dialect} of it, over some metamodels. Parses expressions; parsed ones can be
+ * evaluated by several threads while another thread parses more.
  *
- * <p>Simple names of types are looked for in the packages in the given order, nested packages
- * included, and at last in Ecore itself; {@code package::Type} works, too. Every object has the
- * operations of EObject. Types are those of classic Eclipse OCL, values those of OMG OCL 2.4 but
- * for some differences (see {@code differences.md}), in particular: {@code closure} leaves its
- * source out. A quote in a string is written {@code \'}.
+ * <p>Simple names of types are looked up in the packages in the given order, nested packages
+ * included, and last in Ecore itself; {@code package::Type} works, too. Every object has the
+ * operations of EObject. Types are those of classic Eclipse OCL, values those of OMG OCL 2.4 except
+ * for some differences (see {@code differences.md}); in particular, {@code closure} omits its
+ * source. A quote in a string is written {@code \'}.
  */
 public final class ExpressionLanguage implements TypeSystem {
 
@@ -66,13 +66,13 @@ public final class ExpressionLanguage implements TypeSystem {
   private final ModelAccess model;
   private final Lowering lowering;
 
-  /** For what has no value, to find out why. */
+  /** Lowers expressions again to explain invalid values. */
   private final Lowering tracing;
 
-  /** The types that were asked for by name, which parsing again would not change. */
+  /** Cache of the types parsed by name. */
   private final Map<String, EClassifier> types = new HashMap<>();
 
-  /** The bodies of features and operations that metamodels state, as far as they were needed. */
+  /** The bodies of features and operations of metamodels, parsed when needed. */
   private final MemberBodies bodies = new MemberBodies(this);
 
   private ExpressionLanguage(OclEnvironmentFactory factory) {
@@ -85,17 +85,17 @@ public final class ExpressionLanguage implements TypeSystem {
     this.tracing = new Lowering(root, model, true);
   }
 
-  /** Standard OCL over these packages. */
+  /** Returns standard OCL over packages. */
   public static ExpressionLanguage of(Collection<EPackage> packages) {
     return of(packages, Dialect.STANDARD);
   }
 
-  /** A dialect of OCL over these packages. */
+  /** Returns a dialect of OCL over packages. */
   public static ExpressionLanguage of(Collection<EPackage> packages, Dialect dialect) {
     return new ExpressionLanguage(new OclEnvironmentFactory(new PackageIndex(packages), dialect));
   }
 
-  /** The scope without variables. */
+  /** Returns the scope without variables. */
   public Scope root() {
     return Scope.EMPTY;
   }
@@ -103,8 +103,8 @@ public final class ExpressionLanguage implements TypeSystem {
   /**
    * Parses and checks an expression.
    *
-   * @param range where it is
-   * @param problems takes all errors and warnings, at their places in the text
+   * @param range the text of the expression
+   * @param problems the list to add all errors and warnings to, with their places in the text
    * @return empty if there is an error
    */
   public synchronized Optional<Expression> parse(
@@ -130,8 +130,8 @@ public final class ExpressionLanguage implements TypeSystem {
   }
 
   /**
-   * Adds an operation or a property to a class, for all expressions parsed from now on. It must be
-   * given its body with {@link #complete} before any of them is evaluated.
+   * Adds an operation or a property to a class, for all expressions parsed from now on. {@link
+   * #complete} must set its body before any of them is evaluated.
    *
    * @param signature from {@code def} to the equals sign
    * @return the operation or property; empty if the signature has an error
@@ -158,7 +158,7 @@ public final class ExpressionLanguage implements TypeSystem {
     return Optional.empty();
   }
 
-  /** Gives a declared operation or property its body; none if that has an error. */
+  /** Sets the body of a declared operation or property; none if the body has an error. */
   synchronized void complete(
       Object feature, SourceRange text, Scope scope, List<Diagnostic> problems) {
     ExpressionInOCL<EClassifier, EParameter> definition =
@@ -173,7 +173,7 @@ public final class ExpressionLanguage implements TypeSystem {
     } else {
       environment.addVariable(self);
     }
-    // An environment takes its variables out of what contains them; they are put back below.
+    // An environment removes its variables from their containers; they are put back below.
     List<Variable<EClassifier, EParameter>> parameters =
         List.copyOf(definition.getParameterVariable());
     parameters.forEach(environment::addVariable);
@@ -187,17 +187,17 @@ public final class ExpressionLanguage implements TypeSystem {
   }
 
   /**
-   * Sets the expression that computes a feature or an operation of a metamodel, for all expressions
-   * that are evaluated from now on; what uses one that has an error is invalid.
+   * Sets the body of a feature or an operation of a metamodel, for all later evaluations; uses of
+   * one with an error are invalid.
    *
-   * @param parameters what the parameters are called there; {@code null} for their own names
+   * @param parameters the names of the parameters in the body; {@code null} for their own names
    */
   public synchronized void implement(
       ETypedElement member, List<String> parameters, SourceRange text, List<Diagnostic> problems) {
     bodies.implement(member, parameters, text, problems);
   }
 
-  /** The expression that computes a feature or an operation; null if there is none. */
+  /** Returns the body of a feature or an operation; null if there is none. */
   synchronized OCLExpression<EClassifier> bodyOf(ETypedElement member) {
     Constraint definition = root.getDefinition(member);
     return definition == null
@@ -205,7 +205,7 @@ public final class ExpressionLanguage implements TypeSystem {
         : definition.getSpecification().getBodyExpression();
   }
 
-  /** The expression of a member, if it has the member's type. */
+  /** Parses the body of a member; empty if it does not have the member's type. */
   Optional<OCLExpression<EClassifier>> parse(
       SourceRange text, Scope scope, ETypedElement member, List<Diagnostic> problems) {
     EClassifier declared = typeOf(member);
@@ -325,7 +325,7 @@ public final class ExpressionLanguage implements TypeSystem {
     return root.getUMLReflection().asOCLType(classifier);
   }
 
-  /** The type that a feature, an operation or a parameter has, its multiplicity included. */
+  /** Returns the type of a feature, an operation or a parameter, including its multiplicity. */
   EClassifier typeOf(ETypedElement element) {
     return root.getUMLReflection().getOCLType(element);
   }
@@ -382,17 +382,17 @@ public final class ExpressionLanguage implements TypeSystem {
     return root;
   }
 
-  /** The packages that expressions can name. */
+  /** Returns the packages that expressions can name. */
   public PackageIndex packages() {
     return factory.packages();
   }
 
-  /** Compiles an expression; not while another one is parsed, which may add definitions. */
+  /** Compiles an expression; not during parsing, which may add definitions. */
   synchronized Lowered lower(OCLExpression<EClassifier> expression) {
     return lowering.lower(expression);
   }
 
-  /** As {@link #lower}, into nodes that remember why a value is invalid. */
+  /** As {@link #lower}, into nodes that record why a value is invalid. */
   synchronized Lowered trace(OCLExpression<EClassifier> expression) {
     return tracing.lower(expression);
   }

@@ -23,8 +23,8 @@ import org.eclipse.ocl.Environment;
 import org.eclipse.ocl.expressions.OCLExpression;
 
 /**
- * The expressions that compute features and operations of metamodels: those that documents state,
- * and those of annotations, parsed when they are first needed.
+ * The bodies of features and operations of metamodels, from documents and from annotations; the
+ * latter are parsed when first needed.
  */
 final class MemberBodies {
 
@@ -35,7 +35,7 @@ final class MemberBodies {
     this.language = language;
   }
 
-  /** The expression that computes a feature or an operation. */
+  /** Returns the body of a feature or an operation. */
   Optional<OCLExpression<EClassifier>> of(ETypedElement member) {
     if (!known.containsKey(member)) {
       known.put(member, Optional.empty());
@@ -46,7 +46,7 @@ final class MemberBodies {
     return known.get(member);
   }
 
-  /** The file of a metamodel: who only uses its members has no lines of it. */
+  /** Returns the file of a metamodel, since its lines are unknown to mere users of its members. */
   private static SourceLocation placeOf(ETypedElement member) {
     URI uri = member.eResource() == null ? null : member.eResource().getURI();
     return uri != null && uri.isFile()
@@ -55,10 +55,10 @@ final class MemberBodies {
   }
 
   /**
-   * Computes a feature or an operation of a metamodel by an expression, which sees {@code self} and
-   * the parameters. One that has an error is invalid wherever it is used.
+   * Sets the body of a feature or an operation of a metamodel, which sees {@code self} and the
+   * parameters. With an error in it, every use is invalid.
    *
-   * @param parameters what the parameters are called there; {@code null} for their own names
+   * @param parameters the names of the parameters in the body; {@code null} for their own names
    */
   void implement(
       ETypedElement member, List<String> parameters, SourceRange text, List<Diagnostic> problems) {

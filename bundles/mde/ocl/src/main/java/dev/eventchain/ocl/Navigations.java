@@ -16,7 +16,7 @@ import org.eclipse.ocl.ecore.OperationCallExp;
 import org.eclipse.ocl.ecore.PropertyCallExp;
 import org.eclipse.ocl.expressions.OCLExpression;
 
-/** Finds the features that an expression reads, also by way of definitions. */
+/** Finds the features that an expression reads, also through definitions. */
 final class Navigations {
 
   private final OclEnvironment environment;
@@ -33,7 +33,7 @@ final class Navigations {
     return new ArrayList<>(navigations.found);
   }
 
-  /** The defined operations and properties that an expression names itself. */
+  /** Returns the defined operations and properties that an expression uses directly. */
   static Set<Object> definitionsIn(EObject expression, OclEnvironment environment) {
     Set<Object> definitions = new LinkedHashSet<>();
     TreeIterator<EObject> nodes = EcoreUtil.getAllContents(List.of(expression));
@@ -69,7 +69,7 @@ final class Navigations {
     }
   }
 
-  /** Walks the body of a definition, if there is one, and says whether there is. */
+  /** Walks the body of a definition; returns whether there is one. */
   private boolean followed(OCLExpression<EClassifier> body) {
     if (body != null && visited.add(body)) {
       walk((EObject) body);

@@ -27,34 +27,34 @@ public final class Scope {
   }
 
   /**
-   * This scope and one variable more, which hides any of the same name. The variable {@code self}
-   * is the source of calls and navigations that have none.
+   * Returns this scope with another variable, which hides any of the same name. The variable {@code
+   * self} is the implicit source of calls and navigations.
    *
    * @param variable the name of the variable
-   * @param variableType its static type: a class, a data type, or a type that an {@link
-   *     ExpressionLanguage} gave
+   * @param variableType its static type: a class, a data type, or a type of an {@link
+   *     ExpressionLanguage}
    */
   public Scope with(String variable, EClassifier variableType) {
     return new Scope(
         this, Objects.requireNonNull(variable), Objects.requireNonNull(variableType), home, prefix);
   }
 
-  /** This scope in a package: simple names of types are looked for there before anywhere else. */
+  /** Returns this scope in a package, in which simple names of types are looked up first. */
   public Scope in(EPackage contextPackage) {
     return new Scope(parent, name, type, contextPackage, prefix);
   }
 
   /**
-   * This scope where {@code self} has another name, too.
+   * Returns this scope with an alias of {@code self}.
    *
-   * @param alias the other name
-   * @param typeName the type of {@code self} as it is written there
+   * @param alias the alias
+   * @param typeName the type of {@code self} as written
    */
   public Scope withAlias(String alias, String typeName) {
     return new Scope(parent, name, type, home, "let " + alias + " : " + typeName + " = self in\n");
   }
 
-  /** The static type of a variable; {@code null} if there is none of this name. */
+  /** Returns the static type of a variable; {@code null} if there is none of this name. */
   public EClassifier typeOf(String variable) {
     for (Scope scope = this; scope.parent != null; scope = scope.parent) {
       if (scope.name.equals(variable)) {
@@ -64,12 +64,12 @@ public final class Scope {
     return null;
   }
 
-  /** The package whose types come first; {@code null} for none. */
+  /** Returns the package whose types come first; {@code null} for none. */
   EPackage home() {
     return home;
   }
 
-  /** What is before the expressions of this scope. */
+  /** Returns the text to parse before expressions of this scope. */
   String prefix() {
     return prefix;
   }

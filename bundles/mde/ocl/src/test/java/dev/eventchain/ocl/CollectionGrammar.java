@@ -78,7 +78,7 @@ final class CollectionGrammar {
     }
   }
 
-  /** Eclipse OCL takes a changed ordered set for a set until it is evaluated. */
+  /** Returns a changed collection; Eclipse OCL types a changed ordered set as a set. */
   private String changed(ValueType type, String name) {
     return typed(type, generator.format("%s->" + name + "(%s)", type, type.single()));
   }
@@ -164,7 +164,7 @@ final class CollectionGrammar {
     implicitCollect(type, kinds, options);
   }
 
-  /** Features of many elements, whose values {@code collect} would give. */
+  /** Adds navigation from many elements, an implicit {@code collect}. */
   private void implicitCollect(ValueType type, List<String> kinds, Options options) {
     List<String> features =
         switch (type.element()) {
@@ -194,7 +194,7 @@ final class CollectionGrammar {
     return generator.format("%s->as" + type.kind() + "()", source);
   }
 
-  /** How far a collection is flattened depends on what its first element is. */
+  /** Flattens a collection, as deep as its first element is nested. */
   private String flatten(ValueType type) {
     if (!type.kind().equals("Sequence")) {
       generator.orderMatters();

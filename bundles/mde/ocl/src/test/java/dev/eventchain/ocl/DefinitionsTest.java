@@ -18,7 +18,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.junit.jupiter.api.Test;
 
-/** Operations and properties that are added to the classes of a language. */
+/** Tests operations and properties that are added to the classes of a language. */
 class DefinitionsTest {
 
   private final TestModels models = new TestModels("library");

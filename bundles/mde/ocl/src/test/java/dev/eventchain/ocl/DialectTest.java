@@ -23,10 +23,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What a dialect lets pass, which standard OCL refuses. */
+/** Tests expressions that a dialect accepts and standard OCL refuses. */
 class DialectTest {
 
-  /** An operation for strings and numbers that takes only some of what is not known better. */
+  /** An operation for strings and numbers that also accepts less specific static types. */
   private static final OperationLibrary SHOUT =
       new OperationLibrary() {
         @Override
@@ -71,7 +71,7 @@ class DialectTest {
         }
       };
 
-  /** A language whose only operation does not keep to its type. */
+  /** A dialect whose only operation violates its result type. */
   private static final Dialect LYING =
       new Dialect() {
         @Override

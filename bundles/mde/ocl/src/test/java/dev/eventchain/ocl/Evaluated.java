@@ -6,12 +6,12 @@ import dev.eventchain.ocl.evaluation.Evaluation;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What texts come to. */
+/** Evaluates texts. */
 final class Evaluated {
 
   private Evaluated() {}
 
-  /** The value of a text, which must be an expression. */
+  /** Returns the value of a text, which must be an expression. */
   static Object value(ExpressionLanguage language, SourceText text, Scope scope, Evaluation run) {
     List<Diagnostic> problems = new ArrayList<>();
     return language

@@ -25,7 +25,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.junit.jupiter.api.Test;
 
-/** Expressions on a small library of books, with and without operations of their own. */
+/** Tests expressions on a small library of books, with and without own operations. */
 class ExpressionLanguageTest {
 
   private record Extended(List<OperationLibrary> libraries) implements Dialect {}

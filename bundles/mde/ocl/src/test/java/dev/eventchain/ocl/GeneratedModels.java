@@ -14,7 +14,7 @@ import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.resource.impl.ResourceImpl;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
-/** Models of the metamodel {@code everything}, with values that are hard to get right. */
+/** Models of the metamodel {@code everything}, with values that are edge cases. */
 final class GeneratedModels {
 
   private static final List<Object> WHOLES = List.of(0, 1, 2, -1, 7, 2147483647, -2147483648);
@@ -30,7 +30,7 @@ final class GeneratedModels {
     this.random = new Random(seed);
   }
 
-  /** The things of a model, the root first; the same for the same seed. */
+  /** Returns the things of a model, the root first; the same for the same seed. */
   static List<EObject> things(EPackage metamodel, long seed) {
     return new GeneratedModels(metamodel, seed).make();
   }

@@ -31,7 +31,7 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
-/** Loops that look elements up by a key have the values of those that go through all of them. */
+/** Tests that loops with lookup by key have the same values as loops over all elements. */
 class KeyedElementsTest {
 
   private static final int THINGS = 40;
@@ -157,7 +157,7 @@ class KeyedElementsTest {
     String body = "select(x | x.whole > 100 or x.code() = self.code())";
     assertTrue(calls(body, true, false) >= THINGS * THINGS);
     body = "select(x | x.code() = self.code())";
-    // All for the first element; then once for the index; then for those that it finds.
+    // All for the first element, then once for the index, then only for its matches.
     assertTrue(calls(body, true, false) < 8 * THINGS);
     body = "forAll(x | x.whole > 100 or x.code() <> self.code())";
     assertTrue(calls(body, true, false) < 8 * THINGS);

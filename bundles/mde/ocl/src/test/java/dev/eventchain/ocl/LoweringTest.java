@@ -34,12 +34,11 @@ import org.eclipse.ocl.util.Bag;
 import org.eclipse.ocl.util.Tuple;
 
 /**
- * Lowered expressions have the values that Eclipse OCL gives, and so have the traced ones that
- * explain why there is none, in the same order. Takes about 25 s.
+ * Tests that lowered and traced expressions have the values of Eclipse OCL, in the same order.
+ * Takes about 25 s.
  *
- * <p>Left out of the comparison with Eclipse OCL, which it cannot answer in one way only or answers
- * otherwise on purpose: expressions whose value depends on the order of a set or a bag, and those
- * that meet one of the {@link StockDifferences}.
+ * <p>Not compared with Eclipse OCL: expressions whose value depends on the order of a set or a bag,
+ * and those with one of the {@link StockDifferences}.
  */
 class LoweringTest {
 
@@ -56,7 +55,7 @@ class LoweringTest {
 
   private static final int MODELS = 50;
 
-  /** How many ways to make an expression the grammar has. */
+  /** The number of constructs in the grammar. */
   private static final int CONSTRUCTS = 183;
 
   private final EPackage metamodel = new TestModels("everything").metamodel();
@@ -119,7 +118,7 @@ class LoweringTest {
     return traced.evaluate(traced.frame(run));
   }
 
-  /** Values that are equal only if they are the same in OCL, in type and order, too. */
+  /** Returns a value that is equal only for the same values in OCL, including type and order. */
   static Object normal(Object value, boolean ordered) {
     if (value instanceof Invalid || value == Values.INVALID) {
       return "invalid";

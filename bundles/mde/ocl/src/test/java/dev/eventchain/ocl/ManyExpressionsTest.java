@@ -17,7 +17,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.junit.jupiter.api.Test;
 
-/** Many expressions, many threads, many elements. */
+/** Tests many expressions, threads and elements. */
 class ManyExpressionsTest {
 
   private final EPackage metamodel = new TestModels("machine").metamodel();

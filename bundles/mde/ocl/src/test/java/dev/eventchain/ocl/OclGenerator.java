@@ -8,8 +8,8 @@ import java.util.TreeMap;
 import java.util.function.Supplier;
 
 /**
- * Makes well-typed expressions about a Thing out of a list of choices. Smaller and fewer choices
- * give simpler expressions, so that a failure shrinks to one that can be read.
+ * Generates well-typed expressions about a Thing from a list of choices. Smaller and fewer choices
+ * give simpler expressions, so that failures shrink to readable ones.
  */
 final class OclGenerator {
 
@@ -36,7 +36,7 @@ final class OclGenerator {
       return !kind.isEmpty();
     }
 
-    /** Whether its elements have no order in OCL. */
+    /** Returns whether its elements have no order in OCL. */
     boolean isUnordered() {
       return kind.equals("Set") || kind.equals("Bag");
     }
@@ -57,13 +57,13 @@ final class OclGenerator {
 
   record Variable(String name, ValueType type) {}
 
-  /** Ways to write an expression of some type. */
+  /** Alternatives for an expression of some type. */
   final class Options {
     private final List<String> names = new ArrayList<>();
     private final List<Supplier<String>> makers = new ArrayList<>();
     private int leaves;
 
-    /** A way that has no sub-expressions. Leaves come first, the simplest first. */
+    /** Adds an alternative without sub-expressions. Leaves come first, the simplest first. */
     Options leaf(String name, String text) {
       leaves++;
       return node(name, () -> text);
@@ -89,7 +89,7 @@ final class OclGenerator {
 
   private static final int DEPTH = 4;
 
-  /** Loops whose value depends on the order of their source, with whatever body. */
+  /** Loops whose value depends on the order of their source, whatever the body. */
   private static final Set<String> ORDERED_LOOPS = Set.of("any", "sortedBy");
 
   private final List<Integer> choices;
@@ -106,7 +106,7 @@ final class OclGenerator {
     this.choices = choices;
   }
 
-  /** An expression of any type. */
+  /** Returns an expression of any type. */
   String expression() {
     ValueType single = oneOf(ValueType.SINGLE);
     int kind = pick(ValueType.KINDS.size() * 2);
@@ -168,7 +168,7 @@ final class OclGenerator {
         + ")";
   }
 
-  /** A text in which each {@code %s} is an expression of the type in its place. */
+  /** Returns a text in which expressions of these types replace each {@code %s}. */
   String format(String format, Object... types) {
     Object[] texts = new Object[types.length];
     for (int i = 0; i < types.length; i++) {
@@ -177,7 +177,7 @@ final class OclGenerator {
     return String.format(format, texts);
   }
 
-  /** A loop over a source, with a variable for its elements. */
+  /** Returns a loop over a source, with a variable for its elements. */
   String loop(String name, ValueType source, ValueType body) {
     String from = expression(source);
     Variable variable = new Variable(newName(), source.single());
@@ -215,17 +215,17 @@ final class OclGenerator {
     return at < choices.size() ? choices.get(at++) % bound : 0;
   }
 
-  /** Notes that the value depends on the order of a set or a bag. */
+  /** Records that the value depends on the order of a set or a bag. */
   void orderMatters() {
     orderMatters = true;
   }
 
-  /** Whether the value may depend on the order of a set or a bag, which Eclipse OCL leaves open. */
+  /** Returns whether the value may depend on the order of a set or a bag. */
   boolean doesOrderMatter() {
     return orderMatters;
   }
 
-  /** How often each construct was used. */
+  /** Returns the number of uses of each construct. */
   Map<String, Integer> used() {
     return used;
   }

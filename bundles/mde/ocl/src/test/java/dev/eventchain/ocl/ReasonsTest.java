@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Why an expression has no value: the innermost part without one, its place, and its kind. */
+/** Tests the reasons of invalid values: the innermost invalid part, its place, and its kind. */
 class ReasonsTest {
 
   private final TestModels models = new TestModels("library");

@@ -218,7 +218,7 @@ final class ScalarGrammar {
     return generator.format("%s->" + name + "(%s)", source, source.single());
   }
 
-  /** A question about a sequence of collections. */
+  /** Returns a predicate on a sequence of collections. */
   private String nested(String name) {
     ValueType source = source();
     return generator.format("Sequence{%s, %s}->" + name + "(%s)", source, source, source);
@@ -245,7 +245,7 @@ final class ScalarGrammar {
     return from + "->" + name + "(" + first.name() + ", " + second.name() + " | " + body + ")";
   }
 
-  /** Any type of collection. */
+  /** Returns any type of collection. */
   private ValueType source() {
     return generator.oneOf(ValueType.SINGLE).of(generator.oneOf(ValueType.KINDS));
   }

@@ -28,7 +28,7 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
-/** Values are those of OMG OCL 2.4, with numbers of all Java types that a model can hold. */
+/** Tests that values are those of OMG OCL 2.4, with numbers of all Java types in models. */
 class StandardValuesTest {
 
   private static final Path VALUES = Path.of("src", "test", "resources", "standard-values.txt");
@@ -54,7 +54,7 @@ class StandardValuesTest {
             });
   }
 
-  /** One text for each attribute that a placeholder stands for. */
+  /** Returns one text for each attribute of a placeholder. */
   private Stream<String> expanded(String text) {
     if (text.contains("$i")) {
       return attributes("16").map(name -> text.replace("$i", name));
@@ -79,7 +79,7 @@ class StandardValuesTest {
   private void check(String expected, String text) {
     Expression expression = parse(text);
     assertEquals(expected, text(expression.evaluate(run())));
-    // What explains an undefined value must not come to another one.
+    // The traced evaluation must have the same value.
     Lowered traced = language.trace(expression.ast());
     assertEquals(expected, text(traced.evaluate(traced.frame((Run) run()))));
   }

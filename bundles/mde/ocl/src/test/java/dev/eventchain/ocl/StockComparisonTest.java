@@ -33,8 +33,8 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 
 /**
- * Our evaluation gives the values of Eclipse OCL's own, but for the order of sets and bags and for
- * known differences.
+ * Tests that evaluation has the values of Eclipse OCL's own, except for the order of sets and bags
+ * and known differences.
  */
 class StockComparisonTest {
 
@@ -55,7 +55,7 @@ class StockComparisonTest {
     return ocl;
   }
 
-  /** Where Eclipse OCL leaves the standard, and what the standard has. */
+  /** Expressions with other values in Eclipse OCL, and their values in the standard. */
   private static final Map<String, Object> DIFFERENCES =
       Map.of(
           "Set{1, 1.0}->size()",
@@ -92,7 +92,7 @@ class StockComparisonTest {
     return expression.get().evaluate(run);
   }
 
-  /** Values that are equal if they are equal in OCL, with the kind of a collection. */
+  /** Returns a value that is equal for equal values in OCL, with the kind of a collection. */
   private Object normal(Object value) {
     if (value instanceof Invalid || stock.isInvalid(value)) {
       return "invalid";

@@ -14,8 +14,8 @@ import org.eclipse.ocl.util.Bag;
 import org.eclipse.ocl.utilities.PredefinedType;
 
 /**
- * The differences between Eclipse OCL and the standard that are known. An expression that meets one
- * of them while Eclipse OCL evaluates it is not compared with the value that it has there.
+ * The known differences between Eclipse OCL and the standard. Values of Eclipse OCL are not
+ * compared if one of them occurs during the evaluation.
  */
 final class StockDifferences {
 
@@ -45,7 +45,7 @@ final class StockDifferences {
 
   private StockDifferences() {}
 
-  /** Only Integer, Long and Double are numbers that Eclipse OCL computes with throughout. */
+  /** Converts a number to Integer, Long or Double, which Eclipse OCL fully supports. */
   static Object asNumberOfOcl(Object value) {
     if (value instanceof Short || value instanceof Byte) {
       return ((Number) value).intValue();
@@ -57,7 +57,7 @@ final class StockDifferences {
     return value instanceof Float number ? Double.valueOf(number.toString()) : value;
   }
 
-  /** A set that holds numbers which are equal. */
+  /** Returns the difference of a set with equal numbers, if a value is one. */
   static Optional<String> ofValue(Object value) {
     return when(
         "equal numbers in a set", value instanceof Set<?> && holdsEqualNumbers(List.of(value)));
@@ -87,7 +87,7 @@ final class StockDifferences {
     };
   }
 
-  /** Of a part of a tuple that is to be a collection. */
+  /** Returns the difference of a tuple part that should be a collection. */
   static Optional<String> ofPart(Object value) {
     return when(
         "part of a tuple without a value",
@@ -146,7 +146,7 @@ final class StockDifferences {
         || (value instanceof Double number && Math.abs(number) < Integer.MAX_VALUE);
   }
 
-  /** Whether Java tells numbers apart that are equal. */
+  /** Returns whether values contain equal numbers that Java distinguishes. */
   private static boolean holdsEqualNumbers(Collection<?> values) {
     Set<Object> inJava = new HashSet<>();
     Set<Object> inOcl = new HashSet<>();
@@ -158,7 +158,7 @@ final class StockDifferences {
     return inJava.size() != inOcl.size();
   }
 
-  /** The numbers among values, also inside collections. */
+  /** Returns the numbers among values, also inside collections. */
   private static List<Object> numbers(Collection<?> values) {
     List<Object> numbers = new ArrayList<>();
     for (Object value : values) {

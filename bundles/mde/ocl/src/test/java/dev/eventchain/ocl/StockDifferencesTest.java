@@ -23,7 +23,7 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
-/** What is left out of the comparison with Eclipse OCL differs indeed, and is in a table. */
+/** Tests that all exceptions from the comparison with Eclipse OCL are real and documented. */
 class StockDifferencesTest {
 
   private static final Path TABLE = Path.of("src", "test", "resources", "stock-differences.md");
@@ -33,7 +33,7 @@ class StockDifferencesTest {
   private final ExpressionLanguage language = ExpressionLanguage.of(List.of(metamodel));
   private final StockEvaluator stock = new StockEvaluator(language.environment());
 
-  /** The cells of each row. */
+  /** Returns the cells of each row. */
   private static List<String[]> rows() throws IOException {
     return Files.readAllLines(TABLE).stream()
         .filter(line -> line.contains("`"))

@@ -27,9 +27,8 @@ import org.eclipse.ocl.types.SetType;
 import org.eclipse.ocl.types.TupleType;
 
 /**
- * Eclipse OCL's own evaluator, with its own environments, on expressions that we have parsed. It is
- * given the numbers of a model as OCL's, whatever Java types they have there, and notes where it
- * leaves the standard, as {@link StockDifferences} has it.
+ * Eclipse OCL's own evaluator, with its own environments, for expressions from our parser. It gets
+ * the numbers of a model as OCL's, whatever their Java types, and records {@link StockDifferences}.
  */
 final class StockEvaluator {
 
@@ -40,7 +39,7 @@ final class StockEvaluator {
     this.environment = environment;
   }
 
-  /** What the latest evaluation met that Eclipse OCL has otherwise than the standard. */
+  /** Returns the differences from the standard in the latest evaluation. */
   Set<String> differences() {
     return differences;
   }
@@ -146,7 +145,7 @@ final class StockEvaluator {
       }
     }
 
-    /** As the original, which would have our environment make the nested one. */
+    /** Calls like the original, which would create the nested environment from ours. */
     @Override
     protected Object call(
         EOperation operation, OCLExpression<EClassifier> body, Object target, Object[] args) {

@@ -14,7 +14,7 @@ final class TestDefinitions {
 
   private TestDefinitions() {}
 
-  /** Gives a class definitions without errors. */
+  /** Adds definitions without errors to a class. */
   static void define(ExpressionLanguage language, EClassifier owner, List<String> texts) {
     List<Diagnostic> problems = new ArrayList<>();
     Scope scope = language.root().in(owner.getEPackage()).with("self", owner);

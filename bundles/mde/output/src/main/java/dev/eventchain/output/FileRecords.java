@@ -21,9 +21,9 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 
 /**
- * What an output folder knows of the files that it wrote: for each a hash of its content outside
- * protected areas. A journal line goes ahead of every change, so that the files of a killed run are
- * still known as ours, whether the change arrived or not.
+ * Records of the files written to an output folder: for each the hash of its content outside
+ * protected areas. A journal line precedes every change, so that the files of a killed run are
+ * still recognised as generated.
  */
 final class FileRecords {
   private static final String RECORDS = OutputPath.RESERVED + "/files.json";
@@ -48,58 +48,60 @@ final class FileRecords {
     readJournal();
   }
 
-  /** Whether there were no records at all: nothing was written here, or somebody removed them. */
+  /** Returns whether there were no records: nothing was written, or the records were removed. */
   boolean absent() {
     return absent;
   }
 
-  /** The fingerprint of what a file was given last; empty if we gave it nothing. */
+  /** Returns the fingerprint of the content last written to a file; empty if there is none. */
   String written(String path) {
     return hashes.getOrDefault(path, "");
   }
 
-  /** Whether the records of earlier runs could not be read; every file is a stranger then. */
+  /**
+   * Returns whether the records of earlier runs were unreadable; then no file counts as generated.
+   */
   boolean damaged() {
     return damaged;
   }
 
-  /** The files that earlier runs and this one wrote, sorted. */
+  /** Returns the files that earlier runs and this one wrote, sorted. */
   Set<String> files() {
     Set<String> files = new TreeSet<>(hashes.keySet());
     files.addAll(journal.keySet());
     return files;
   }
 
-  /** Whether the content of a file is one that we gave it, apart from protected areas. */
+  /** Returns whether the content of a file was generated, apart from protected areas. */
   boolean isOurs(String path, byte[] content) {
     return isOurs(path, fingerprint(content));
   }
 
-  /** As above, of a content of this fingerprint. */
+  /** Returns whether a content with this fingerprint was generated. */
   boolean isOurs(String path, String hash) {
     return hash.equals(hashes.get(path)) || journal.getOrDefault(path, Set.of()).contains(hash);
   }
 
-  /** To be called before a file is given a content of this fingerprint. */
+  /** Notes in the journal that a content with this fingerprint is about to be written. */
   void announce(String path, String fingerprint) throws IOException {
     String line = fingerprint + " " + path + "\n";
     storage.append(JOURNAL, (journalIsCut ? "\n" + line : line).getBytes(StandardCharsets.UTF_8));
     journalIsCut = false;
   }
 
-  /** To be called when a file holds a content that we gave it. */
+  /** Records a content after it was written. */
   void put(String path, String fingerprint) {
     hashes.put(path, fingerprint);
     journal.remove(path);
   }
 
-  /** To be called when a file is gone. */
+  /** Forgets a removed file. */
   void remove(String path) {
     hashes.remove(path);
     journal.remove(path);
   }
 
-  /** Writes the records if they changed, and drops the journal. */
+  /** Writes the records if they changed, and deletes the journal. */
   void save() throws IOException {
     byte[] content = bytes();
     if (!java.util.Arrays.equals(content, stored)) {
@@ -130,7 +132,7 @@ final class FileRecords {
 
   private void readJournal() throws IOException {
     String lines = storage.read(JOURNAL).map(b -> new String(b, StandardCharsets.UTF_8)).orElse("");
-    // A full disk may have ended it in the middle of a line.
+    // A full disk may have truncated the last line.
     journalIsCut = !lines.isEmpty() && !lines.endsWith("\n");
     lines
         .lines()
@@ -159,12 +161,12 @@ final class FileRecords {
     return bytes.toByteArray();
   }
 
-  /** What the records keep of a content: a hash of what is outside its protected areas. */
+  /** Returns the fingerprint of a content: a hash of the bytes outside its protected areas. */
   static String fingerprint(byte[] content) {
     return new Sha256().add(ProtectedAreas.withoutAreas(content)).hex();
   }
 
-  /** As above, of a large file, which has no protected areas. */
+  /** Returns the fingerprint of a large file, which has no protected areas. */
   static String fingerprint(Path file) throws IOException {
     Sha256 hash = new Sha256();
     try (InputStream input = Files.newInputStream(file)) {

@@ -13,13 +13,13 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Keeps a second run out of an output folder. The lock dies with its process, so that a killed run
- * never has to be cleaned up after; the lock file itself stays and names the last owner.
+ * Lock that excludes concurrent runs from an output folder. The operating system releases it when
+ * the process ends, so a killed run needs no cleanup. The lock file stays and names the last owner.
  */
 final class FolderLock {
   /**
-   * Locks of this process. Closing any channel on a file drops the process's POSIX locks on it, so
-   * a second attempt must be turned away before it opens the file.
+   * Locks of this process. Closing any channel on a file releases the process's POSIX locks on it,
+   * so a second attempt must be refused before it opens the file.
    */
   private static final Set<Path> HELD = ConcurrentHashMap.newKeySet();
 
@@ -70,7 +70,7 @@ final class FolderLock {
     return owner.isEmpty() ? "(unknown)" : owner;
   }
 
-  /** Another run holds the lock; the message names it. */
+  /** Thrown if another run holds the lock; the message names it. */
   static final class HeldException extends IOException {
     private static final long serialVersionUID = 1L;
 

@@ -16,9 +16,9 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Files below a folder. New content is written under {@code .eventchain/} and renamed into place,
- * so that a killed run leaves every file whole. Symbolic links that lead out of the folder are not
- * followed; links that others create while a run is writing are not defended against.
+ * Storage of files below a folder. New content is written under {@code .eventchain/} and renamed
+ * into place, so that a killed run leaves every file complete. Symbolic links out of the folder are
+ * not followed, except those created by others during a run.
  */
 final class FolderStorage implements OutputStorage {
   private static final String NEW_FILE = "new-file";
@@ -30,7 +30,7 @@ final class FolderStorage implements OutputStorage {
   private final FolderLock lock;
   private final Set<Path> checkedFolders = new HashSet<>();
 
-  /** The file that was appended to last, which stays open. */
+  /** The file last appended to, which stays open. */
   private Path appended;
 
   private OutputStream appending = OutputStream.nullOutputStream();
@@ -77,13 +77,13 @@ final class FolderStorage implements OutputStorage {
       Files.write(fresh, content);
       Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
     } catch (IOException e) {
-      // What there is of it would only fill a full disk further.
+      // The incomplete file would only occupy space on a full disk.
       Files.deleteIfExists(fresh);
       throw e;
     }
   }
 
-  /** What a killed run has left. A link is not followed. */
+  /** Deletes the leftovers of a killed run, without following links. */
   private static void empty(Path folder) throws IOException {
     if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
       Files.deleteIfExists(folder);
@@ -207,7 +207,7 @@ final class FolderStorage implements OutputStorage {
     return parent == null ? file : parent;
   }
 
-  /** A symbolic link below the output folder leads out of it. */
+  /** Thrown if a symbolic link below the output folder leads out of it. */
   static final class LinkLeavesFolderException extends FileSystemException {
     private static final long serialVersionUID = 1L;
 

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
 
-/** The in-memory double of a folder. The map is the disk: a test edits it as a person would. */
+/** Storage in memory for tests, which edit the map as a user edits files. */
 record MemoryStorage(Map<String, byte[]> files) implements OutputStorage {
   @Override
   public Optional<byte[]> read(String path) {

@@ -6,7 +6,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 
-/** What an output folder says of its files. */
+/** Findings of an output folder about its files. */
 final class OutputFindings {
 
   private final OutputStorage storage;
@@ -16,9 +16,9 @@ final class OutputFindings {
   }
 
   /**
-   * A file that was kept.
+   * Returns the warning about an existing file that was kept.
    *
-   * @param known whether an earlier run wrote a file of this name
+   * @param known true if an earlier run wrote a file of this name
    */
   Diagnostic kept(String path, boolean known) {
     String what =
@@ -51,7 +51,7 @@ final class OutputFindings {
         SourceLocation.of(storage.shown(path)));
   }
 
-  /** {@link OutputPath#refusal}, at the folder that the file was to be in. */
+  /** Returns {@link OutputPath#refusal}, located at the output folder. */
   Diagnostic refusedHere(String name, OutputPath path) {
     return path.refusal(name).withLocation(SourceLocation.of(storage.shown("")));
   }

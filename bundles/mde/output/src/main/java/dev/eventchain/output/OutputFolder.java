@@ -13,46 +13,46 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The only way to write files. Nothing gets outside the folder, whatever a name says; a file
- * appears complete or not at all; a file that already has the content is not touched; and a file
- * that a person changed is never replaced silently. What was written is remembered in {@code
- * .eventchain/files.json} inside the folder.
+ * Output folder, through which all files are written. No file name leads out of it. A file appears
+ * complete or not at all; a file that already has the content is not touched; a file with manual
+ * changes is never replaced silently. The file {@code .eventchain/files.json} in the folder records
+ * hashes of the written files.
  *
  * <p>File names are relative, with {@code /} between their parts. Safe for use by several threads.
  */
 public final class OutputFolder implements AutoCloseable {
 
-  /** What to do with a file that a person changed since it was written. */
+  /** Treatment of files with manual changes. */
   public enum OnEdit {
-    /** Leave the person's file, and warn. */
+    /** Keep the changed file, with a warning. */
     KEEP,
-    /** Replace it, and say so. */
+    /** Replace the file, with a warning. */
     OVERWRITE
   }
 
-  /** What became of a file. */
+  /** Outcome of writing a file. */
   public enum Outcome {
-    /** It was created or replaced. */
+    /** Created or replaced. */
     WRITTEN,
-    /** It held the content already. */
+    /** Already up to date. */
     UNCHANGED,
-    /** A person's file is in its place. */
+    /** Not written, because a changed or foreign file is in its place. */
     KEPT,
-    /** Its name leads out of the folder or cannot be a file's. */
+    /** Refused, because its name leads out of the folder or is invalid. */
     REFUSED
   }
 
   /**
-   * What became of a file, and the finding that goes with it.
+   * Outcome of writing a file, with its finding.
    *
-   * @param finding a warning {@code eventchain.file.edited} for a person's file that was kept or
-   *     replaced, an error {@code output.path.refused} for a refused name
+   * @param finding a warning {@code eventchain.file.edited} for a changed or foreign file that was
+   *     kept or replaced, an error {@code output.path.refused} for a refused name
    */
   public record Written(Outcome outcome, Optional<Diagnostic> finding) {}
 
   /**
-   * The order in which the files of a generation are written: first those that save what people
-   * wrote in areas that are no longer generated, so that a killed run loses none; then by name.
+   * Order in which the files of a generation are written: first those with the content of lost
+   * protected areas, so that a killed run loses none; then by name.
    */
   public static final Comparator<String> WRITING_ORDER =
       (one, other) -> {
@@ -77,7 +77,7 @@ public final class OutputFolder implements AutoCloseable {
   }
 
   /**
-   * Opens a folder, creating it, and keeps other runs out until it is closed.
+   * Opens or creates a folder and locks it against other runs until it is closed.
    *
    * @throws DiagnosticException reason INPUT: {@code output.unwritable}, or {@code output.locked}
    *     naming the process that is writing there
@@ -99,7 +99,7 @@ public final class OutputFolder implements AutoCloseable {
   }
 
   /**
-   * The double of a folder for tests.
+   * Returns an output folder in memory for tests.
    *
    * @param files the content of the folder by name, read and changed in place
    */
@@ -112,15 +112,15 @@ public final class OutputFolder implements AutoCloseable {
     }
   }
 
-  /** As {@link #write(String, byte[], OnEdit)}, keeping a file that a person changed. */
+  /** As {@link #write(String, byte[], OnEdit)}, keeping files with manual changes. */
   public Written write(String name, byte[] content) {
     return write(name, content, OnEdit.KEEP);
   }
 
   /**
-   * Makes a file hold a content.
+   * Writes the content of a file.
    *
-   * @throws DiagnosticException reason INPUT, {@code output.unwritable}, if the disk refuses
+   * @throws DiagnosticException reason INPUT, {@code output.unwritable}, if the file system refuses
    */
   public synchronized Written write(String name, byte[] content, OnEdit onEdit) {
     OutputPath path = OutputPath.of(name);
@@ -163,7 +163,8 @@ public final class OutputFolder implements AutoCloseable {
   }
 
   /**
-   * Whether lost areas are appended to the existing ones, some of which a person may have removed.
+   * Returns whether lost areas are appended to the existing ones, some of which a user may have
+   * removed.
    */
   private static boolean addsLostAreas(String path, byte[] present, byte[] content) {
     return path.endsWith(ProtectedAreas.LOST)
@@ -172,9 +173,9 @@ public final class OutputFolder implements AutoCloseable {
   }
 
   /**
-   * The content of a file.
+   * Returns the content of a file.
    *
-   * @return nothing if there is no such file or the name is refused
+   * @return empty if there is no such file or the name is refused
    */
   public synchronized Optional<byte[]> read(String name) {
     OutputPath path = OutputPath.of(name);
@@ -191,8 +192,8 @@ public final class OutputFolder implements AutoCloseable {
   }
 
   /**
-   * Whether there is a file that is not as we wrote it: a person changed it, or put it there.
-   * Changes inside protected areas do not count, they are what the areas are for.
+   * Returns whether there is a file with manual changes, or a foreign one. Changes inside protected
+   * areas do not count.
    */
   public synchronized boolean isEdited(String name) {
     return read(name)
@@ -201,35 +202,33 @@ public final class OutputFolder implements AutoCloseable {
   }
 
   /**
-   * Accepts a file as it is, for a run that continues from a person's version of it.
+   * Accepts a file unchanged, for a run that continues from a manually changed version.
    *
-   * @return the warning {@code eventchain.file.edited} if a person changed it; nothing if it is as
-   *     we wrote it or does not exist
+   * @return the warning {@code eventchain.file.edited} if it has manual changes; empty if it is as
+   *     generated or does not exist
    */
   public synchronized Optional<Diagnostic> accept(String name) {
     return isEdited(name) ? Optional.of(kept(OutputPath.of(name).value())) : Optional.empty();
   }
 
   /**
-   * Removes the files that earlier runs wrote below a folder and that are no longer produced. Files
-   * that a person changed or put there stay, and those that have protected areas.
+   * Removes the files that earlier runs wrote below a folder and that are no longer produced.
+   * Changed and foreign files stay, and those with protected areas.
    *
-   * @param folder the name of the folder, or of a single file, relative to this one; "" is
-   *     everything
+   * @param folder the name of the folder, or of a single file, relative to this one; "" for the
+   *     whole folder
    * @param produced the names of all files below it that are still produced
-   * @return a warning {@code eventchain.file.edited} for each file that was left for a person's
-   *     sake
+   * @return a warning {@code eventchain.file.edited} for each changed file that was kept
    */
   public synchronized List<Diagnostic> removeOthers(String folder, Collection<String> produced) {
     return removal.others(folder, produced);
   }
 
   /**
-   * Removes what one producer wrote in its latest run and no longer produces, and remembers what it
-   * produces now. Other producers' files in this folder stay, and those that {@link #removeOthers}
-   * leaves.
+   * Removes the files that a producer wrote in its latest run and no longer produces, and records
+   * its current files. Files of other producers stay, and those that {@link #removeOthers} keeps.
    *
-   * @param producer what tells it from others, such as the name of a step in a build
+   * @param producer a unique id of the producer, such as the name of a build step
    * @return as {@link #removeOthers}
    */
   public synchronized List<Diagnostic> removeFormer(String producer, Collection<String> produced) {
@@ -237,8 +236,8 @@ public final class OutputFolder implements AutoCloseable {
   }
 
   /**
-   * A folder for files that are too large for {@link #write}, until {@link #move} puts them in
-   * place. What is left in it is gone when the output folder is opened again.
+   * Returns a folder for files that are too large for {@link #write}, until {@link #move} puts them
+   * in place. It is emptied when the output folder is opened again.
    */
   public synchronized Path scratch() {
     try {
@@ -249,9 +248,9 @@ public final class OutputFolder implements AutoCloseable {
   }
 
   /**
-   * Puts a finished file of {@link #scratch} in place, whatever is there, as a result of the run.
+   * Moves a finished file from {@link #scratch} into place, replacing any existing file.
    *
-   * @return the warning {@code eventchain.file.edited} if it replaces what we did not write there
+   * @return the warning {@code eventchain.file.edited} if it replaces a changed or foreign file
    */
   public synchronized Written move(Path finished, String name) {
     OutputPath path = OutputPath.of(name);
@@ -278,24 +277,24 @@ public final class OutputFolder implements AutoCloseable {
   }
 
   /**
-   * Removes results that earlier runs wrote and that no longer hold.
+   * Removes outdated results of earlier runs.
    *
-   * @param folder the name of the folder that they are in, or of a single one
+   * @param folder the name of their folder, or of a single file
    */
   public synchronized void removeAll(String folder) {
     removal.all(folder);
   }
 
   /**
-   * Whether there are records of what earlier runs wrote. Without them, existing files that differ
-   * count as people's, unless {@link #recall} says otherwise.
+   * Returns whether there are records of earlier runs. Without them, existing files that differ
+   * count as foreign unless {@link #recall} restores their records.
    */
   public boolean hasRecords() {
     return !records.damaged() && !records.absent();
   }
 
   /**
-   * What a file was given last, for those who remember it elsewhere, too.
+   * Returns the fingerprint of the content last written to a file, for records kept elsewhere.
    *
    * @return a fingerprint of the content; empty if nothing was written there
    */
@@ -304,9 +303,9 @@ public final class OutputFolder implements AutoCloseable {
   }
 
   /**
-   * Takes in what a file was given last, where the folder's own records are lost.
+   * Restores the record of a file after the folder's own records were lost.
    *
-   * @param fingerprint as {@link #written} gave it
+   * @param fingerprint a result of {@link #written}
    */
   public synchronized void recall(String name, String fingerprint) {
     OutputPath path = OutputPath.of(name);
@@ -316,9 +315,9 @@ public final class OutputFolder implements AutoCloseable {
   }
 
   /**
-   * Removes a result that no longer holds, whoever wrote it.
+   * Removes an outdated result, even if it was not generated.
    *
-   * @return the warning {@code eventchain.file.edited} if a person had changed it
+   * @return the warning {@code eventchain.file.edited} if it was changed or foreign
    */
   public synchronized Optional<Diagnostic> remove(String name) {
     OutputPath path = OutputPath.of(name);
@@ -339,13 +338,14 @@ public final class OutputFolder implements AutoCloseable {
   }
 
   /**
-   * Whether the records of earlier runs were unreadable, so that existing files count as people's.
+   * Returns a finding if the records of earlier runs were unreadable, so that existing files count
+   * as foreign.
    */
   public Optional<Diagnostic> damage() {
     return records.damaged() ? Optional.of(findings.damaged()) : Optional.empty();
   }
 
-  /** Writes the records of this folder and lets other runs in. */
+  /** Writes the records of this folder and releases its lock. */
   @Override
   public synchronized void close() {
     if (closed) {

@@ -8,13 +8,13 @@ import java.util.List;
 import java.util.regex.Pattern;
 
 /**
- * A file name relative to an output folder, which cannot leave it on any operating system.
+ * A file name relative to an output folder that cannot lead out of it on any operating system.
  *
- * @param value normalised name, segments separated by {@code /}; empty when the name was refused
- * @param problem why the name was refused, as the end of a sentence; empty when it was not
+ * @param value normalised name, segments separated by {@code /}; empty if the name is refused
+ * @param problem the reason for the refusal, as the end of a sentence; empty if there is none
  */
 public record OutputPath(String value, String problem) {
-  /** Where an output folder keeps its own records. */
+  /** Folder for the records of an output folder. */
   static final String RESERVED = ".eventchain";
 
   private static final int LONGEST_SEGMENT = 255;
@@ -22,7 +22,7 @@ public record OutputPath(String value, String problem) {
   private static final int SHORT_NAME = 200;
   private static final Pattern DRIVE = Pattern.compile("[A-Za-z]:.*", Pattern.DOTALL);
 
-  /** The path of a name that a template or a person gave. */
+  /** Returns the path of a name from a template or a user. */
   public static OutputPath of(String name) {
     if (isPlain(name)) {
       return new OutputPath(name, "");
@@ -45,7 +45,10 @@ public record OutputPath(String value, String problem) {
         : new OutputPath("", problem);
   }
 
-  /** Whether a name is as most are: short, of letters, single dots and single slashes. */
+  /**
+   * Returns whether a name is short and has only ASCII letters, digits, underscores, single dots
+   * and single slashes.
+   */
   private static boolean isPlain(String name) {
     boolean afterLetter = false;
     for (int i = 0; i < name.length(); i++) {
@@ -60,15 +63,15 @@ public record OutputPath(String value, String problem) {
     return afterLetter && name.length() <= SHORT_NAME;
   }
 
-  /** Whether the name cannot be a file's in any output folder. */
+  /** Returns whether the name is invalid in every output folder. */
   public boolean refused() {
     return !problem.isEmpty();
   }
 
   /**
-   * The error {@code output.path.refused} for a refused name, without a place.
+   * Returns the error {@code output.path.refused} for a refused name, without a location.
    *
-   * @param name what this is the path of
+   * @param name the original name
    */
   public Diagnostic refusal(String name) {
     return Diagnostic.error(
@@ -78,7 +81,7 @@ public record OutputPath(String value, String problem) {
         .withHint("Files are named relative to the output folder and stay below it.");
   }
 
-  /** The name for people: control characters shown as escapes, very long names shortened. */
+  /** Returns the displayed name: control characters as escapes, very long names shortened. */
   public static String shown(String name) {
     StringBuilder shown = new StringBuilder();
     name.codePoints()

@@ -6,14 +6,14 @@ import java.nio.charset.StandardCharsets;
 import java.util.Collection;
 import java.util.List;
 
-/** The files that one of several producers wrote into an output folder in its latest run. */
+/** Files that one of several producers wrote into an output folder in its latest run. */
 final class ProducedFiles {
 
   private final OutputStorage storage;
   private final String list;
 
   /**
-   * Those of a producer.
+   * Creates the record of a producer.
    *
    * @param producer any text
    */
@@ -23,7 +23,7 @@ final class ProducedFiles {
     list = OutputPath.RESERVED + "/produced-" + name.substring(0, 16) + ".txt";
   }
 
-  /** The files of its latest run; none if it did not run yet. */
+  /** Returns the files of its latest run; none before its first run. */
   List<String> former() {
     try {
       return storage
@@ -38,7 +38,7 @@ final class ProducedFiles {
     }
   }
 
-  /** Keeps the files of this run for the next one. */
+  /** Stores the files of this run for the next one. */
   void remember(Collection<String> files) {
     try {
       byte[] content = String.join("\n", files).getBytes(StandardCharsets.UTF_8);

@@ -5,26 +5,27 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The parts of a generated text that belong to people. An area runs from the line of the text
- * {@code Start of user code ID} to the text {@code End of user code}.
+ * Protected areas of a generated text, which users edit. An area starts at the line with {@code
+ * Start of user code ID} and ends at the text {@code End of user code}.
  */
 public final class ProtectedAreas {
   public static final String START = "Start of user code ";
   public static final String END = "End of user code";
 
-  /** What the name of a file ends with that has the areas which another one lost. */
+  /** Suffix of a file with the lost areas of another one. */
   public static final String LOST = ".lost";
 
   /**
-   * An area of a text.
+   * A protected area of a text.
    *
-   * @param line what follows the start mark on its line: the id, and perhaps text of the template
-   *     such as the end of a comment
-   * @param start where the content starts, at the end of that line
-   * @param end where the content ends, before the end mark; the start if the area has one line only
+   * @param line the text after the start mark on its line: the id, and possibly template text such
+   *     as the end of a comment
+   * @param start the offset where the content starts, at the end of that line
+   * @param end the offset where the content ends, before the end mark; equal to start if the area
+   *     has one line only
    */
   public record Area(String line, int start, int end) {
-    /** What is in the area of the text that it was found in. */
+    /** Returns the content of the area. */
     public String content(String text) {
       return text.substring(start, end);
     }
@@ -32,7 +33,7 @@ public final class ProtectedAreas {
 
   private ProtectedAreas() {}
 
-  /** The areas of a text. */
+  /** Returns the areas of a text. */
   public static List<Area> in(String text) {
     int start = text.indexOf(START);
     if (start < 0) {
@@ -52,15 +53,14 @@ public final class ProtectedAreas {
     return areas;
   }
 
-  /** Whether a content has an area. */
+  /** Returns whether a content has an area. */
   public static boolean anyIn(byte[] content) {
     return new String(content, StandardCharsets.ISO_8859_1).contains(START);
   }
 
   /**
-   * The bytes outside the areas, which a generator alone decides, without blanks that an editor may
-   * have left behind an id. The marks are ASCII, so this needs no encoding for any charset that
-   * agrees with ASCII.
+   * Returns the bytes outside the areas, without blanks that an editor may have left after an id.
+   * The marks are ASCII, so this works for any charset that is compatible with ASCII.
    */
   static byte[] withoutAreas(byte[] content) {
     String text = new String(content, StandardCharsets.ISO_8859_1);

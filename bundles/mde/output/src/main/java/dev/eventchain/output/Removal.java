@@ -9,7 +9,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 
-/** Removes files that earlier runs wrote; what these methods promise is in {@link OutputFolder}. */
+/** Removal of files that earlier runs wrote; {@link OutputFolder} documents the contracts. */
 final class Removal {
 
   private final OutputStorage storage;

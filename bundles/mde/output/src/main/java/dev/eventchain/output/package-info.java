@@ -1,2 +1,2 @@
-/** The one door through which files are written, and what people wrote in them. */
+/** Output folders, through which all files are written, and protected areas. */
 package dev.eventchain.output;

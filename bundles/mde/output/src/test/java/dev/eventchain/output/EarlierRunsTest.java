@@ -23,7 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What a run knows of those before it, and of one that continues next to it. */
+/** Effects of earlier and concurrent runs on a run. */
 class EarlierRunsTest {
 
   @TempDir Path temporary;

@@ -14,8 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * A disk that is full in the middle of a run. The disk is a file system of 256 kB in memory, in a
- * process with mounts of its own; where the kernel forbids that the test is skipped and says so.
+ * Runs on a disk that fills up. The disk is a file system of 256 kB in memory, in a process with
+ * its own mount namespace. The test is skipped, with a message, if the kernel forbids that.
  */
 class FullDiskTest {
 
@@ -51,7 +51,7 @@ class FullDiskTest {
     assertEquals(FINISHED, said.strip());
   }
 
-  /** The part on the small disk; says that it finished, or fails with what went wrong. */
+  /** Runs the part on the small disk. It prints a message at the end, or fails with the reason. */
   public static void main(String[] arguments) throws IOException {
     Path base = Path.of(arguments[0]).resolve("out");
     byte[] small = "small".getBytes(UTF_8);

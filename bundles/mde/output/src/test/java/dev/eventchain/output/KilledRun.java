@@ -6,7 +6,7 @@ import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 
-/** A run in its own process that changes a file and then waits to be killed. */
+/** Run in its own process that changes a file and then waits to be killed. */
 final class KilledRun {
 
   private KilledRun() {}
@@ -29,12 +29,12 @@ final class KilledRun {
     return process;
   }
 
-  @SuppressWarnings("resource") // the point is that nobody closes it
+  @SuppressWarnings("resource") // left open on purpose
   public static void main(String[] arguments) throws IOException {
     OutputFolder folder = OutputFolder.open(Path.of(arguments[0]));
     folder.write("whole", "killed".getBytes(StandardCharsets.UTF_8));
     System.out.println("ready");
-    // Until it is killed, or whoever was to do so is gone.
+    // Waits until it is killed, or until the parent process ends.
     while (System.in.read() >= 0) {}
   }
 }

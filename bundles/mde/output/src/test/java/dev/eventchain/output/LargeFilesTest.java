@@ -15,7 +15,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Files that are written piece by piece next to the output folder's others, and then moved. */
+/** Large files that are written to the scratch folder and then moved. */
 class LargeFilesTest {
 
   @TempDir Path temporary;

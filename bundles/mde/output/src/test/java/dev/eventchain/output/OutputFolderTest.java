@@ -28,7 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What becomes of a file that is written: where it stands, and whose it is. */
+/** Outcomes of writing files, by path and origin of the existing file. */
 class OutputFolderTest {
 
   @TempDir Path temporary;
@@ -165,7 +165,7 @@ class OutputFolderTest {
       assertEquals(Outcome.KEPT, written.outcome());
       Diagnostic finding = written.finding().orElseThrow();
       assertTrue(finding.message().contains("not recorded as written"), finding.message());
-      // Deleting it, too, would have it written, without what protected areas contain.
+      // Deleting the file would lose the content of its protected areas.
       assertTrue(finding.hint().contains("--overwrite"), finding.hint());
     }
   }

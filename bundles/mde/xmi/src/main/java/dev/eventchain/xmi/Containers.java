@@ -5,13 +5,13 @@ import java.util.IdentityHashMap;
 import java.util.Set;
 import org.eclipse.emf.ecore.EObject;
 
-/** An element and what it is a part of, upwards. */
+/** An element and its chain of containers. */
 final class Containers {
 
   private final Set<EObject> all = Collections.newSetFromMap(new IdentityHashMap<>());
   private final boolean endless;
 
-  /** The element and its containers; over files they can go round in circles already. */
+  /** Collects the element and its containers, which may already form a cycle across files. */
   Containers(EObject element) {
     EObject up = element;
     while (up != null && all.add(up)) {
@@ -20,12 +20,12 @@ final class Containers {
     endless = up != null;
   }
 
-  /** Whether the element is a part of itself. */
+  /** Returns whether the element contains itself. */
   boolean isCircle() {
     return endless;
   }
 
-  /** Whether the element would be a part of itself if it lay directly in, or above, another one. */
+  /** Returns whether placing the element in, or above, another one would close a cycle. */
   boolean closeCircleBelow(EObject other) {
     return endless || all.contains(other);
   }

@@ -16,7 +16,7 @@ import org.eclipse.emf.ecore.util.EObjectValidator;
 import org.eclipse.emf.ecore.xml.type.XMLTypePackage;
 import org.eclipse.emf.ecore.xml.type.util.XMLTypeValidator;
 
-/** Which values the facets of a data type allow, by EMF's own validator. */
+/** Checks values against the facets of their data types with EMF's own validator. */
 final class DataTypeLimits {
 
   private static final Map<Integer, String> FACETS =
@@ -30,7 +30,7 @@ final class DataTypeLimits {
           EObjectValidator.DATA_VALUE__FRACTION_DIGITS_IN_RANGE,
               "has too many digits after the decimal point");
 
-  /** What EMF calls the findings of its validators: other sources are code of metamodels. */
+  /** The source of diagnostics of EMF's own validators; others come from code of metamodels. */
   private static final String SOURCE = EObjectValidator.DIAGNOSTIC_SOURCE;
 
   private final Diagnostician validator;
@@ -38,8 +38,8 @@ final class DataTypeLimits {
   private final PatternTime time;
 
   /**
-   * Takes what XML Schema says of its types, and what metamodels say of theirs, and no validators
-   * that Java code has registered.
+   * Uses the facets of XML Schema's types and of metamodels' types, and no validators that Java
+   * code has registered.
    */
   DataTypeLimits(PatternTime time) {
     this.time = time;
@@ -53,7 +53,7 @@ final class DataTypeLimits {
   /** The types of metamodels. */
   private final class DynamicTypes extends EObjectValidator {
 
-    /** Of each type its facets, and its patterns compiled, which EMF would do for each value. */
+    /** The facets and compiled patterns of each type, which EMF would compile for each value. */
     private final Map<EDataType, DynamicEDataTypeValidator> validators = new HashMap<>();
 
     @Override
@@ -95,7 +95,7 @@ final class DataTypeLimits {
   }
 
   /**
-   * What is wrong with a value, to be read after it; empty if nothing.
+   * Returns the fault of a value, in words that follow the value; empty if there is none.
    *
    * @throws PatternTime.SpentException if its patterns take too long
    */

@@ -20,11 +20,11 @@ import org.eclipse.emf.ecore.resource.Resource;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
- * Whether models are instances of their metamodels: what EMF's own validator checks of any object.
- * The findings are {@code ecore.required} and {@code ecore.bound} for multiplicities, {@code
- * ecore.opposite}, {@code ecore.unique}, {@code ecore.value} for what a data type does not allow
- * (and {@code ecore.limit} where its patterns take too long to find that out), {@code ecore.key}
- * and {@code ecore.map}. Ids and references that lead nowhere are found when files are read.
+ * Checks that models are valid instances of their metamodels, as EMF's own validator does for any
+ * object. The findings are {@code ecore.required} and {@code ecore.bound} for multiplicities,
+ * {@code ecore.opposite}, {@code ecore.unique}, {@code ecore.value} for values that a data type
+ * does not allow (and {@code ecore.limit} if its patterns take too long), {@code ecore.key} and
+ * {@code ecore.map}. Ids and unresolved references are checked when files are read.
  */
 public final class EcoreChecks {
 
@@ -62,7 +62,7 @@ public final class EcoreChecks {
    *
    * @param models at least one, all of one {@link XmiStore#loadAll}
    * @param timeLimit the processor time that the patterns of a data type may take on all of them;
-   *     those of all types may take four times as much
+   *     those of all types together may take four times as long
    */
   public static EcoreChecks of(List<LoadedModel> models, Duration timeLimit) {
     EcoreChecks checks = new EcoreChecks(models.get(0).origins()::locate, timeLimit);
@@ -76,10 +76,10 @@ public final class EcoreChecks {
   }
 
   /**
-   * Checks a model in memory, which no file need hold. EMF keeps both ends of its references and
-   * each of its unique values by itself; only files can say otherwise.
+   * Checks a model in memory, with or without file. EMF itself ensures opposite ends and unique
+   * values in memory; only files can violate them.
    *
-   * @param locator where its elements are
+   * @param locator returns the location of an element
    * @param timeLimit as in {@link #of(List, Duration)}
    */
   public static EcoreChecks of(
@@ -98,12 +98,12 @@ public final class EcoreChecks {
     return this;
   }
 
-  /** What was found, in the order of files and lines. */
+  /** Returns the findings, in the order of files and lines. */
   public List<Diagnostic> diagnostics() {
     return List.copyOf(found);
   }
 
-  /** How often each check had something to look at; names neither files nor elements. */
+  /** Returns how often each check was applied; names neither files nor elements. */
   public Coverage coverage() {
     List<Coverage.Check> checks = new ArrayList<>();
     evaluations.forEach(
@@ -144,7 +144,7 @@ public final class EcoreChecks {
     found.add(Diagnostic.error(id, message, locator.apply(element)).withHint(hint));
   }
 
-  /** As EMF: a default value is a value, unless the feature can be told to have none. */
+  /** Checks a feature as EMF does: a default is a value unless the feature is unsettable. */
   private void checkRequired(EObject element, EStructuralFeature feature) {
     count("ecore.required", 1);
     if (feature.isMany()) {

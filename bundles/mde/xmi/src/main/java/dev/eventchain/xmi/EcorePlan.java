@@ -13,15 +13,15 @@ import org.eclipse.emf.ecore.util.FeatureMapUtil;
 import org.eclipse.emf.ecore.xml.type.XMLTypePackage;
 
 /**
- * What a class demands of its instances.
+ * The checks that a class requires for its instances.
  *
- * @param required features that must have values
- * @param bounded lists that may have only so many
- * @param values attributes whose types allow some values only, and lists that may hold such
- * @param keyed references whose targets differ in some of their attributes
- * @param maps maps, whose entries differ in their keys
- * @param unique lists that hold each value once
- * @param paired references with an opposite end
+ * @param required the features that must have values
+ * @param bounded the lists with an upper or lower bound
+ * @param values the attributes of restricted types, and feature maps that may hold such
+ * @param keyed the references whose targets must differ in key attributes
+ * @param maps the maps, whose entries must differ in their keys
+ * @param unique the lists without duplicates
+ * @param paired the references with an opposite
  */
 record EcorePlan(
     List<EStructuralFeature> required,
@@ -35,8 +35,8 @@ record EcorePlan(
   private static final String MAP_ENTRY = "java.util.Map$Entry";
 
   /**
-   * The plan of a class. What is derived or has no place of its own is the program's matter, unless
-   * its place is in a feature map: of those, EMF checks how many there are, and the map holds them.
+   * Returns the plan of a class. Derived features and those without storage are left to the
+   * program, except for those stored in a feature map, whose multiplicity EMF checks.
    */
   static EcorePlan of(EClass type) {
     EcorePlan plan =
@@ -103,7 +103,7 @@ record EcorePlan(
         && type.getEStructuralFeature("key") != null;
   }
 
-  /** Whether a data type may allow some values only: facets, or those of XML Schema's types. */
+  /** Returns whether a data type may restrict its values, by facets or as a type of XML Schema. */
   static boolean isLimited(EDataType type) {
     boolean annotated = type.getEAnnotation(ExtendedMetaData.ANNOTATION_URI) != null;
     return (annotated && type.getEPackage() != EcorePackage.eINSTANCE)

@@ -19,8 +19,8 @@ import org.eclipse.emf.ecore.util.FeatureMapUtil;
 import org.eclipse.emf.ecore.util.InternalEList;
 
 /**
- * Finds where models are not what their files say: one end of a reference with two, and a value
- * that occurs twice where each may occur only once. Looks at files whose references are resolved.
+ * Finds differences between models and their files: a reference whose opposite end is missing, and
+ * duplicates in unique features. The references of the files must be resolved.
  */
 final class Faults {
 
@@ -34,7 +34,7 @@ final class Faults {
     this.resources = resources;
   }
 
-  /** What is found, in the order of files and lines; values that occur twice are removed. */
+  /** Returns the findings in the order of files and lines; removes duplicates. */
   List<Diagnostic> find() {
     List<XmiResource> files = resources.loaded();
     for (XmiResource file : files) {
@@ -92,7 +92,7 @@ final class Faults {
   }
 
   private void findDuplicates(XmiResource file) {
-    List<EObject> all = new ArrayList<>(); // of lists that do not change meanwhile
+    List<EObject> all = new ArrayList<>(); // the lists do not change meanwhile
     Iterator<EObject> contents = EcoreUtil.getAllProperContents((Resource) file, false);
     contents.forEachRemaining(all::add);
     for (EObject element : all) {
@@ -104,15 +104,15 @@ final class Faults {
     }
   }
 
-  /** Whether what the file says of a feature has been looked at already. */
+  /** Returns whether the feature is checked together with its opposite. */
   private static boolean isPaired(EStructuralFeature feature) {
     return feature instanceof EReference reference && Statements.hasWrittenOpposite(reference);
   }
 
   /**
-   * Whether a feature is a list that the file gives, in which no value may occur twice. Of a
-   * feature map, its members say so: XML Schema's are never unique themselves, and others mean
-   * nothing by it.
+   * Returns whether a feature is a stored list in which no value may occur twice. Of a feature map,
+   * only its members decide: XML Schema's maps are never unique themselves, and for others the flag
+   * has no meaning.
    */
   static boolean holdsEachOnce(EStructuralFeature feature) {
     boolean stored = feature.isMany() && !feature.isDerived() && !feature.isVolatile();
@@ -148,7 +148,7 @@ final class Faults {
       int index = again.get(i);
       report(file, element, feature, basic.get(index));
       boolean inverse = feature instanceof EReference r && r.getEOpposite() != null;
-      if (!inverse) { // the other end may name this one once
+      if (!inverse) { // the opposite may name this element once
         values.remove(index);
       }
     }
@@ -163,7 +163,7 @@ final class Faults {
     found.add(duplicate(file, element, file.offsetOf(element, 0), feature, shown));
   }
 
-  /** The finding that a value occurs twice in a feature whose values are unique. */
+  /** Returns the finding for a duplicate in a unique feature. */
   static Diagnostic duplicate(
       XmiResource file, EObject element, int tag, EStructuralFeature feature, String value) {
     return Diagnostic.error(

@@ -12,10 +12,10 @@ import org.eclipse.emf.ecore.xml.namespace.XMLNamespacePackage;
 import org.eclipse.emf.ecore.xml.type.XMLTypePackage;
 
 /**
- * Which data types make their values from text without running foreign code. EMF calls the
- * constructor or {@code valueOf} of the Java class that a metamodel names, deserialises Java
- * objects for {@code EJavaObject}, and loads classes for {@code EJavaClass}: a file must not reach
- * those.
+ * Decides which data types create their values from text without running foreign code. EMF calls
+ * the constructor or {@code valueOf} of the Java class that a metamodel names, deserialises Java
+ * objects for {@code EJavaObject}, and loads classes for {@code EJavaClass}: files must not trigger
+ * these.
  */
 final class HarmlessTypes {
 
@@ -46,13 +46,13 @@ final class HarmlessTypes {
 
   private HarmlessTypes() {}
 
-  /** Whether the Java class that a data type names itself is harmless. */
+  /** Returns whether the Java class that a data type names itself is harmless. */
   static boolean isHarmlessClass(EClassifier type) {
     String name = type.getInstanceClassName();
     return name == null || JAVA_CLASSES.contains(name);
   }
 
-  /** Whether text of a file may become a value of a type. */
+  /** Returns whether text of a file may become a value of a type. */
   static boolean contains(EDataType type) {
     return contains(type, new HashSet<>());
   }
@@ -65,7 +65,7 @@ final class HarmlessTypes {
     return known && (!seen.add(type) || hasHarmlessParts(type, seen));
   }
 
-  /** XML Schema's derived types hand the text on to the types that they are made of. */
+  /** Checks the base, item and member types, to which XML Schema's derived types pass the text. */
   private static boolean hasHarmlessParts(EDataType type, Set<EDataType> seen) {
     if (type.getEAnnotation(ExtendedMetaData.ANNOTATION_URI) == null) {
       return true;
@@ -78,7 +78,7 @@ final class HarmlessTypes {
             .allMatch(member -> contains(member, seen));
   }
 
-  /** Whether EMF's own code makes the values of a package's types. */
+  /** Returns whether EMF's own code creates the values of a package's types. */
   private static boolean isBuiltIn(EPackage ePackage) {
     return ePackage == EcorePackage.eINSTANCE
         || ePackage == XMLTypePackage.eINSTANCE

@@ -12,17 +12,17 @@ import org.eclipse.emf.ecore.EcoreFactory;
 import org.eclipse.emf.ecore.EcorePackage;
 
 /**
- * The Java classes that a metamodel names. None is ever loaded: classes do without, and the values
- * of data types over classes that are not harmless are kept as the texts that they are.
+ * Removes the Java classes that a metamodel names, so that none is ever loaded. Values of data
+ * types whose Java classes are not harmless stay texts.
  *
- * <p>EMF asks the Java class of a class what is an instance, so that with one which is not there,
- * or is another one, a class has no instances at all.
+ * <p>EMF uses the Java class of an EClass to decide what is an instance; if it is missing or
+ * different, the EClass has no instances.
  */
 final class JavaNames {
 
   private static final String TEXT = "java.lang.String";
 
-  /** What takes the places of Ecore's own types whose values EMF loads or deserialises. */
+  /** The replacement of Ecore's own types whose values EMF loads or deserialises. */
   private static final EDataType OBJECT = opaque(EcorePackage.Literals.EJAVA_OBJECT);
 
   private static final EDataType CLASS = opaque(EcorePackage.Literals.EJAVA_CLASS);
@@ -40,7 +40,7 @@ final class JavaNames {
     return type;
   }
 
-  /** Takes the names out of a package and its subpackages, but for those of map entries. */
+  /** Removes the names from a package and its subpackages, except for those of map entries. */
   static void forget(EPackage ePackage) {
     for (TreeIterator<EObject> all = ePackage.eAllContents(); all.hasNext(); ) {
       EObject element = all.next();

@@ -5,16 +5,16 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.resource.Resource;
 
 /**
- * A model that was read without a problem; every reference in it is resolved.
+ * A model that was read without errors; all its references are resolved.
  *
- * @param resource holds the roots
- * @param origins where its elements, and those of the files it refers to, were written
+ * @param resource the resource with the roots
+ * @param origins the places of its elements and of those in the files it refers to
  */
 public record LoadedModel(Resource resource, Origins origins) {
 
   /**
-   * The roots of the model, in the order of the file; none if all of them are parts of elements in
-   * other files.
+   * Returns the roots of the model in the order of the file; none if all are contained in elements
+   * of other files.
    */
   public List<EObject> roots() {
     return resource.getContents();

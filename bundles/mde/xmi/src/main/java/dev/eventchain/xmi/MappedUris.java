@@ -10,33 +10,33 @@ import java.util.Optional;
 import org.eclipse.emf.common.util.URI;
 
 /**
- * Which files references mean that begin as people agreed that they do: {@code
- * platform:/resource/PROJECT/PATH} names a file in a workspace of Eclipse, wherever that lies.
+ * Maps URIs with agreed prefixes to files: {@code platform:/resource/PROJECT/PATH} names a file in
+ * an Eclipse workspace, wherever that is.
  */
 final class MappedUris {
 
   private static final List<String> PLATFORM = List.of("platform:/resource/", "platform:/plugin/");
 
-  /** What makes a folder a project, of Eclipse or of what builds without it. */
+  /** The files that mark a folder as a project of Eclipse or of another build tool. */
   private static final List<String> PROJECT_FILES =
       List.of(".project", "META-INF/MANIFEST.MF", "pom.xml", "build.gradle");
 
   /**
-   * What a reference means.
+   * The target of a reference.
    *
-   * @param project the project that it was found in without being told where projects are; a
-   *     reference may lead into it, though nobody gave its folder
+   * @param project the project that it was found in without a mapping; references may lead into it
+   *     although its folder was not given
    */
   record Target(Path file, Optional<Path> project) {}
 
   private final Map<String, Path> map;
 
-  /** The longest beginning wins. */
+  /** Creates a mapping; the longest matching prefix wins. */
   MappedUris(Map<String, Path> map) {
     this.map = map;
   }
 
-  /** What to do about a reference that is not followed. */
+  /** Returns the hint for a reference that is not followed. */
   static String hint(String reference) {
     return PLATFORM.stream()
         .filter(reference::startsWith)
@@ -53,10 +53,10 @@ final class MappedUris {
   }
 
   /**
-   * The file that a reference means, without its fragment.
+   * Returns the file of a reference, without its fragment.
    *
    * @param base the file that holds the reference
-   * @return empty if the reference is one as any other
+   * @return empty if the reference has no mapped prefix
    */
   Optional<Target> fileOf(Path base, String reference) {
     Optional<String> prefix =
@@ -77,15 +77,15 @@ final class MappedUris {
     return new Target(file, Optional.empty());
   }
 
-  /** What a beginning stands for may be a file, which the whole reference names then. */
+  /** Resolves a path below a folder; a prefix may also stand for a file. */
   private static Path below(Path folder, String path) {
     String relative = URI.decode(path);
     return folder.resolve(relative.replaceFirst("^/+", "")).toAbsolutePath().normalize();
   }
 
   /**
-   * The project is a folder next to the file, or one of the folders that it is in, or next to one
-   * of these.
+   * Finds a file by its project: a folder next to the file, one that contains it, or one next to
+   * these.
    */
   private static Optional<Target> inWorkspace(Path base, String reference) {
     Optional<String> prefix = PLATFORM.stream().filter(reference::startsWith).findFirst();
@@ -106,7 +106,7 @@ final class MappedUris {
     return Optional.empty();
   }
 
-  /** The folder of a project; empty if nothing in it says that it is one. */
+  /** Returns the folder of a project; empty if no file in it marks it as one. */
   private static Optional<Path> projectIn(Path workspace, String name) {
     Path folder = workspace.resolve(name);
     boolean simple = !name.isEmpty() && !name.equals(".") && !name.equals("..");

@@ -19,7 +19,7 @@ import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.EcorePackage;
 
-/** The soundness of a metamodel, as far as EMF needs it to work with models of it. */
+/** Checks that a metamodel is sound enough for EMF to work with its models. */
 final class MetamodelChecks {
 
   private final Origins origins;
@@ -29,7 +29,7 @@ final class MetamodelChecks {
     this.origins = origins;
   }
 
-  /** What is wrong with a package and everything in it. */
+  /** Returns the findings about a package and its contents. */
   List<Diagnostic> check(EPackage root) {
     checkPackage(root);
     for (Iterator<EObject> all = root.eAllContents(); all.hasNext(); ) {
@@ -75,7 +75,7 @@ final class MetamodelChecks {
     }
   }
 
-  /** EMF's reader cannot hold what models say with a pair of which one end does not know. */
+  /** Checks an opposite; EMF's reader cannot represent pairs that only one end declares. */
   private void checkOpposite(EReference reference, EReference opposite) {
     EReference back = opposite.getEOpposite();
     if (back != reference) {
@@ -131,7 +131,7 @@ final class MetamodelChecks {
     }
   }
 
-  /** Walks the direct supertypes: EMF's list of all of them does not end on a circle. */
+  /** Walks direct supertypes, as EMF's list of all supertypes is endless on a cycle. */
   private static boolean inheritsFromItself(EClass eClass) {
     Deque<EClass> open = new ArrayDeque<>(eClass.getESuperTypes());
     Set<EClass> seen = new HashSet<>();

@@ -6,12 +6,12 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.EcorePackage;
 
-/** Paths that people read: {@code EventChain[aeb]/software[TTC_Calculation]/measured}. */
+/** Readable paths of elements: {@code EventChain[aeb]/software[TTC_Calculation]/measured}. */
 final class ModelPath {
 
   private ModelPath() {}
 
-  /** The path from the root of the element's containment tree to it. */
+  /** Returns the path from the root of the containment tree to the element. */
   static String of(EObject element) {
     StringBuilder path = new StringBuilder();
     EObject step = element;
@@ -22,7 +22,7 @@ final class ModelPath {
     return path.insert(0, step.eClass().getName() + label(step)).toString();
   }
 
-  /** The name in brackets, else the position where there can be several, else nothing. */
+  /** Returns the name in brackets, else the position if there can be several, else nothing. */
   private static String label(EObject element) {
     String name = nameOf(element);
     if (!name.isEmpty()) {
@@ -35,7 +35,7 @@ final class ModelPath {
     return "[" + ((List<?>) element.eContainer().eGet(feature)).indexOf(element) + "]";
   }
 
-  /** The value of the id attribute, else of a text attribute {@code name} or {@code id}. */
+  /** Returns the value of the id attribute, else of a text attribute {@code name} or {@code id}. */
   private static String nameOf(EObject element) {
     EAttribute id = element.eClass().getEIDAttribute();
     String name = textOf(element, id);

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.eclipse.emf.ecore.EPackage;
 
-/** Which package has a namespace: of two with the same one, models could mean either. */
+/** The packages by namespace; of two with the same namespace, models could mean either. */
 final class NamespaceOwners {
 
   private final Origins origins;
@@ -18,7 +18,7 @@ final class NamespaceOwners {
     this.origins = origins;
   }
 
-  /** What is wrong with packages and their subpackages; the earlier one is taken for the owner. */
+  /** Returns the findings about packages and subpackages; the first with a namespace owns it. */
   List<Diagnostic> check(List<EPackage> packages) {
     for (EPackage ePackage : packages) {
       EPackage owner = owners.putIfAbsent(ePackage.getNsURI(), ePackage);

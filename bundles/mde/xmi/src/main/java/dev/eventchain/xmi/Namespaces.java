@@ -12,7 +12,7 @@ import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.xml.namespace.XMLNamespacePackage;
 import org.eclipse.emf.ecore.xml.type.XMLTypePackage;
 
-/** What to do about a namespace that no loaded metamodel has. */
+/** Completes missing namespaces, and gives hints for unknown ones. */
 final class Namespaces {
 
   /** A version as people write it into a namespace: {@code 1.0}, {@code v2}, {@code 2024}. */
@@ -21,9 +21,8 @@ final class Namespaces {
   private static final String LOAD = "Name its metamodel with --metamodel FILE.ecore.";
 
   /**
-   * The namespaces of UML2. Of its classes Maven Central has those of 2010 only, for models of its
-   * version 3; and without them features that UML derives, such as {@code ownedElement}, would be
-   * empty without a word.
+   * The namespaces of UML2. Maven Central only has its classes of 2010, for models of version 3;
+   * without them, features that UML derives, such as {@code ownedElement}, would silently be empty.
    */
   private static final String UML2 = "http://www.eclipse.org/uml2/";
 
@@ -35,7 +34,7 @@ final class Namespaces {
   /** The key of the metamodel of models without namespace. */
   static final String NONE = "";
 
-  /** What is registered for its data types only, which no model is an instance of. */
+  /** The packages that are registered for their data types only and have no models. */
   private static final Set<String> OF_TYPES =
       Set.of(NONE, XMLTypePackage.eNS_URI, XMLNamespacePackage.eNS_URI);
 
@@ -45,8 +44,8 @@ final class Namespaces {
   private Namespaces() {}
 
   /**
-   * Gives packages without nsURI one: the name of their file, and below a package its nsURI and
-   * their name. The first of a file also stands for models without namespace, as EMF writes them.
+   * Sets missing nsURIs: the name of the file, and for a subpackage the nsURI above and its name.
+   * The first package of a file also serves models without namespace, as EMF writes them.
    */
   static void complete(EPackage ePackage, String file, EPackage.Registry registry) {
     if (isMissing(ePackage)) {
@@ -60,8 +59,8 @@ final class Namespaces {
   }
 
   /**
-   * The classes that a name without namespace may mean: EMF writes no namespace for the classes of
-   * any package without nsURI, wherever it lies.
+   * Returns the classes that a name without namespace may mean: EMF writes none for classes of any
+   * package without nsURI.
    */
   static List<EClass> withoutNamespace(String name, EPackage.Registry registry) {
     return registry.values().stream()

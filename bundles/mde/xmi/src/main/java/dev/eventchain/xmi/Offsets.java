@@ -5,8 +5,8 @@ import java.util.Arrays;
 import org.eclipse.emf.ecore.EObject;
 
 /**
- * At which offset of a text each element starts. A table of two arrays, because a large model has
- * millions of elements, and hardly any of them is ever asked for.
+ * The offsets in a text where elements start. A hash table of two arrays, since a large model has
+ * millions of elements and few lookups.
  */
 final class Offsets {
 
@@ -26,7 +26,7 @@ final class Offsets {
     return text;
   }
 
-  /** Notes where an element starts, in place of what was known before. */
+  /** Sets the offset of an element, replacing an earlier one. */
   void put(EObject element, int offset) {
     if (count * 3 >= elements.length * 2) {
       grow();
@@ -39,13 +39,13 @@ final class Offsets {
     offsets[slot] = offset;
   }
 
-  /** Where an element starts; below 0 if that is not known. */
+  /** Returns the offset of an element; negative if unknown. */
   int get(EObject element) {
     int slot = slotOf(element);
     return elements[slot] == null ? -1 : offsets[slot];
   }
 
-  /** The slot of an element, or the free one that it would get. */
+  /** Returns the slot of an element, or the free one for it. */
   private int slotOf(EObject element) {
     int mask = elements.length - 1;
     int slot = ((System.identityHashCode(element) * GOLDEN_RATIO) >>> 8) & mask;

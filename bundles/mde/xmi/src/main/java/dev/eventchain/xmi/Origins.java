@@ -11,37 +11,37 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
- * Where the elements of a model were written: in an XMI file, or in the JSON that the model was
- * made from. A finding about an element thereby points to the text that a person can change.
+ * The places of the elements of a model in their XMI file, or in the JSON that the model was made
+ * from. A finding about an element can so point to the text to change.
  */
 public final class Origins {
 
-  /** Where elements are that did not come from a file read here. */
+  /** The places of elements that were not read from an XMI file. */
   private final IdentityHashMap<EObject, SourceLocation> places = new IdentityHashMap<>();
 
-  /** Where the features of elements are stated, for those of which that is known. */
+  /** The places of the features of elements, as far as known. */
   private final IdentityHashMap<EObject, Function<EStructuralFeature, Optional<SourceLocation>>>
       features = new IdentityHashMap<>();
 
   /** The elements of each file that was read. */
   private final List<Offsets> files = new ArrayList<>();
 
-  /** Notes where an element was written, in place of what was known before. */
+  /** Sets the place of an element, replacing an earlier one. */
   public void put(EObject element, SourceLocation location) {
     places.put(element, location);
   }
 
   /**
-   * Notes where the features of an element are stated.
+   * Sets the places of the features of an element.
    *
-   * @param places asked for one feature at a time; nothing where that is not known
+   * @param places returns the place of a feature; empty if unknown
    */
   public void putFeatures(
       EObject element, Function<EStructuralFeature, Optional<SourceLocation>> places) {
     features.put(element, places);
   }
 
-  /** A place to note the elements of a text in. */
+  /** Returns a new table for the elements of a text. */
   Offsets of(SourceText text) {
     Offsets offsets = new Offsets(text);
     files.add(offsets);
@@ -49,9 +49,9 @@ public final class Origins {
   }
 
   /**
-   * Where an element was written: its own place, else that of the nearest container that has one,
-   * else {@link SourceLocation#NONE}. The location always names an element: a JSON pointer where
-   * the model came from JSON, else the path of the element asked for ({@code
+   * Returns the place of an element, else of the nearest container that has one, else {@link
+   * SourceLocation#NONE}. The location always names an element: a JSON pointer where the model came
+   * from JSON, else the path of the element asked for ({@code
    * EventChain[aeb]/software[TTC_Calculation]}).
    */
   public SourceLocation locate(EObject element) {
@@ -64,7 +64,7 @@ public final class Origins {
     return SourceLocation.NONE.withElement(pathOf(element));
   }
 
-  /** Where a feature of an element is stated; the place of the element where that is not known. */
+  /** Returns the place of a feature of an element; the place of the element if unknown. */
   public SourceLocation locate(EObject element, EStructuralFeature feature) {
     return Optional.ofNullable(features.get(element))
         .flatMap(places -> places.apply(feature))

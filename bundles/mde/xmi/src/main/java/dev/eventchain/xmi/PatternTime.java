@@ -12,12 +12,12 @@ import org.eclipse.emf.ecore.EValidator.PatternMatcher;
 import org.eclipse.emf.ecore.xml.type.internal.RegEx.RegularExpression;
 
 /**
- * The processor time that patterns take, of which there is only so much: a regular expression may
- * try more ways through a text than anybody waits for. For one thread.
+ * The limited processor time of patterns, since regular expressions may backtrack endlessly. For
+ * one thread.
  */
 final class PatternTime {
 
-  /** A pattern was abandoned. */
+  /** Thrown when a pattern is abandoned. */
   static final class SpentException extends RuntimeException {
 
     private static final long serialVersionUID = 1L;
@@ -27,10 +27,10 @@ final class PatternTime {
     }
   }
 
-  /** How many types may take all of their time. */
+  /** Number of types that may use up their time. */
   private static final int SLOW_TYPES = 4;
 
-  /** The clock of the processor is expensive: it takes as long as matching a short text. */
+  /** Nanoseconds between readings of the processor clock, which are as slow as a short match. */
   private static final long BETWEEN_READINGS = 20_000_000;
 
   private static final int STEPS_BETWEEN_LOOKS = 64;
@@ -42,20 +42,20 @@ final class PatternTime {
   private long usedByAll;
   private EDataType type;
 
-  /** Of the processor's clock; what was used since then is not taken yet. */
+  /** The last reading of the processor clock; time used since then is not charged yet. */
   private long reading = UNKNOWN;
 
-  /** The time on the wall that matching has taken since then, but for the match that continues. */
+  /** The wall time of matching since then, except for the current match. */
   private long matching;
 
-  /** When the match that continues was looked at last. */
+  /** The time of the last check of the current match. */
   private long started;
 
   PatternTime(Duration limit) {
     this.limit = limit.toNanos();
   }
 
-  /** Takes time from what a type has, from now on. */
+  /** Charges the time from now on to a type. */
   void use(EDataType of) {
     type = of;
   }
@@ -64,7 +64,7 @@ final class PatternTime {
     return used.getOrDefault(of, 0L) >= limit || isSpentByAll();
   }
 
-  /** What there is too little of, for a message. */
+  /** Returns the exceeded limit, for a message. */
   String shortage() {
     long millis = (isSpentByAll() ? SLOW_TYPES * limit : limit) / 1_000_000;
     String amount = millis % 1000 == 0 ? millis / 1000 + " s" : millis + " ms";
@@ -76,7 +76,7 @@ final class PatternTime {
     return usedByAll >= SLOW_TYPES * limit;
   }
 
-  /** The same patterns; matching them throws {@link SpentException} when the time is spent. */
+  /** Returns patterns that throw {@link SpentException} when the time is spent. */
   PatternMatcher[][] watched(PatternMatcher[][] patterns) {
     PatternMatcher[][] watched = new PatternMatcher[patterns.length][];
     for (int i = 0; i < patterns.length; i++) {
@@ -90,7 +90,7 @@ final class PatternTime {
   }
 
   private boolean matches(String pattern, String text) {
-    // The option is that of XML Schema, by which EMF compiles patterns, too.
+    // The option is that of XML Schema, which EMF uses, too.
     RegularExpression expression =
         compiled.computeIfAbsent(pattern, each -> new RegularExpression(each, "X"));
     started = System.nanoTime();
@@ -104,15 +104,14 @@ final class PatternTime {
     }
   }
 
-  /** Takes what was used since the last reading, if that may be much. */
+  /** Charges the time since the last reading, if that may be much. */
   private void look() {
     long now = System.nanoTime();
     matching += now - started;
     started = now;
     if (matching >= BETWEEN_READINGS) {
       long processor = processorNanos();
-      // Not all of it went into patterns, and of the time on the wall not all went into this
-      // thread.
+      // Processor time includes other work of this thread, wall time includes other threads.
       long taken = Math.min(processor - reading, matching);
       used.merge(type, taken, Long::sum);
       usedByAll += taken;
@@ -121,7 +120,7 @@ final class PatternTime {
     }
   }
 
-  /** A text that looks at the clock when its characters are read. */
+  /** A text that checks the time when its characters are read. */
   private final class Watched implements CharacterIterator {
 
     private final StringCharacterIterator text;
@@ -188,12 +187,12 @@ final class PatternTime {
     }
   }
 
-  /** Of this thread; wall time where Java cannot tell. */
+  /** Returns the processor time of this thread; wall time if Java cannot measure it. */
   private static long processorNanos() {
     return Processor.BEAN == null ? System.nanoTime() : Processor.BEAN.getCurrentThreadCpuTime();
   }
 
-  /** Loaded when a pattern is first looked at, as it takes some milliseconds. */
+  /** Loaded on first use, which takes some milliseconds. */
   private static final class Processor {
 
     private static final ThreadMXBean BEAN = find();

@@ -20,12 +20,12 @@ import org.eclipse.emf.ecore.EcorePackage;
 import org.eclipse.emf.ecore.xml.namespace.XMLNamespacePackage;
 import org.eclipse.emf.ecore.xml.type.XMLTypePackage;
 
-/** Decides which references between files are followed: none that leave the project's folders. */
+/** Decides which references between files are followed: only those within the project's folders. */
 final class ProjectFiles {
 
   /**
-   * Where the metamodels that are always there lie in Eclipse, and from where the other metamodels
-   * of its plug-ins, such as {@code GenModel.ecore}, refer to them.
+   * The URIs of the standard metamodels in Eclipse and relative to other metamodels of its
+   * plug-ins, such as {@code GenModel.ecore}.
    */
   private static final Pattern IN_ECLIPSE =
       Pattern.compile(
@@ -42,10 +42,10 @@ final class ProjectFiles {
   private final MappedUris map;
   private final EPackage.Registry registry;
 
-  /** Files that references were found to name rightly; asking the file system takes long. */
+  /** Accepted files of references, cached since the file system is slow. */
   private final Set<URI> followed = new HashSet<>();
 
-  /** A folder under the name that people gave it. */
+  /** A folder as named by the user, and its real path. */
   private record Root(Path path, Path real) {}
 
   ProjectFiles(Collection<Path> roots, MappedUris map, EPackage.Registry registry) {
@@ -54,7 +54,7 @@ final class ProjectFiles {
     this.registry = registry;
   }
 
-  /** The name under which people know a file of the project. */
+  /** Returns the name of a project file in findings. */
   String nameOf(Path file) {
     Path real = realPath(file);
     Path shown =
@@ -66,7 +66,7 @@ final class ProjectFiles {
     return shown.normalize().toString().replace('\\', '/');
   }
 
-  /** A reference as one to a file or a metamodel, where it begins as people agreed. */
+  /** Returns a reference with a mapped prefix as one to a file or a metamodel. */
   String mapped(URI base, String reference) {
     int hash = reference.indexOf('#');
     String target = hash < 0 ? reference : reference.substring(0, hash);
@@ -85,7 +85,7 @@ final class ProjectFiles {
         .orElse(reference);
   }
 
-  /** Lets references lead into a project, whose name is relative where that of the file is. */
+  /** Allows references into a project, whose name is relative if that of the file is. */
   private void open(Path project, URI base) {
     Path real = realPath(project);
     if (roots.stream().anyMatch(root -> real.startsWith(root.real))) {
@@ -102,7 +102,7 @@ final class ProjectFiles {
   }
 
   /**
-   * Why a reference is not followed.
+   * Returns the reason why a reference is not followed.
    *
    * @param base the file that holds the reference
    * @param reference the value of {@code href}: a URI with a fragment
@@ -137,7 +137,7 @@ final class ProjectFiles {
     return registry.containsKey(target.toString());
   }
 
-  /** Whether a file URI names a place in the project's folder, symbolic links followed. */
+  /** Returns whether a file URI lies in the project's folders, symbolic links followed. */
   boolean isInside(URI file) {
     if (!file.isFile()) {
       return false;
@@ -150,7 +150,7 @@ final class ProjectFiles {
     }
   }
 
-  /** The real path of the longest part that exists, and the rest as it was given. */
+  /** Returns the real path of the longest existing prefix, with the rest as given. */
   static Path realPath(Path path) {
     Path absolute = path.toAbsolutePath().normalize();
     for (Path existing = absolute; existing != null; existing = existing.getParent()) {

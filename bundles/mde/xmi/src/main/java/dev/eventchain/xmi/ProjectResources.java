@@ -16,13 +16,13 @@ import org.eclipse.emf.ecore.resource.impl.ResourceSetImpl;
 import org.eclipse.emf.ecore.xml.namespace.XMLNamespacePackage;
 import org.eclipse.emf.ecore.xml.type.XMLTypePackage;
 
-/** The files of one project that are loaded together; it contains no file outside the project. */
+/** The files of one project that are loaded together; none lies outside the project. */
 final class ProjectResources extends ResourceSetImpl {
 
   private final ProjectFiles files;
   private final Origins origins = new Origins();
 
-  /** The places of files in the file system, which takes long to ask. */
+  /** The real paths of files, cached since the file system is slow. */
   private final Map<URI, Path> realPaths = new HashMap<>();
 
   ProjectResources(ProjectFiles files, EPackage.Registry registry) {
@@ -41,7 +41,7 @@ final class ProjectResources extends ResourceSetImpl {
         .toList();
   }
 
-  /** What is wrong with all files that were loaded, in the order of files and lines. */
+  /** Returns the findings about all loaded files, in the order of files and lines. */
   List<Diagnostic> problems() {
     return loaded().stream()
         .flatMap(file -> file.problems().found().stream())
@@ -50,7 +50,7 @@ final class ProjectResources extends ResourceSetImpl {
         .toList();
   }
 
-  /** The resource of a file or a metamodel; null if there is none that may be read. */
+  /** Returns the resource of a file or a metamodel; null if there is none that may be read. */
   @Override
   public Resource getResource(URI uri, boolean loadOnDemand) {
     if (files.isKnownMetamodel(uri)) {
@@ -67,12 +67,12 @@ final class ProjectResources extends ResourceSetImpl {
     return loadFile(uri);
   }
 
-  /** The resource of a file that is to be read, wherever it lies. */
+  /** Returns the resource of a file to read, wherever it lies. */
   XmiResource fileOf(URI uri) {
     return find(uri).orElseGet(() -> loadFile(uri));
   }
 
-  /** A file is one by whichever name: through links, and by URIs that are written otherwise. */
+  /** Finds the resource of a file by any of its names, such as links and other spellings. */
   private Optional<XmiResource> find(URI uri) {
     for (XmiResource file : loaded()) {
       if (file.getURI().equals(uri)) {
@@ -83,7 +83,7 @@ final class ProjectResources extends ResourceSetImpl {
     return loaded().stream().filter(file -> realPaths.get(file.getURI()).equals(real)).findFirst();
   }
 
-  /** No file has the empty path. */
+  /** Returns the real path of a URI; the empty path, which no file has, for none. */
   private static Path realPath(URI uri) {
     try {
       return uri.isFile() ? ProjectFiles.realPath(Path.of(uri.toFileString())) : Path.of("");
@@ -105,7 +105,7 @@ final class ProjectResources extends ResourceSetImpl {
     return resource;
   }
 
-  /** A registry of our own, with the metamodels that are always there. */
+  /** Registers the metamodels that are always available. */
   static void registerStandard(EPackage.Registry registry) {
     registry.put(EcorePackage.eNS_URI, EcorePackage.eINSTANCE);
     registry.put(XMLTypePackage.eNS_URI, XMLTypePackage.eINSTANCE);

@@ -18,7 +18,7 @@ import org.eclipse.emf.ecore.util.FeatureMap;
 import org.eclipse.emf.ecore.util.FeatureMapUtil;
 import org.eclipse.emf.ecore.util.InternalEList;
 
-/** Resolves the references between the files of a project, and finds those that lead nowhere. */
+/** Resolves the references between the files of a project, and reports those without a target. */
 final class References {
 
   private final ProjectResources resources;
@@ -27,7 +27,7 @@ final class References {
     this.resources = resources;
   }
 
-  /** Resolves all references; files that they lead to are loaded and treated likewise. */
+  /** Resolves all references, also those of the files that are loaded for them. */
   void resolve() {
     for (int i = 0; i < resources.getResources().size(); i++) {
       if (resources.getResources().get(i) instanceof XmiResource file) {
@@ -58,7 +58,7 @@ final class References {
     }
   }
 
-  /** Containers are resolved by themselves, and what has no place of its own stands elsewhere. */
+  /** Returns whether a reference stores its targets; containers are resolved separately. */
   private static boolean holdsValues(EReference reference) {
     boolean computed = reference.isVolatile() || !reference.isChangeable();
     return !reference.isContainer() && !(reference.isDerived() && computed);
@@ -78,7 +78,7 @@ final class References {
     }
   }
 
-  /** The child names its parent in another file. */
+  /** Resolves a container that the child names in another file. */
   private void resolveContainer(XmiResource file, EObject element, InternalEObject proxy) {
     EReference reference = element.eContainmentFeature().getEOpposite();
     EObject target = targetOf(file, reference, proxy);
@@ -129,7 +129,7 @@ final class References {
       return;
     }
     if (reference.isMany() && reference.isUnique() && holds(element, reference, target)) {
-      if (!Statements.hasWrittenOpposite(reference)) { // else what the file says is compared
+      if (!Statements.hasWrittenOpposite(reference)) { // else Faults compares the ends
         int tag = file.offsetOf(element, 0);
         String name = ModelPath.of(target);
         file.statements().addFault(Faults.duplicate(file, element, tag, reference, name));
@@ -140,7 +140,7 @@ final class References {
     }
   }
 
-  /** Whether an element can have another one as its part, if the reference makes it one. */
+  /** Returns whether an element may contain the target, if the reference is a containment. */
   private boolean mayHold(
       XmiResource file,
       EObject element,
@@ -165,7 +165,7 @@ final class References {
     return ((InternalEList<?>) element.eGet(reference, false)).basicContains(target);
   }
 
-  /** What a reference leads to; null, and a finding, if that is nothing that it may lead to. */
+  /** Returns the target of a reference; null, with a finding, if there is no valid one. */
   private EObject targetOf(XmiResource file, EReference reference, InternalEObject proxy) {
     String problem = "names no element";
     EObject target = null;

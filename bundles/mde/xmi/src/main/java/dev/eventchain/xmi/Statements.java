@@ -10,13 +10,13 @@ import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
- * What one file says, noted while it is read: EMF's reader drops some of it without a word, such as
+ * The statements of one file, recorded while it is read: EMF's reader drops some silently, such as
  * a reference whose opposite end the file does not name.
  */
 final class Statements {
 
   /**
-   * A reference with two ends.
+   * One end of a reference with an opposite.
    *
    * @param target the element, or its id in the file
    * @param tag the offset of the element's start tag
@@ -25,13 +25,13 @@ final class Statements {
 
   private final List<End> ends = new ArrayList<>();
 
-  /** The features for one value that have theirs, of the elements that are not read to the end. */
+  /** The single-valued features that are already set, of elements that are still being read. */
   private final IdentityHashMap<EObject, List<EStructuralFeature>> filled = new IdentityHashMap<>();
 
-  /** Lists of elements that were read to the end, for the next ones. */
+  /** Lists of finished elements, for reuse. */
   private final List<List<EStructuralFeature>> free = new ArrayList<>();
 
-  /** What was found wrong with the statements while references were resolved. */
+  /** The findings about statements during resolution. */
   private final List<Diagnostic> faults = new ArrayList<>();
 
   List<Diagnostic> faults() {
@@ -46,7 +46,7 @@ final class Statements {
     return ends;
   }
 
-  /** Notes a reference whose other end must be in the file of its target. */
+  /** Records a reference whose opposite end must be in the file of its target. */
   void noteEnd(EObject element, EReference feature, Object target, int tag) {
     ends.add(new End(element, feature, target, tag));
   }
@@ -60,7 +60,7 @@ final class Statements {
     }
   }
 
-  /** The ids and URIs of a text, without the names of classes that may be before URIs. */
+  /** Returns the ids and URIs of a text, without class names before URIs. */
   static List<String> idsIn(String text) {
     List<String> ids = new ArrayList<>();
     for (StringTokenizer tokens = new StringTokenizer(text); tokens.hasMoreTokens(); ) {
@@ -72,7 +72,7 @@ final class Statements {
     return ids;
   }
 
-  /** Whether both ends of a reference are written: neither containers nor what is derived is. */
+  /** Returns whether both ends of a reference are written: not for container and derived ones. */
   static boolean hasWrittenOpposite(EReference reference) {
     EReference opposite = reference.getEOpposite();
     return opposite != null
@@ -89,7 +89,7 @@ final class Statements {
         && !reference.isContainer();
   }
 
-  /** Notes that a feature for one value gets it; whether it had got one before. */
+  /** Records the value of a single-valued feature; returns true if it already had one. */
   boolean fill(EObject element, EStructuralFeature feature) {
     if (feature.isMany()) {
       return false;
@@ -105,7 +105,7 @@ final class Statements {
     return false;
   }
 
-  /** Forgets an element that is read to its end. */
+  /** Forgets an element that has been read completely. */
   void close(EObject element) {
     List<EStructuralFeature> known = filled.remove(element);
     if (known != null) {

@@ -16,12 +16,12 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.util.FeatureMap;
 import org.eclipse.emf.ecore.util.FeatureMapUtil;
 
-/** Whether the values of attributes are what their data types allow. */
+/** Checks that the values of attributes conform to their data types. */
 final class ValueChecks {
 
   private static final int LONGEST_SHOWN = 80;
 
-  /** The first value of a type that was left unchecked, and how many were. */
+  /** The first unchecked value of a type, and the number of unchecked values. */
   private static final class Unchecked {
     private final EObject element;
     private final String feature;
@@ -46,12 +46,12 @@ final class ValueChecks {
     this.limits = new DataTypeLimits(time);
   }
 
-  /** How many values were checked. */
+  /** Returns the number of checked values. */
   long evaluations() {
     return evaluations;
   }
 
-  /** What was found; that values were left unchecked, too. */
+  /** Returns the findings, including those about unchecked values. */
   List<Diagnostic> findings() {
     List<Diagnostic> all = new ArrayList<>(found);
     unchecked.forEach((type, left) -> all.add(limit(type, left)));
@@ -105,7 +105,7 @@ final class ValueChecks {
         return;
       }
     } catch (PatternTime.SpentException e) {
-      // Counted as those that come after it.
+      // Counted like the later ones.
     }
     unchecked.computeIfAbsent(type, each -> new Unchecked(element, attribute.getName())).values++;
   }

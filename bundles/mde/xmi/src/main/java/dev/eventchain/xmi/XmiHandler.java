@@ -30,8 +30,8 @@ import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
 
 /**
- * EMF's reader of XMI, made to note where each element starts, to report every problem instead of
- * the first, and to follow nothing that a file names: no schema, no entity, no Java class.
+ * EMF's reader of XMI, extended to record where each element starts, to report all problems instead
+ * of the first, and to follow no schema, entity or Java class that a file names.
  */
 final class XmiHandler extends SAXXMIHandler {
 
@@ -48,18 +48,18 @@ final class XmiHandler extends SAXXMIHandler {
 
   private int depth;
 
-  /** How deep the parser is in an extension; 0 if it is in none. */
+  /** Nesting depth inside an extension; 0 outside. */
   private int extension;
 
   private boolean ended;
 
-  /** Who makes the objects of classes that are named without a namespace. */
+  /** Factories of the classes that are named without a namespace. */
   private final Map<String, Optional<EFactory>> unqualified = new HashMap<>();
 
-  /** Whether the class that is looked for was named without a namespace. */
+  /** True while looking up a class that is named without a namespace. */
   private boolean withoutNamespace;
 
-  /** The text of ids that is being taken apart, which has been noted as a whole; or null. */
+  /** The list of ids that is being split, already recorded as a whole; or null. */
   private Statements.End idsOf;
 
   XmiHandler(XmiResource file, XMLHelper helper, Map<?, ?> options) {
@@ -94,7 +94,7 @@ final class XmiHandler extends SAXXMIHandler {
     file.statements().close(open);
   }
 
-  /** What tools keep for themselves, below {@code xmi:Extension}, is no part of the model. */
+  /** Returns whether an element is an {@code xmi:Extension}, with tool data outside the model. */
   private boolean isExtension(String name) {
     int colon = name.indexOf(':');
     if (colon < 0 || !name.endsWith(":Extension")) {
@@ -140,7 +140,7 @@ final class XmiHandler extends SAXXMIHandler {
     return file.problems().tagEndingAt(getLineNumber(), getColumnNumber());
   }
 
-  /** Only what is registered counts: EMF would load files and Java classes that a URI names. */
+  /** Returns registered packages only; EMF would load files and Java classes that a URI names. */
   @Override
   protected EPackage getPackageForURI(String uri) {
     EPackage known = packageRegistry.getEPackage(uri == null ? Namespaces.NONE : uri);
@@ -170,7 +170,7 @@ final class XmiHandler extends SAXXMIHandler {
   }
 
   @Override
-  @SuppressWarnings("deprecation") // The path that EMF takes for XMI.
+  @SuppressWarnings("deprecation") // EMF uses this method for XMI.
   protected EObject createObjectFromFactory(EFactory factory, String typeName) {
     EFactory owner = factory;
     if (withoutNamespace && factory != null) {
@@ -181,7 +181,7 @@ final class XmiHandler extends SAXXMIHandler {
     return isClass ? super.createObjectFromFactory(owner, typeName) : null;
   }
 
-  /** Ecore itself has features whose values EMF would deserialise or load as classes. */
+  /** Refuses values that EMF would deserialise or load as classes, as for some Ecore features. */
   @Override
   protected void setFeatureValue(
       EObject object, EStructuralFeature feature, Object value, int position) {
@@ -196,12 +196,12 @@ final class XmiHandler extends SAXXMIHandler {
       note(object, feature, value);
       super.setFeatureValue(object, feature, shared(value), position);
       if (feature instanceof EAttribute attribute && attribute.isID()) {
-        noteId(EcoreUtil.getID(object), object); // also where the id is a part and no attribute
+        noteId(EcoreUtil.getID(object), object); // also for an id as an XML element
       }
     }
   }
 
-  /** Only code knows where such a value would go, and there is none: EMF drops it. */
+  /** Returns whether only generated code could store a value; without it, EMF drops the value. */
   private static boolean isComputed(EObject object, EStructuralFeature feature) {
     return feature.isVolatile()
         && object instanceof DynamicEObjectImpl
@@ -237,7 +237,7 @@ final class XmiHandler extends SAXXMIHandler {
     idsOf = null;
   }
 
-  /** Models say the same again and again: types, units, topics. One text serves all. */
+  /** Returns a shared instance of equal texts, since models repeat types, units and topics. */
   private Object shared(Object value) {
     if (!(value instanceof String text)) {
       return value;
@@ -249,7 +249,7 @@ final class XmiHandler extends SAXXMIHandler {
     return texts[slot];
   }
 
-  /** The ids of a file must differ: a reference by id could mean either element. */
+  /** Records ids, which must be unique in a file. */
   @Override
   protected void handleObjectAttribs(EObject object) {
     super.handleObjectAttribs(object);
@@ -278,7 +278,7 @@ final class XmiHandler extends SAXXMIHandler {
     return new InputSource(new StringReader(""));
   }
 
-  /** References inside the file are resolved at its end, when the parser is past their place. */
+  /** Resolves references inside the file, when the parser is past their place. */
   @Override
   public void endDocument() {
     ended = true;
@@ -290,7 +290,7 @@ final class XmiHandler extends SAXXMIHandler {
     int tag = file.problems().tagEndingAt(problem.getLine(), problem.getColumn());
     if (ended && problem instanceof IllegalValueException value) {
       if (isSingleEnd(value)) {
-        return; // EMF cannot place it in a list where it does not stand; found as what it is.
+        return; // EMF fails to reposition a value that is not in the list; Faults reports it.
       }
       tag = file.offsetOf(value.getObject(), tag);
     } else if (problem instanceof UnresolvedReferenceException reference) {

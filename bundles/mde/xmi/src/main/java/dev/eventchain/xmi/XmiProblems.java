@@ -24,7 +24,7 @@ import org.eclipse.emf.ecore.xmi.UnresolvedReferenceException;
 import org.eclipse.emf.ecore.xmi.XMIException;
 import org.xml.sax.SAXParseException;
 
-/** Turns what EMF finds wrong in one XMI file into findings that point to the text. */
+/** Converts EMF's problems with one XMI file into findings that point to the text. */
 final class XmiProblems {
 
   private final SourceText text;
@@ -48,7 +48,7 @@ final class XmiProblems {
     found.add(Diagnostic.error(id, message, text.at(offset)).withHint(hint));
   }
 
-  /** Adds what EMF reports about the element whose start tag is at an offset. */
+  /** Adds a problem that EMF reports for the element whose start tag is at an offset. */
   void add(XMIException problem, int tag) {
     if (problem instanceof FeatureNotFoundException feature) {
       addUnknownFeature(feature, tag);
@@ -69,7 +69,7 @@ final class XmiProblems {
     }
   }
 
-  /** Adds what stopped the parser. */
+  /** Adds the exception that stopped the parser. */
   void add(IOException stopped) {
     if (!(stopped.getCause() instanceof SAXParseException syntax)) {
       add("xmi.syntax", "The file is not valid XMI: " + stopped.getMessage(), 0, "");
@@ -88,13 +88,13 @@ final class XmiProblems {
     }
   }
 
-  /** The offset of the {@code <} of the tag that ends at a position. */
+  /** Returns the offset of the {@code <} of the tag that ends at a position. */
   int tagEndingAt(int line, int column) {
     int end = text.offset(Math.max(1, line), Math.max(1, column));
     return Math.max(0, text.text().lastIndexOf('<', Math.max(0, end - 1)));
   }
 
-  /** Adds that a feature of the element at an offset has a type that no text may become. */
+  /** Adds that the type of a feature must not be created from text. */
   void refuseType(EStructuralFeature feature, int tag) {
     add(
         "xmi.datatype.refused",
@@ -114,7 +114,7 @@ final class XmiProblems {
         "Write a number, or leave the feature out.");
   }
 
-  /** Adds that a file gives a value to a feature that is computed from others. */
+  /** Adds that a file sets a computed feature. */
   void refuseComputed(EStructuralFeature feature, int tag) {
     add(
         "xmi.feature.computed",
@@ -124,7 +124,7 @@ final class XmiProblems {
         "Leave it out, or declare the feature with volatile=\"false\".");
   }
 
-  /** Adds that a feature for one value gets another one from the element at an offset. */
+  /** Adds that the element at an offset sets a single-valued feature again. */
   void addSecondValue(EStructuralFeature feature, int tag) {
     add(
         "xmi.value.twice",
@@ -134,7 +134,7 @@ final class XmiProblems {
         "Keep one of them, or declare the feature with upperBound=\"-1\".");
   }
 
-  /** That two elements have one id, which leaves a model that can be checked all the same. */
+  /** Returns the finding that two elements have the same id; the model can still be checked. */
   Diagnostic duplicate(String id, int tag, int first) {
     return Diagnostic.error(
             "xmi.id.duplicate",
@@ -144,7 +144,7 @@ final class XmiProblems {
         .withHint("Give one of them another id: references could mean either.");
   }
 
-  /** Adds that a reference would make an element a part of itself. */
+  /** Adds that a reference would make an element contain itself. */
   void addCircle(int offset) {
     add(
         "xmi.containment.circle",
@@ -242,7 +242,7 @@ final class XmiProblems {
         NearestName.hint(String.valueOf(value), literals));
   }
 
-  /** The offset of an attribute in the tag at an offset, prefixed or not; else that of the tag. */
+  /** Returns the offset of an attribute, prefixed or not, in a tag; else that of the tag. */
   int attributeIn(int tag, String name) {
     int end = text.text().indexOf('>', tag);
     Matcher attribute =
@@ -252,10 +252,10 @@ final class XmiProblems {
     return attribute.find() ? attribute.start() + 1 : tag;
   }
 
-  /** The offset of a value in the tag at an offset or after it; else that offset. */
+  /** Returns the offset of a value in or after the tag at an offset; else that offset. */
   int valueIn(int tag, String value) {
     int end = text.text().indexOf('>', tag);
-    // Without an end the search would go through the rest of the file, for each reference again.
+    // Unlimited, the search would scan the rest of the file for each reference.
     int last = (end < 0 ? text.text().length() : end) - value.length();
     for (int found = tag; found <= last; found++) {
       if (text.text().startsWith(value, found)) {
@@ -265,7 +265,7 @@ final class XmiProblems {
     return tag;
   }
 
-  /** What the cause says, without the position that EMF appends to it. */
+  /** Returns the message of the cause, without the position that EMF appends. */
   private static String message(XMIException problem) {
     Throwable cause = problem.getCause();
     String message = cause == null ? problem.getMessage() : cause.getMessage();

@@ -48,7 +48,7 @@ final class XmiResource extends XMIResourceImpl {
     this.offsets = new Offsets(problems.text());
   }
 
-  /** Notes the id of an element, which must be the only one of that id. */
+  /** Records the id of an element, which must be unique. */
   void noteId(String id, EObject element, int tag) {
     EObject first = ids.putIfAbsent(id, element);
     if (first != null && first != element) {
@@ -56,9 +56,7 @@ final class XmiResource extends XMIResourceImpl {
     }
   }
 
-  /**
-   * As EMF does it, but EMF keeps every path that it ever followed in a pool of weak references.
-   */
+  /** Resolves a fragment as EMF does, but without its pool of weak references to every path. */
   @Override
   public EObject getEObject(String fragment) {
     if (!fragment.startsWith("/")) {
@@ -80,7 +78,7 @@ final class XmiResource extends XMIResourceImpl {
     return slash < 0 ? fragment.length() : slash;
   }
 
-  /** EMF would look through the whole file for each id that it does not know. */
+  /** Looks up recorded ids only; EMF would search the whole file for each unknown id. */
   @Override
   protected EObject getEObjectByID(String id) {
     return ids.get(id);
@@ -94,7 +92,7 @@ final class XmiResource extends XMIResourceImpl {
     return problems;
   }
 
-  /** The file as a place, for what is about all of it. */
+  /** Returns the location of the file as a whole. */
   SourceLocation place() {
     return SourceLocation.of(files.nameOf(Path.of(getURI().toFileString())));
   }
@@ -107,7 +105,7 @@ final class XmiResource extends XMIResourceImpl {
     offsets.put(object, offset);
   }
 
-  /** The offset of an element's start tag, or of another place if it is not known yet. */
+  /** Returns the offset of an element's start tag, or the given one if it is not known yet. */
   int offsetOf(EObject element, int otherwise) {
     int offset = element == null ? -1 : offsets.get(element);
     return offset < 0 ? otherwise : offset;
@@ -120,7 +118,7 @@ final class XmiResource extends XMIResourceImpl {
     }
   }
 
-  /** EMF follows a reference to the file itself while it reads, to whichever end. */
+  /** Reports containment cycles; EMF follows references to the file itself while it reads. */
   private void refuseCircles() {
     owners.forEach(
         (owner, offset) -> {
@@ -130,12 +128,12 @@ final class XmiResource extends XMIResourceImpl {
         });
   }
 
-  /** The offset of a reference to another file; 0 if it is none of this file. */
+  /** Returns the offset of a reference to another file; 0 if it is not from this file. */
   int offsetOfProxy(EObject proxy) {
     return proxies.getOrDefault(proxy, 0);
   }
 
-  /** Java names its classes where it has nothing to say. */
+  /** Returns the message of an exception, or a default where Java only names its class. */
   private static String reason(RuntimeException e) {
     String message = e.getMessage();
     return message == null || message.contains("java.")
@@ -143,7 +141,7 @@ final class XmiResource extends XMIResourceImpl {
         : message;
   }
 
-  /** Reads the file. What is wrong with it is in {@link #problems()}; nothing is thrown. */
+  /** Reads the file. Findings are in {@link #problems()}; nothing is thrown. */
   @Override
   public void load(Map<?, ?> options) {
     if (!isLoaded()) {
@@ -166,7 +164,7 @@ final class XmiResource extends XMIResourceImpl {
     } catch (IOException e) {
       problems.add(e);
     } catch (RuntimeException e) {
-      // EMF's reader trusts its input; what it trips over is a fault of the file.
+      // EMF's reader trusts its input; its failures are faults of the file.
       problems.add("xmi.syntax", "The file is not valid XMI: " + reason(e), 0, "");
     }
   }

@@ -16,21 +16,21 @@ import org.eclipse.emf.ecore.impl.EPackageRegistryImpl;
 /**
  * Reads and writes the XMI files of one project, for models of any Ecore metamodel.
  *
- * <p>Files are read as data: no document type, no entity, no schema location and no Java class that
- * a file names is followed, and references between files only inside the project's folder, or into
- * a project of Eclipse that they name ({@code platform:/resource/NAME/}) and that lies above or
- * next to a folder that the file is in. Not meant for several threads.
+ * <p>Files are read as data: document types, entities, schema locations and Java classes that a
+ * file names are not followed. References between files are followed only inside the project's
+ * folder, or into an Eclipse project that they name ({@code platform:/resource/NAME/}) and that
+ * lies above or next to a folder of the file. Not thread-safe.
  */
 public final class XmiStore {
 
   private final EPackage.Registry registry = new EPackageRegistryImpl();
   private final ProjectFiles files;
 
-  /** All metamodels live together: a class is one object, whichever file leads to it. */
+  /** The resource set of all metamodels: a class is one object, whichever file refers to it. */
   private final ProjectResources metamodels;
 
   /**
-   * A store for the files below a folder. Ecore is registered.
+   * Creates a store for the files below a folder. Ecore is registered.
    *
    * @param projectRoot the folder that references must not leave
    */
@@ -41,27 +41,25 @@ public final class XmiStore {
   /**
    * As {@link #XmiStore(Path)} for files below several folders, which may refer to each other.
    *
-   * @param folders under the names by which findings name their files; the first that holds a file
-   *     names it
+   * @param folders the folders, named as in findings; the first that contains a file names it
    */
   public XmiStore(Collection<Path> folders) {
     this(folders, Map.of());
   }
 
   /**
-   * As {@link #XmiStore(Collection)}, where references may also begin as people agreed that they
-   * do, such as {@code platform:/resource/}.
+   * As {@link #XmiStore(Collection)}, with mapped prefixes of references, such as {@code
+   * platform:/resource/}.
    *
-   * @param map the folders that such beginnings stand for, which references may lead into like into
-   *     the others
+   * @param map the folders by prefix; references may lead into them as into the others
    */
   public XmiStore(Collection<Path> folders, Map<String, Path> map) {
     this(folders, map, List.of());
   }
 
   /**
-   * As {@link #XmiStore(Collection, Map)} for models that may be of known metamodels without naming
-   * a file. One that is loaded with the same nsURI takes the place of a known one.
+   * As {@link #XmiStore(Collection, Map)}, with known metamodels that models need not name a file
+   * of. A loaded metamodel replaces a known one with the same nsURI.
    */
   public XmiStore(Collection<Path> folders, Map<String, Path> map, Collection<EPackage> known) {
     ProjectResources.registerStandard(registry);
@@ -74,12 +72,12 @@ public final class XmiStore {
 
   /**
    * Reads a metamodel and registers it, its subpackages and those of the {@code .ecore} files it
-   * refers to. It may take the place of a known metamodel, but two files must not have one nsURI. A
+   * refers to. It may replace a known metamodel, but two files must not have the same nsURI. A
    * package without nsURI gets the name of its file, and a subpackage a path below its package;
    * models of such a metamodel have that namespace or none.
    *
    * @return the packages at the top of the file, at least one
-   * @throws DiagnosticException (INPUT) with everything that is wrong with it
+   * @throws DiagnosticException (INPUT) with all findings about it
    */
   public List<EPackage> loadMetamodel(Path ecore) {
     int before = metamodels.getResources().size();
@@ -91,12 +89,12 @@ public final class XmiStore {
     }
   }
 
-  /** Where an element of a metamodel that was loaded here was written. */
+  /** Returns the place of an element of a metamodel that was loaded here. */
   public SourceLocation locateInMetamodel(EObject element) {
     return metamodels.origins().locate(element);
   }
 
-  /** Checks and registers what was loaded from a position on. */
+  /** Checks and registers the files that were loaded from a position on. */
   private List<EPackage> register(XmiResource file, int before) {
     List<EPackage> packages = new ArrayList<>();
     List<Diagnostic> problems = new ArrayList<>();
@@ -147,8 +145,8 @@ public final class XmiStore {
   /**
    * Reads a model and the files of the project that it refers to.
    *
-   * @throws DiagnosticException (INPUT) with everything that is wrong with these files, and all
-   *     that they say and the model does not hold
+   * @throws DiagnosticException (INPUT) with all findings about these files, including statements
+   *     that the model does not hold
    */
   public LoadedModel load(Path model) {
     ProjectResources resources = new ProjectResources(files, registry);
@@ -159,12 +157,12 @@ public final class XmiStore {
 
   /**
    * Reads models that may refer to each other, and the files of the project that they refer to. An
-   * element is one object, whichever file leads to it. What the files say and the models do not
-   * hold, such as one end of a reference with two, is found by {@link EcoreChecks}.
+   * element is one object, whichever file refers to it. Statements that the models do not hold,
+   * such as a reference without its opposite end, are found by {@link EcoreChecks}.
    *
-   * @param models the files, in an order; a file that is named again is left out
+   * @param models the files in order; repeated files are left out
    * @return a model for each file, which share their origins and one resource set
-   * @throws DiagnosticException (INPUT) with everything that is wrong with these files
+   * @throws DiagnosticException (INPUT) with all findings about these files
    */
   public List<LoadedModel> loadAll(List<Path> models) {
     ProjectResources resources = new ProjectResources(files, registry);
@@ -175,8 +173,8 @@ public final class XmiStore {
   }
 
   /**
-   * Models that were loaded together, and those in the files that they refer to, which were not
-   * named. Metamodels that they refer to do not count.
+   * Returns models that were loaded together, and those in other files that they refer to, except
+   * for metamodels.
    *
    * @param models at least one, all of one {@link #loadAll}
    */
@@ -185,7 +183,7 @@ public final class XmiStore {
     ProjectResources resources = (ProjectResources) models.get(0).resource().getResourceSet();
     for (XmiResource file : resources.loaded()) {
       boolean named = models.stream().anyMatch(model -> model.resource() == file);
-      List<EObject> roots = file.getContents(); // none if all became parts of other files' elements
+      List<EObject> roots = file.getContents(); // none if all are contained elsewhere
       if (!named && !roots.isEmpty() && !(roots.get(0) instanceof EPackage)) {
         all.add(new LoadedModel(file, resources.origins()));
       }
@@ -215,8 +213,8 @@ public final class XmiStore {
   }
 
   /**
-   * A model as XMI: UTF-8, LF, the same bytes for the same model. Reading these bytes and writing
-   * them again gives the same bytes. The model is left as it is.
+   * Returns a model as XMI: UTF-8, LF, the same bytes for the same model. Reading and writing these
+   * bytes again gives the same bytes. The model is not changed.
    *
    * @param root the root of a containment tree, in a resource or not
    * @throws DiagnosticException (FINDINGS, {@code xmi.unwritable}) for a text with characters that

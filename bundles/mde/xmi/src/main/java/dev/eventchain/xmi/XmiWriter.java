@@ -42,7 +42,7 @@ final class XmiWriter {
     return save(copy(roots, home));
   }
 
-  /** Roots that share a file with others are written as if they stood alone. */
+  /** Copies roots, so that those that share a file with others are written on their own. */
   private static XMIResource copy(List<? extends EObject> roots, Resource home) {
     XMIResource copies = new XMIResourceImpl(home == null ? null : home.getURI());
     EcoreUtil.Copier copier = new EcoreUtil.Copier();

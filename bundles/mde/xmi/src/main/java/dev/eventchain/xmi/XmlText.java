@@ -29,7 +29,7 @@ final class XmlText {
   /**
    * Reads a file.
    *
-   * @param name the name that people know the file by
+   * @param name the name of the file in findings
    * @throws DiagnosticException as {@link SourceText#read} does
    */
   static SourceText read(Path file, String name) {
@@ -37,7 +37,7 @@ final class XmlText {
     try {
       charset = charsetOf(head(file));
     } catch (IOException e) {
-      // Reading the whole file says why it cannot be read.
+      // Reading the whole file reports why it cannot be read.
     } catch (IllegalCharsetNameException | UnsupportedCharsetException e) {
       throw wrongEncoding(
           "The file declares the encoding `"
@@ -85,7 +85,7 @@ final class XmlText {
     }
     Charset charset = Charset.forName(declared.group(1));
     if (charset.name().startsWith("UTF-16") || charset.name().startsWith("UTF-32")) {
-      // Its declaration could not be read like this, were it what it says.
+      // In the encoding that it names, the declaration would not have been readable here.
       throw new UnsupportedCharsetException(declared.group(1));
     }
     return charset.equals(StandardCharsets.US_ASCII) ? StandardCharsets.UTF_8 : charset;

@@ -1,5 +1,5 @@
 /**
- * The XMI files of a project, for models of any Ecore metamodel: read strictly and as data, written
- * with the same bytes on every machine, and checked as EMF checks them.
+ * XMI files of a project, for models of any Ecore metamodel: strict reading as data, reproducible
+ * writing, and the checks of EMF.
  */
 package dev.eventchain.xmi;

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What a model file says must be in the model, and a model must be what its metamodel demands. */
+/** Tests that models hold all statements of their files and conform to their metamodels. */
 class EcoreChecksTest {
 
   private static final Path CASES = Path.of("src/test/resources/ecore");
@@ -58,7 +58,7 @@ class EcoreChecksTest {
     }
   }
 
-  /** A folder a case; {@code expected.txt} holds what is found and how often each check looked. */
+  /** Runs one case per folder; {@code expected.txt} holds the findings and the number of checks. */
   @ParameterizedTest
   @MethodSource("cases")
   void whatAFileSaysIsInTheModelAndWhatTheMetamodelDemandsToo(String name) throws IOException {
@@ -66,7 +66,7 @@ class EcoreChecksTest {
     ExpectedFile.check(folder.resolve("expected.txt"), outcome(folder));
   }
 
-  /** No machine is so fast that it would find the end. */
+  /** The pattern does not terminate in time on any machine. */
   @Test
   void aPatternThatTakesTooLongIsGivenUpAndNothingElse() throws IOException {
     Path folder = Path.of("src/test/resources/patterns");

@@ -24,9 +24,7 @@ import org.eclipse.emf.ecore.util.ExtendedMetaData;
 import org.eclipse.emf.ecore.util.FeatureMapUtil;
 import org.eclipse.emf.ecore.xml.type.XMLTypePackage;
 
-/**
- * Makes metamodels with every construct of Ecore, and models of them; one seed gives one of each.
- */
+/** Generates metamodels with every construct of Ecore, and models of them, from a seed. */
 final class EcoreCorpus {
 
   private static final EcoreFactory ECORE = EcoreFactory.eINSTANCE;
@@ -215,7 +213,7 @@ final class EcoreCorpus {
     add(owner, ECORE.createEReference(), "entries", entry, 0, -1).setContainment(true);
   }
 
-  /** A model of a metamodel that was read from what this one made. */
+  /** Returns a model of a generated metamodel that was written and read again. */
   EObject model(EPackage read) {
     EClass type = (EClass) read.getEClassifier("C0");
     List<EObject> made = new ArrayList<>();
@@ -275,7 +273,7 @@ final class EcoreCorpus {
     return EcoreUtil.createFromString(type, text);
   }
 
-  /** EMF's reader moves an element that is its own opposite to the front of its list. */
+  /** Sets a reference; never to an own opposite, which EMF's reader moves to the front. */
   private void refer(EObject element, EReference reference, List<EObject> made) {
     List<EObject> targets =
         made.stream()

@@ -19,12 +19,12 @@ import org.eclipse.emf.ecore.util.EObjectValidator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Metamodels with every construct of Ecore are read, and their models, and nothing is lost. */
+/** Tests that metamodels with every construct of Ecore, and their models, are read without loss. */
 class EcoreCorpusTest {
 
   private static final int CASES = 150;
 
-  /** What EMF's validator calls what. A value of a wrong range is told once for each value here. */
+  /** The ids of findings by EMF's codes. A value out of range is reported once per value here. */
   private static final Map<Integer, String> KINDS =
       Map.of(
           EObjectValidator.EOBJECT__EVERY_MULTIPCITY_CONFORMS, "multiplicity",

@@ -23,7 +23,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Which files references lead to, by whichever name. */
+/** Tests the files that references lead to, by different names. */
 class ReferredFilesTest {
 
   private static final String HEAD =
@@ -103,7 +103,7 @@ class ReferredFilesTest {
     assertEquals("Say which file that is: --map " + reference + "=FILE", refused.hint());
   }
 
-  /** As those that the plug-ins of EMF have, where Ecore lies next to them. */
+  /** A metamodel as in the plug-ins of EMF, with Ecore next to it. */
   @Test
   void ecoreBesideAMappedMetamodelIsTheOneThatIsAlwaysThere() throws IOException {
     String ecore =

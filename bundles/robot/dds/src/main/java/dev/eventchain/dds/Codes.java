@@ -2,23 +2,23 @@ package dev.eventchain.dds;
 
 import com.sun.jna.Pointer;
 
-/** What functions of the library return. */
+/** Return codes of the library. */
 final class Codes {
 
   static final int TIMEOUT = -10;
 
   private Codes() {}
 
-  /** A result below 0 in words. */
+  /** Returns the description of a negative return code. */
   static String text(Cyclone cyclone, int result) {
     Pointer text = cyclone.strretcode(result);
     return text == null ? "error " + result : text.getString(0);
   }
 
   /**
-   * A result that is none below 0.
+   * Returns a return code that is not negative.
    *
-   * @throws IllegalStateException if it is one
+   * @throws IllegalStateException if it is negative
    */
   static int check(Cyclone cyclone, int result, String what) {
     if (result < 0) {

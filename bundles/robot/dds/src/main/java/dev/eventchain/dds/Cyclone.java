@@ -10,13 +10,13 @@ import java.lang.reflect.Method;
 import java.util.Locale;
 
 /**
- * The functions of libddsc 11 (dds/dds.h, dds/ddsc/dds_public_dynamic_type.h) that are called once
- * in a while; what is called for each sample is in {@link Samples}. A name here is that of C in
- * camel case, without {@code dds_}. Handles are numbers that the library checks; pointers are not.
+ * The functions of libddsc 11 (dds/dds.h, dds/ddsc/dds_public_dynamic_type.h) that are called
+ * rarely; those called for each sample are in {@link Samples}. Names are those of C in camel case,
+ * without {@code dds_}. The library checks handles, but not pointers.
  */
 interface Cyclone extends Library {
 
-  /** Names of C: {@code createTopic} is {@code dds_create_topic}. */
+  /** Maps Java names to C names: {@code createTopic} is {@code dds_create_topic}. */
   FunctionMapper NAMES = Cyclone::nameOf;
 
   private static String nameOf(NativeLibrary library, Method method) {
@@ -99,7 +99,7 @@ interface Cyclone extends Library {
 
   void qsetUserdata(Pointer qos, byte[] data, long size);
 
-  // A Boolean of C is a byte; what stands next to it in the register means nothing.
+  // A Boolean of C is a byte; the other bytes of the register are undefined.
 
   byte qgetReliability(Pointer qos, int[] kind, long[] maximalBlockingTime);
 

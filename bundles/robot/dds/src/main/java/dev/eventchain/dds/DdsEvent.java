@@ -1,27 +1,28 @@
 package dev.eventchain.dds;
 
 /**
- * Something that happened to a writer or a reader.
+ * A status event of a writer or a reader.
  *
- * @param count how often since it was last asked for
- * @param policy for {@link Kind#INCOMPATIBLE_QOS} the policy that did not match last, as {@link
- *     dev.eventchain.messages.QosSettings.Incompatibility} calls it, or the name of DDS for one
- *     that ROS 2 does not set; else empty
+ * @param count number of occurrences since the last query
+ * @param policy for {@link Kind#INCOMPATIBLE_QOS} the policy of the last mismatch, as {@link
+ *     dev.eventchain.messages.QosSettings.Incompatibility} calls it, or its DDS name if ROS 2 does
+ *     not set it; otherwise empty
  */
 public record DdsEvent(Kind kind, int count, String policy) {
 
-  /** What happened. */
+  /** Kinds of events. */
   public enum Kind {
-    /** The other side was found, and offers or wants something else. */
+    /** The remote endpoint was found, but its QoS is incompatible. */
     INCOMPATIBLE_QOS,
-    /** No sample came, or was written, within the deadline. */
+    /** No sample was received, or written, within the deadline. */
     DEADLINE_MISSED,
-    /** For readers: a writer was silent for longer than its lease. For writers: this one was. */
+    /** For readers: a writer was silent for longer than its lease. For writers: this writer was. */
     LIVELINESS_LOST,
-    /** A writer that was not alive is again, or a new one is. */
+    /** A writer is alive again, or a new one was found. */
     LIVELINESS_GAINED,
     /**
-     * Samples that were sent again in vain. Gaps of best-effort writers are not counted by Cyclone.
+     * Samples were lost although they were sent again. Cyclone does not count gaps of best-effort
+     * writers.
      */
     SAMPLE_LOST
   }

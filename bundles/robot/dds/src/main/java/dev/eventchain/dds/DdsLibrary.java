@@ -15,7 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** The C library of Eclipse Cyclone DDS in this process; there is one, and it stays. */
+/** The C library of Eclipse Cyclone DDS, loaded at most once per process and never unloaded. */
 public final class DdsLibrary {
 
   private static final String ID = "dds.unavailable";
@@ -23,7 +23,7 @@ public final class DdsLibrary {
   private static final String HINT =
       "Set " + SETTING + " to a libddsc of Cyclone DDS 11.0.1, or unset it.";
 
-  /** What this process has loaded; guarded by the class. */
+  /** The library that this process has loaded; guarded by the class. */
   private static Optional<DdsLibrary> loaded = Optional.empty();
 
   private final Path path;
@@ -35,13 +35,13 @@ public final class DdsLibrary {
   }
 
   /**
-   * Loads the library, or returns the loaded one. With the first call one message is sent to
-   * oneself, on loopback, to see that the library's memory is as expected.
+   * Loads the library, or returns the loaded one. The first call sends a message to this process
+   * over loopback, to check the library's memory layout.
    *
    * @param path the library of the Python environment; empty for the one that the environment
    *     variable {@code EVENTCHAIN_LIBDDSC} names
-   * @throws DiagnosticException {@code dds.unavailable} with the reason UNAVAILABLE: there is none,
-   *     it cannot be loaded, it is another version, or this process has loaded another one
+   * @throws DiagnosticException {@code dds.unavailable} with the reason UNAVAILABLE: the library is
+   *     missing, cannot be loaded, has another version, or this process has loaded another one
    */
   public static DdsLibrary load(Optional<Path> path) {
     return load(path, System.getenv());
@@ -110,7 +110,7 @@ public final class DdsLibrary {
     }
   }
 
-  /** All at once: otherwise a function would be missed when it is called. */
+  /** Checks all functions at once; otherwise a missing one would show only when it is called. */
   private static void requireFunctions(Path path, NativeLibrary library) {
     List<Method> methods = new ArrayList<>(List.of(Cyclone.class.getDeclaredMethods()));
     methods.addAll(List.of(Samples.class.getDeclaredMethods()));
@@ -132,7 +132,7 @@ public final class DdsLibrary {
     return String.valueOf(problem.getMessage()).lines().findFirst().orElse("").strip();
   }
 
-  /** Where it was found. */
+  /** Returns the path of the library. */
   public Path path() {
     return path;
   }

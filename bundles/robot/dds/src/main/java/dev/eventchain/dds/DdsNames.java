@@ -7,7 +7,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * How names of ROS 2 are written in DDS (design.ros2.org, "Topic and Service name mapping to DDS").
+ * Mapping of ROS 2 names to DDS names (design.ros2.org, "Topic and Service name mapping to DDS").
  */
 final class DdsNames {
 
@@ -17,9 +17,9 @@ final class DdsNames {
   private DdsNames() {}
 
   /**
-   * The name of a topic.
+   * Returns the DDS name of a topic.
    *
-   * @throws IllegalArgumentException if it is not a full name: {@code /scan}
+   * @throws IllegalArgumentException if it is not a full name such as {@code /scan}
    */
   static String topic(String topic) {
     if (!topic.startsWith("/") || !RosNames.isTopic(topic)) {
@@ -29,7 +29,7 @@ final class DdsNames {
     return TOPIC + topic;
   }
 
-  /** The name of a type: {@code sensor_msgs::msg::dds_::LaserScan_}. */
+  /** Returns the DDS name of a type: {@code sensor_msgs::msg::dds_::LaserScan_}. */
   static String type(MessageType type) {
     int slash = type.name().lastIndexOf('/');
     return type.name().substring(0, slash).replace("/", "::")
@@ -38,14 +38,14 @@ final class DdsNames {
         + "_";
   }
 
-  /** The full name in ROS 2 of a topic of DDS; empty if it is none of ROS 2. */
+  /** Returns the full ROS 2 name of a DDS topic; empty if it is not a topic of ROS 2. */
   static Optional<String> rosTopic(String name) {
     return name.startsWith(TOPIC + "/")
         ? Optional.of(name.substring(TOPIC.length()))
         : Optional.empty();
   }
 
-  /** The name in ROS 2 of a type of DDS; that of DDS if it is none of ROS 2. */
+  /** Returns the ROS 2 name of a DDS type; its DDS name if it is not a type of ROS 2. */
   static String rosType(String name) {
     Matcher matcher = TYPE.matcher(name);
     return matcher.matches() ? matcher.group(1).replace("::", "/") + matcher.group(2) : name;

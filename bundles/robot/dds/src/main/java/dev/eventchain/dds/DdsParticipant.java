@@ -12,18 +12,18 @@ import java.util.function.Consumer;
 import java.util.regex.Pattern;
 
 /**
- * Takes part in a domain: makes writers and readers of topics, and announces them as ROS 2 does.
- * Thread-safe. After {@link #close}, it and all that it made throw an {@link
+ * A participant of a DDS domain: creates writers and readers of topics, and announces them as ROS 2
+ * does. Thread-safe. After {@link #close}, it and its endpoints throw an {@link
  * IllegalStateException}.
  */
 public final class DdsParticipant implements AutoCloseable {
 
-  /** The ports of domains with higher numbers do not exist (RTPS 2.5, 9.6.2.3). */
+  /** The highest domain number for which ports exist (RTPS 2.5, 9.6.2.3). */
   public static final int HIGHEST_DOMAIN = 232;
 
   private static final Pattern TAG = Pattern.compile("[A-Za-z0-9_.-]{1,64}");
 
-  /** As rmw_cyclonedds announces a node outside security enclaves. */
+  /** User data with which rmw_cyclonedds announces a node outside security enclaves. */
   private static final String USER_DATA = "enclave=/;";
 
   private record Topic(MessageType type, int handle) {}
@@ -31,17 +31,17 @@ public final class DdsParticipant implements AutoCloseable {
   /**
    * A writer or a reader of another participant.
    *
-   * @param writes whether it is a writer
+   * @param writes true for a writer, false for a reader
    * @param topic the full name in ROS 2, {@code /scan}
-   * @param type the full name in ROS 2, {@code sensor_msgs/msg/LaserScan}, or that of DDS if it is
-   *     no type of ROS 2
-   * @param qos as far as it decides whether samples flow
-   * @param typeHash of the definition of the type, as {@link MessageType#hash} has it; empty if the
-   *     other side does not tell (before Iron)
-   * @param node the full name of its node; empty if the other side does not tell
-   * @param participant whose it is: the same for all of one participant
-   * @param id no other one has the same
-   * @param handle what {@link DdsSample#publication} says of what a writer wrote
+   * @param type the full name in ROS 2, {@code sensor_msgs/msg/LaserScan}, or the DDS name if it is
+   *     not a type of ROS 2
+   * @param qos the policies that decide whether endpoints match
+   * @param typeHash hash of the type definition, see {@link MessageType#hash}; empty if not
+   *     announced (before Iron)
+   * @param node the full name of its node; empty if not announced
+   * @param participant identifier of its participant
+   * @param id unique identifier of the endpoint
+   * @param handle value of {@link DdsSample#publication} for samples of this writer
    */
   public record Peer(
       boolean writes,
@@ -89,8 +89,8 @@ public final class DdsParticipant implements AutoCloseable {
   }
 
   /**
-   * Takes part in a domain with a configuration of Cyclone DDS, in which nodes are announced as ROS
-   * 2 does from Iron on.
+   * Joins a domain with a configuration of Cyclone DDS. Nodes are announced as ROS 2 does from Iron
+   * on.
    *
    * @throws IllegalArgumentException as {@link #on(DdsLibrary, int, String, String)}
    * @throws IllegalStateException as {@link #on(DdsLibrary, int, String, String)}
@@ -100,15 +100,15 @@ public final class DdsParticipant implements AutoCloseable {
   }
 
   /**
-   * Takes part in a domain with a configuration of Cyclone DDS.
+   * Joins a domain with a configuration of Cyclone DDS.
    *
    * @param domainId 0 to {@link #HIGHEST_DOMAIN}
-   * @param configuration the XML of Cyclone DDS; all participants of this process in a domain have
-   *     the same
-   * @param distribution the release of ROS 2 of the other nodes, as {@code ROS_DISTRO} has it, on
-   *     which the form of what they tell of each other depends; empty for the newest
-   * @throws IllegalArgumentException if there is no such domain, or the configuration is refused
-   * @throws IllegalStateException if the configuration is another one than that of this domain
+   * @param configuration the XML of Cyclone DDS; the same for all participants of this process in a
+   *     domain
+   * @param distribution the ROS 2 release of the other nodes, as in {@code ROS_DISTRO}, which
+   *     determines the format of their discovery messages; empty for the newest
+   * @throws IllegalArgumentException if the domain does not exist, or the configuration is invalid
+   * @throws IllegalStateException if this process uses the domain with another configuration
    */
   public static DdsParticipant on(
       DdsLibrary library, int domainId, String configuration, String distribution) {
@@ -122,10 +122,10 @@ public final class DdsParticipant implements AutoCloseable {
   }
 
   /**
-   * Takes part in a domain that does not leave this machine.
+   * Joins a domain that does not leave this machine.
    *
    * @param tag see {@link #loopbackConfiguration}
-   * @throws IllegalArgumentException as {@link #on}, and for a bad tag
+   * @throws IllegalArgumentException as {@link #on}, and for an invalid tag
    * @throws IllegalStateException as {@link #on}
    */
   public static DdsParticipant loopback(DdsLibrary library, int domainId, String tag) {
@@ -133,12 +133,13 @@ public final class DdsParticipant implements AutoCloseable {
   }
 
   /**
-   * The configuration of {@link #loopback}, for processes that shall meet there: bound to the
-   * loopback interface, which often has no multicast, so that up to 100 processes are found by
-   * their ports.
+   * Returns the configuration of {@link #loopback}, for processes that communicate there. It is
+   * bound to the loopback interface, which often has no multicast, so that up to 100 processes are
+   * found by their ports.
    *
-   * @param tag only processes with the same one meet: letters, digits, {@code _.-}, at most 64
-   * @throws IllegalArgumentException for another tag
+   * @param tag only processes with the same tag find each other: letters, digits, {@code _.-}, at
+   *     most 64
+   * @throws IllegalArgumentException for an invalid tag
    */
   public static String loopbackConfiguration(String tag) {
     if (!TAG.matcher(tag).matches()) {
@@ -149,14 +150,14 @@ public final class DdsParticipant implements AutoCloseable {
   }
 
   /**
-   * The configuration of {@link #loopback} without a tag: it meets all on this machine that are on
+   * Returns the configuration of {@link #loopback} without a tag: it reaches every participant on
    * the loopback interface.
    */
   public static String loopbackConfiguration() {
     return loopback("");
   }
 
-  /** With more of the discovery's settings. */
+  /** Returns the loopback configuration with further discovery settings. */
   static String loopback(String discovery) {
     return "<CycloneDDS><Domain id=\"any\"><General><Interfaces>"
         + "<NetworkInterface address=\"127.0.0.1\" multicast=\"false\"/></Interfaces>"
@@ -169,7 +170,7 @@ public final class DdsParticipant implements AutoCloseable {
   }
 
   /**
-   * Makes a writer.
+   * Creates a writer.
    *
    * @param topic the full name in ROS 2, {@code /scan}
    * @throws IllegalArgumentException if the topic is not a full name, or this participant has it
@@ -182,7 +183,7 @@ public final class DdsParticipant implements AutoCloseable {
   }
 
   /**
-   * Makes a reader whose samples are taken with {@link DdsReader#take}.
+   * Creates a reader whose samples are taken with {@link DdsReader#take}.
    *
    * @throws IllegalArgumentException as {@link #writer}
    */
@@ -191,8 +192,8 @@ public final class DdsParticipant implements AutoCloseable {
   }
 
   /**
-   * Makes a reader that hands over each sample, one after the other, in its own thread. What the
-   * listener throws goes to that thread's handler of uncaught exceptions, and the next sample
+   * Creates a reader that passes each sample to a listener, one at a time, in its own thread.
+   * Exceptions of the listener go to that thread's handler of uncaught exceptions; the next sample
    * follows.
    *
    * @throws IllegalArgumentException as {@link #writer}
@@ -222,7 +223,7 @@ public final class DdsParticipant implements AutoCloseable {
    * ROS 2 list it.
    *
    * @param node a name in the root namespace, {@code eventchain_world}
-   * @throws IllegalStateException if it is announced already
+   * @throws IllegalStateException if it is already announced
    */
   public synchronized void announce(String node) {
     requireOpen();
@@ -242,8 +243,8 @@ public final class DdsParticipant implements AutoCloseable {
   }
 
   /**
-   * The writers and readers that others have on topics of ROS 2 in this domain, as far as they have
-   * been found until now, in a fixed order.
+   * Returns the writers and readers of other participants on ROS 2 topics of this domain that have
+   * been discovered so far, in a fixed order.
    *
    * @throws IllegalStateException if this participant is, or gets, closed
    */
@@ -259,7 +260,7 @@ public final class DdsParticipant implements AutoCloseable {
     return discovery.get();
   }
 
-  /** A topic by the name of DDS; one is made the first time. Holds the lock. */
+  /** Returns the topic with a DDS name, which is created on first use. Holds the lock. */
   synchronized int topic(String name, MessageType type) {
     requireOpen();
     Topic known = topics.get(name);
@@ -287,14 +288,14 @@ public final class DdsParticipant implements AutoCloseable {
     }
   }
 
-  /** An endpoint is gone. */
+  /** Forgets a closed endpoint. */
   synchronized void removed(AutoCloseable endpoint, byte[] gid) {
     if (endpoints.remove(endpoint) && !closed) {
       graph.ifPresent(announced -> announced.remove(gid));
     }
   }
 
-  /** Closes it with its writers and readers. Listeners that are at work are waited for. */
+  /** Closes it with its writers and readers. Waits for running listeners. */
   @Override
   public void close() {
     List<AutoCloseable> open;
@@ -305,7 +306,7 @@ public final class DdsParticipant implements AutoCloseable {
       closed = true;
       open = List.copyOf(endpoints);
     }
-    // Without the lock, for which a listener may be waiting.
+    // Without the lock, since a listener may be waiting for it.
     for (AutoCloseable endpoint : open) {
       if (endpoint instanceof DdsWriter writer) {
         writer.close();

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 
-/** Reads messages of one topic. Thread-safe. */
+/** A reader of messages of one topic. Thread-safe. */
 public final class DdsReader implements AutoCloseable {
 
   private static final int ANY_STATE = 0x7F;
@@ -49,7 +49,7 @@ public final class DdsReader implements AutoCloseable {
     endpoint.check(cyclone.waitsetAttach(waitset, guard, 2), "wait");
   }
 
-  /** The topic. */
+  /** Returns the topic. */
   public String topic() {
     return endpoint.topic();
   }
@@ -58,7 +58,7 @@ public final class DdsReader implements AutoCloseable {
     return gid.clone();
   }
 
-  /** Hands samples over in its own thread from now on. */
+  /** Passes samples to a listener in a separate thread from now on. */
   synchronized void start(Consumer<DdsSample> listener) {
     Thread reading = new Thread(() -> read(listener), "dds-reader " + endpoint.topic());
     reading.setDaemon(true);
@@ -94,13 +94,16 @@ public final class DdsReader implements AutoCloseable {
     return closing;
   }
 
-  /** Until there are samples, or the reader closes. Without the lock: others may close. */
+  /**
+   * Waits until there are samples or the reader closes. Does not hold the lock, so that others can
+   * close it.
+   */
   private void await(long nanos) {
     Samples.waitsetWait(waitset, null, 0, nanos);
   }
 
   /**
-   * Takes the samples that have come, oldest first, without waiting.
+   * Takes the available samples, oldest first, without waiting.
    *
    * @throws IllegalStateException if the reader is closed, or has a listener
    */
@@ -114,9 +117,9 @@ public final class DdsReader implements AutoCloseable {
   }
 
   /**
-   * Waits for a sample, and takes those that have come.
+   * Waits for a sample, and takes the available samples.
    *
-   * @return empty if none came in the time
+   * @return empty if none arrived within the timeout
    * @throws IllegalStateException if the reader is, or gets, closed, or has a listener
    */
   public List<DdsSample> take(Duration timeout) {
@@ -143,7 +146,7 @@ public final class DdsReader implements AutoCloseable {
   }
 
   private void add(List<DdsSample> samples, Pointer data, long offset) {
-    // What is not valid tells of a writer that is gone, and contains no message.
+    // An invalid sample reports that its writer is gone, and has no message.
     if (information.getByte(offset + VALID) != 0) {
       int size = Samples.ddsiSerdataSize(data);
       if (size > buffer.size()) {
@@ -159,7 +162,7 @@ public final class DdsReader implements AutoCloseable {
     Samples.ddsiSerdataUnref(data);
   }
 
-  /** From how many writers samples come. */
+  /** Returns the number of matched writers. */
   public synchronized int matched() {
     requireOpen();
     return endpoint.check(
@@ -167,16 +170,16 @@ public final class DdsReader implements AutoCloseable {
   }
 
   /**
-   * Waits until writers have been found.
+   * Waits until writers are matched.
    *
-   * @return false if there are fewer after the time
+   * @return false if there are fewer after the timeout
    * @throws IllegalStateException if the reader is, or gets, closed
    */
   public boolean waitForMatches(int count, Duration timeout) {
     return Matches.await(this::matched, count, timeout);
   }
 
-  /** What has happened since this was called last. */
+  /** Returns the events since the last call. */
   public synchronized List<DdsEvent> events() {
     requireOpen();
     return Statuses.ofReader(endpoint.cyclone(), handle);
@@ -188,7 +191,7 @@ public final class DdsReader implements AutoCloseable {
     }
   }
 
-  /** Closes it. A listener that is at work is waited for, unless it calls this itself. */
+  /** Closes it. Waits for a running listener, unless the listener calls this itself. */
   @Override
   public void close() {
     synchronized (this) {
@@ -198,7 +201,7 @@ public final class DdsReader implements AutoCloseable {
       closing = true;
       endpoint.cyclone().setGuardcondition(guard, true);
     }
-    // Without the lock, which the thread needs to come to its end.
+    // Without the lock, which the thread needs to finish.
     thread.filter(reading -> reading != Thread.currentThread()).ifPresent(DdsReader::join);
     synchronized (this) {
       if (closed) {

@@ -14,21 +14,22 @@ public final class DdsSample {
   }
 
   /**
-   * The message as {@link dev.eventchain.messages.CdrCodec} reads it, header included. Not a copy.
+   * Returns the serialized message with its header, as {@link dev.eventchain.messages.CdrCodec}
+   * reads it. Not a copy.
    */
   public byte[] bytes() {
     return bytes;
   }
 
   /**
-   * What the writer stamped it with, in ns: since 1970, unless writer and reader agree on something
-   * else.
+   * Returns the source timestamp in ns: since 1970, unless writer and reader agree on another
+   * epoch.
    */
   public long sourceTimestamp() {
     return sourceTimestamp;
   }
 
-  /** Which of the matched writers it is from: a number of this process. */
+  /** Returns the number, within this process, of the matched writer that sent the sample. */
   public long publication() {
     return publication;
   }

@@ -8,10 +8,10 @@ import dev.eventchain.messages.QosSettings;
 import java.time.Duration;
 import java.util.List;
 
-/** Writes messages of one topic. Thread-safe: threads wait for each other. */
+/** A writer of messages of one topic. Thread-safe: calls are serialized. */
 public final class DdsWriter implements AutoCloseable {
 
-  /** {@code ddsi_serdata.timestamp}; {@link LayoutCheck} holds the library to it. */
+  /** Offset of {@code ddsi_serdata.timestamp}, checked by {@link LayoutCheck}. */
   static final long SOURCE_TIMESTAMP = 32;
 
   private static final int DATA = 2;
@@ -36,7 +36,7 @@ public final class DdsWriter implements AutoCloseable {
     serialType = type.getValue();
   }
 
-  /** The topic. */
+  /** Returns the topic. */
   public String topic() {
     return endpoint.topic();
   }
@@ -46,11 +46,11 @@ public final class DdsWriter implements AutoCloseable {
   }
 
   /**
-   * Writes a message with the time of now.
+   * Writes a message with the current time.
    *
    * @param cdr the message as {@link CdrCodec} writes it, header included
-   * @return false if readers that shall miss nothing have not acknowledged earlier samples for 100
-   *     ms, so that this one was not sent
+   * @return false if reliable readers have not acknowledged earlier samples for 100 ms; this one
+   *     was not sent then
    * @throws IllegalArgumentException if the bytes are not a message of the type
    * @throws IllegalStateException if the writer is closed
    */
@@ -60,9 +60,9 @@ public final class DdsWriter implements AutoCloseable {
   }
 
   /**
-   * Writes a message with a time of one's own.
+   * Writes a message with a given source timestamp.
    *
-   * @param sourceTimestamp what readers see, in ns, not negative
+   * @param sourceTimestamp the time that readers see, in ns, not negative
    * @return as {@link #write(byte[])}
    * @throws IllegalArgumentException as {@link #write(byte[])}, and for a negative time
    * @throws IllegalStateException if the writer is closed
@@ -85,10 +85,10 @@ public final class DdsWriter implements AutoCloseable {
     return true;
   }
 
-  /** The bytes in the library's memory. */
+  /** Returns the bytes as a sample in the library's memory. */
   synchronized Pointer serialized(byte[] cdr) {
     requireOpen();
-    // The library reads no further than the bytes go, and does not notice what is too much.
+    // The library does not report bytes beyond the message.
     CdrCodec.requireMessage(endpoint.type(), cdr);
     if (cdr.length > buffer.size()) {
       buffer = new Memory(cdr.length * 2L);
@@ -104,7 +104,7 @@ public final class DdsWriter implements AutoCloseable {
     return data;
   }
 
-  /** How many readers get what is written. */
+  /** Returns the number of matched readers. */
   public synchronized int matched() {
     requireOpen();
     return endpoint.check(
@@ -112,22 +112,22 @@ public final class DdsWriter implements AutoCloseable {
   }
 
   /**
-   * Waits until readers have been found.
+   * Waits until readers are matched.
    *
-   * @return false if there are fewer after the time
+   * @return false if there are fewer after the timeout
    * @throws IllegalStateException if the writer is, or gets, closed
    */
   public boolean waitForMatches(int count, Duration timeout) {
     return Matches.await(this::matched, count, timeout);
   }
 
-  /** What has happened since this was called last. */
+  /** Returns the events since the last call. */
   public synchronized List<DdsEvent> events() {
     requireOpen();
     return Statuses.ofWriter(endpoint.cyclone(), handle);
   }
 
-  /** Says that this writer is alive, which readers see that ask for liveliness by topic. */
+  /** Asserts the liveliness of this writer, for readers that request liveliness by topic. */
   public synchronized void assertLiveliness() {
     requireOpen();
     endpoint.check(endpoint.cyclone().assertLiveliness(handle), "assert the liveliness");
@@ -139,7 +139,7 @@ public final class DdsWriter implements AutoCloseable {
     }
   }
 
-  /** Closes it; samples that are still to be acknowledged are lost. */
+  /** Closes it; samples that are not yet acknowledged are lost. */
   @Override
   public void close() {
     synchronized (this) {

@@ -22,18 +22,17 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What discovery knows of the others in a domain: their writers and readers ({@code
- * DCPSPublication}, {@code DCPSSubscription}), and of which nodes these are ({@code
- * ros_discovery_info}).
+ * Discovered endpoints of other participants in a domain: their writers and readers ({@code
+ * DCPSPublication}, {@code DCPSSubscription}), and the nodes of these ({@code ros_discovery_info}).
  */
 final class Discovery {
 
-  /** Pseudo handles of topics that are built in. */
+  /** Pseudo handles of built-in topics. */
   private static final int PUBLICATIONS = 0x7fff0003;
 
   private static final int SUBSCRIPTIONS = 0x7fff0004;
 
-  /** Of any sample and view, but only instances that are alive. */
+  /** Mask for any sample state and view state, but only alive instances. */
   private static final int ALIVE = 0x1F;
 
   private static final int FIRST_ROOM = 256;
@@ -57,12 +56,12 @@ final class Discovery {
   private final int readers;
   private final DdsReader graph;
 
-  /** The names of nodes by their endpoints, as each participant said it last. */
+  /** Node names by endpoint, as last announced by each participant. */
   private final Map<String, Map<String, String>> nodes = new HashMap<>();
 
   private int room = FIRST_ROOM;
 
-  /** Takes part in the discovery of a participant. */
+  /** Joins the discovery of a participant. */
   Discovery(DdsParticipant participant, Cyclone cyclone) {
     this.cyclone = cyclone;
     format = participant.graphFormat();
@@ -100,7 +99,7 @@ final class Discovery {
     return pointer.getPointer(offset).getString(0, StandardCharsets.UTF_8.name());
   }
 
-  /** The writers and readers of others on topics of ROS 2, those of one topic together. */
+  /** Returns the endpoints of other participants on ROS 2 topics, grouped by topic. */
   synchronized List<Peer> peers() {
     readGraph();
     List<Peer> peers = new ArrayList<>(read(writers, (at, handle) -> peer(true, at, handle)));
@@ -116,7 +115,7 @@ final class Discovery {
   private <T> List<T> read(int reader, Reading<T> reading) {
     while (true) {
       Memory pointers = new Memory((long) room * Long.BYTES);
-      pointers.clear(); // the library lends memory of its own then
+      pointers.clear(); // a null pointer makes the library lend its own memory
       Memory information = new Memory(room * INFORMATION_SIZE);
       int count =
           Codes.check(
@@ -156,7 +155,7 @@ final class Discovery {
             writes, topic.get(), type, settings(qos), hash(qos), node, hex(owner), id, handle));
   }
 
-  /** As far as it decides whether samples flow. */
+  /** Returns the policies that decide whether endpoints match. */
   private QosSettings settings(Pointer qos) {
     int[] kind = new int[1];
     long[] time = new long[1];
@@ -178,7 +177,7 @@ final class Discovery {
     return nanos == Long.MAX_VALUE ? Optional.empty() : Optional.of(Duration.ofNanos(nanos));
   }
 
-  /** The hash of the definition of its type; empty before Iron. */
+  /** Returns the hash of the endpoint's type definition; empty before Iron. */
   private String hash(Pointer qos) {
     PointerByReference value = new PointerByReference();
     LongByReference size = new LongByReference();
@@ -200,8 +199,8 @@ final class Discovery {
   }
 
   /**
-   * The names of nodes by their endpoints, for the participant that told of them; empty if it is of
-   * another release of ROS 2, since its nodes have no names here.
+   * Returns the node names by endpoint of the participant that announced them; empty for another
+   * release of ROS 2, whose node names cannot be read.
    */
   static Map<String, Map<String, String>> namesByEndpoint(GraphFormat format, byte[] bytes) {
     MessageValue said;

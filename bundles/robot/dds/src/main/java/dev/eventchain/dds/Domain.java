@@ -3,10 +3,10 @@ package dev.eventchain.dds;
 import java.util.HashMap;
 import java.util.Map;
 
-/** A domain of this process: made for the first participant, deleted after the last one. */
+/** A domain of this process: created for the first participant, deleted after the last one. */
 final class Domain {
 
-  /** By number; guarded by the class. */
+  /** Domains by number; guarded by the class. */
   private static final Map<Integer, Domain> DOMAINS = new HashMap<>();
 
   private final int id;
@@ -21,10 +21,10 @@ final class Domain {
   }
 
   /**
-   * Makes or joins one.
+   * Creates a domain, or joins the existing one.
    *
-   * @throws IllegalArgumentException if there is no such domain, or the configuration is refused
-   * @throws IllegalStateException if this process has it with another configuration
+   * @throws IllegalArgumentException if the domain does not exist, or the configuration is invalid
+   * @throws IllegalStateException if this process uses it with another configuration
    */
   static synchronized Domain join(Cyclone cyclone, int id, String configuration) {
     if (id < 0 || id > DdsParticipant.HIGHEST_DOMAIN) {

@@ -7,7 +7,7 @@ import com.sun.jna.ptr.PointerByReference;
 import dev.eventchain.messages.FieldType;
 import dev.eventchain.messages.MessageType;
 
-/** Makes a topic of a message type, by the library's interface for types known at run time. */
+/** Creates topics of message types by the library's interface for types known at run time. */
 final class DynamicTypes {
 
   /** {@code dds_dynamic_type_t}. */
@@ -16,13 +16,13 @@ final class DynamicTypes {
     /** A pointer of the library. */
     public Pointer first;
 
-    /** Another one. */
+    /** A second pointer of the library. */
     public Pointer second;
 
-    /** What the last function returned. */
+    /** The return code of the last function. */
     public int result;
 
-    /** As it is passed and returned. */
+    /** The structure as passed and returned by value. */
     public static final class ByValue extends Type implements Structure.ByValue {}
   }
 
@@ -32,13 +32,13 @@ final class DynamicTypes {
     /** 0 if unset, {@link #DEFINED} or {@link #PRIMITIVE}. */
     public int kind;
 
-    /** The kind of the primitive type, or the type. */
+    /** The kind of the primitive type, or the first word of the type. */
     public long first;
 
-    /** The type continues. */
+    /** The second word of the type. */
     public long second;
 
-    /** The type continues. */
+    /** The third word of the type. */
     public long third;
 
     void primitive(int type) {
@@ -66,7 +66,7 @@ final class DynamicTypes {
     "key"
   })
   public static class Descriptor extends Structure {
-    /** Such as {@link #STRUCT}. */
+    /** The kind, such as {@link #STRUCT}. */
     public int kind;
 
     /** The name. */
@@ -78,19 +78,19 @@ final class DynamicTypes {
     /** Unset. */
     public Spec discriminator;
 
-    /** How many bounds there are: 0 or 1. */
+    /** The number of bounds: 0 or 1. */
     public int boundCount;
 
-    /** The length of an array, or the greatest one of a sequence or string. */
+    /** The length of an array, or the maximal length of a sequence or string. */
     public Pointer bounds;
 
-    /** Of an array or a sequence. */
+    /** The element type of an array or a sequence. */
     public Spec element;
 
     /** Unset. */
     public Spec key;
 
-    /** As it is passed. */
+    /** The structure as passed by value. */
     public static final class ByValue extends Descriptor implements Structure.ByValue {}
   }
 
@@ -109,7 +109,7 @@ final class DynamicTypes {
     /** The name. */
     public String name;
 
-    /** Explicit: what stands for "choose one" differs between versions. */
+    /** An explicit id: the constant for "choose one" differs between versions. */
     public int id;
 
     /** The type. */
@@ -118,7 +118,7 @@ final class DynamicTypes {
     /** Unset. */
     public Pointer defaultValue;
 
-    /** {@link #AT_END}. */
+    /** The position, {@link #AT_END}. */
     public int index;
 
     /** Unset. */
@@ -130,7 +130,7 @@ final class DynamicTypes {
     /** Unset. */
     public byte defaultLabel;
 
-    /** As it is passed. */
+    /** The structure as passed by value. */
     public static final class ByValue extends Member implements Structure.ByValue {}
   }
 
@@ -154,10 +154,10 @@ final class DynamicTypes {
   }
 
   /**
-   * Makes a topic.
+   * Creates a topic.
    *
-   * @param name the name of DDS, with its prefix
-   * @throws IllegalArgumentException if the participant has a topic of this name and another type
+   * @param name the DDS name, with its prefix
+   * @throws IllegalArgumentException if the participant has a topic of this name with another type
    */
   int topic(String name, MessageType type) {
     Type root = structure(type, false);
@@ -171,7 +171,7 @@ final class DynamicTypes {
           "type",
           type.name());
     } finally {
-      // Not before: the descriptor is made from the type.
+      // Not earlier: the descriptor is created from the type.
       cyclone.dynamicTypeUnref(root);
       if (information.getValue() != null) {
         cyclone.freeTypeinfo(information.getValue());
@@ -272,7 +272,7 @@ final class DynamicTypes {
   private Type create(Descriptor.ByValue descriptor, String what) {
     Type made = cyclone.dynamicTypeCreate(participant, descriptor);
     check(made.result, "type", what);
-    // Passed by reference from now on.
+    // From here on passed by reference.
     Type type = new Type();
     type.first = made.first;
     type.second = made.second;

@@ -5,10 +5,10 @@ import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.QosSettings;
 
 /**
- * What writers and readers have in common.
+ * Common part of writers and readers.
  *
  * @param ddsTopic the name of the topic in DDS
- * @param topic the name by which people know it
+ * @param topic the name in messages to the user
  */
 record Endpoint(Cyclone cyclone, String ddsTopic, String topic, MessageType type) {
 
@@ -17,7 +17,7 @@ record Endpoint(Cyclone cyclone, String ddsTopic, String topic, MessageType type
   /** Creates an entity of the library. */
   @FunctionalInterface
   interface Creation {
-    /** A handle, or an error below 0. */
+    /** Returns a handle, or a negative return code. */
     int create(int participant, int topic, Pointer qos, Pointer listener);
   }
 

@@ -8,7 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Tells other participants which node the endpoints of this one belong to (rmw_dds_common). Used
+ * Announces to other participants the node of this participant's endpoints (rmw_dds_common). Used
  * with the lock of the participant.
  */
 final class Graph {
@@ -50,7 +50,7 @@ final class Graph {
     writer.write(encode(format, participantGid, node, readers, writers));
   }
 
-  /** The message that tells of the one node of a participant. */
+  /** Returns the message that announces the one node of a participant. */
   static byte[] encode(
       GraphFormat format,
       byte[] participant,

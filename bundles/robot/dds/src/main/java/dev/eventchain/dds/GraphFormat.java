@@ -8,12 +8,12 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * The messages in which participants tell of their nodes, on {@code ros_discovery_info}: the
- * identifiers in them have 24 bytes up to ROS 2 Humble, and 16 from Iron on.
+ * Formats of the messages on {@code ros_discovery_info}, by which participants announce their
+ * nodes. Their identifiers have 24 bytes up to ROS 2 Humble, and 16 from Iron on.
  */
 final class GraphFormat {
 
-  /** Of DDS, without the padding of Humble. */
+  /** Size of a DDS GUID, without the padding of Humble. */
   private static final int GUID_SIZE = 16;
 
   private static final int PADDED_SIZE = 24;
@@ -33,25 +33,25 @@ final class GraphFormat {
   }
 
   /**
-   * That of a release.
+   * Returns the format of a ROS 2 release.
    *
-   * @param distribution its name in lower case, as {@code ROS_DISTRO} has it; empty for the newest
+   * @param distribution its name in lower case, as in {@code ROS_DISTRO}; empty for the newest
    */
   static GraphFormat of(String distribution) {
     return new GraphFormat(BEFORE_IRON.contains(distribution) ? PADDED_SIZE : GUID_SIZE);
   }
 
-  /** How many bytes an identifier has. */
+  /** Returns the size of an identifier in bytes. */
   int size() {
     return size;
   }
 
-  /** What a participant tells of its nodes. */
+  /** Returns the type of the message about the nodes of a participant. */
   MessageType participantType() {
     return type(PARTICIPANT);
   }
 
-  /** A node of a participant. */
+  /** Returns the type of the entry for one node. */
   MessageType nodeType() {
     return type(NODE);
   }
@@ -60,17 +60,17 @@ final class GraphFormat {
     return catalog.find(name).orElseThrow();
   }
 
-  /** The topic on which all tell of their nodes. */
+  /** Returns the topic on which participants announce their nodes. */
   Endpoint endpoint(Cyclone cyclone) {
     return new Endpoint(cyclone, TOPIC, TOPIC, participantType());
   }
 
-  /** An identifier of DDS as a message. */
+  /** Returns the message for a DDS GUID. */
   MessageValue gid(byte[] guid) {
     return MessageValue.of(type(GID)).set("data", Arrays.copyOf(guid, size));
   }
 
-  /** The identifier of DDS in a message. */
+  /** Returns the DDS GUID in a message. */
   static byte[] guid(Object gid) {
     return Arrays.copyOf((byte[]) ((MessageValue) gid).get("data"), GUID_SIZE);
   }

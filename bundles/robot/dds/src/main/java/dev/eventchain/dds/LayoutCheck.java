@@ -11,12 +11,12 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Whether the library's memory layout is the one that this bundle assumes: a message of nested
- * types is sent to oneself with a time of its own.
+ * Checks that the library has the memory layout that this bundle assumes: sends a message of nested
+ * types, with a given timestamp, to this process itself.
  */
 final class LayoutCheck {
 
-  /** Of this process only: nothing is sent to others, whose domain this may be. */
+  /** Only within this process: other processes may use this domain. */
   private static final int DOMAIN = 0;
 
   private static final String ALONE =
@@ -34,9 +34,9 @@ final class LayoutCheck {
   private LayoutCheck() {}
 
   /**
-   * Tries it.
+   * Runs the check.
    *
-   * @throws IllegalStateException if it is not, or no message goes to oneself
+   * @throws IllegalStateException if the layout differs, or the message does not arrive
    */
   static void run(DdsLibrary library) {
     MessageType type = MessageCatalog.of(List.of()).find("sensor_msgs/msg/LaserScan").orElseThrow();

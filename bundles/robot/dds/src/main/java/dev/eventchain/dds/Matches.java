@@ -3,7 +3,7 @@ package dev.eventchain.dds;
 import java.time.Duration;
 import java.util.function.IntSupplier;
 
-/** Waits until other sides have been found. */
+/** Waits for matching endpoints. */
 final class Matches {
 
   private static final long PAUSE_MS = 2;

@@ -8,12 +8,13 @@ import java.util.Optional;
 import java.util.function.ToIntFunction;
 
 /**
- * The quality of service as the library takes it. What the middleware is to choose is chosen as
- * rmw_cyclonedds does; the best available is, for a writer, the most and, for a reader, the least.
+ * Conversion of QoS settings to those of the library. Policies left to the middleware are chosen as
+ * rmw_cyclonedds does; "best available" is the strongest policy for a writer and the weakest for a
+ * reader.
  */
 final class Policies {
 
-  /** How long a write waits for readers that do not acknowledge. */
+  /** Longest time that a write waits for acknowledgements of readers. */
   static final Duration MAXIMAL_BLOCKING_TIME = Duration.ofMillis(100);
 
   private static final int XCDR1 = 0;
@@ -22,7 +23,7 @@ final class Policies {
 
   private Policies() {}
 
-  /** For a writer or a reader. */
+  /** Calls an action with the QoS of a writer or a reader. */
   static int with(
       Cyclone cyclone,
       QosSettings settings,
@@ -84,7 +85,7 @@ final class Policies {
     };
   }
 
-  /** With user data only. */
+  /** Calls an action with a QoS that has only user data. */
   static int with(Cyclone cyclone, String userData, ToIntFunction<Pointer> use) {
     Pointer qos = cyclone.createQos();
     try {

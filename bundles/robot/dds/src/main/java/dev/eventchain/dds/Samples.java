@@ -20,10 +20,10 @@ final class Samples {
 
   static native void ddsiSerdataUnref(Pointer data);
 
-  /** Writes, with the time of now. Takes the data over. */
+  /** Writes data with the current time. Takes ownership of the data. */
   static native int writecdr(int writer, Pointer data);
 
-  /** Writes, with the time that the data have. Takes the data over. */
+  /** Writes data with their own timestamp. Takes ownership of the data. */
   static native int forwardcdr(int writer, Pointer data);
 
   static native int takecdr(int reader, Pointer data, int count, Pointer information, int mask);

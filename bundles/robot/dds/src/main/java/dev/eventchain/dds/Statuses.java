@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 
-/** Reads the statuses of an endpoint, which begin to count again by that. */
+/** Reads the statuses of an endpoint, which resets their counts. */
 final class Statuses {
 
   private static final long SIZE = 32;
@@ -14,7 +14,7 @@ final class Statuses {
   private static final int ALIVE_CHANGE = 8;
   private static final int NOT_ALIVE_CHANGE = 12;
 
-  /** {@code dds_qos_policy_id_t}: those by which endpoints may not match. */
+  /** {@code dds_qos_policy_id_t}: the policies by which endpoints may be incompatible. */
   private static final Map<Integer, String> POLICIES =
       Map.of(
           2, "durability",
@@ -32,7 +32,7 @@ final class Statuses {
   private final int endpoint;
   private final List<DdsEvent> events = new ArrayList<>();
 
-  /** Natively allocated memory is zero only if it is cleared. */
+  /** Native memory is not zeroed on allocation. */
   private final Memory status = new Memory(SIZE);
 
   private Statuses(Cyclone cyclone, int endpoint) {

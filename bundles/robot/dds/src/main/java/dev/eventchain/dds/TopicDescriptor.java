@@ -2,7 +2,7 @@ package dev.eventchain.dds;
 
 import com.sun.jna.Pointer;
 
-/** {@code dds_topic_descriptor_t}: what the library says of a type, in its memory. */
+/** {@code dds_topic_descriptor_t}: the library's description of a type, in its memory. */
 final class TopicDescriptor {
 
   private static final long FLAGS = 8;
@@ -34,9 +34,10 @@ final class TopicDescriptor {
   }
 
   /**
-   * Takes out what ROS 2 does not announce; with it Cyclone compares types and refuses.
+   * Removes the type information, which ROS 2 does not announce and which makes Cyclone refuse
+   * other types.
    *
-   * @throws IllegalStateException if this does not look like the description of that type
+   * @throws IllegalStateException if this is not a description of that type
    */
   void dropTypeInformation(String typeName) {
     boolean known =
@@ -56,7 +57,7 @@ final class TopicDescriptor {
     return size > 0 && size < LONGEST;
   }
 
-  /** Puts it back, so that the library can free it. */
+  /** Restores the type information, so that the library can free it. */
   void restore() {
     set(information, informationSize, mapping, mappingSize);
   }

@@ -1,2 +1,2 @@
-/** Messages over Eclipse Cyclone DDS, as ROS 2 exchanges them. Knows no event chain. */
+/** Messages over Eclipse Cyclone DDS, as ROS 2 exchanges them. Independent of event chains. */
 package dev.eventchain.dds;

@@ -16,13 +16,16 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
-/** Who finds whom, and what is announced. */
+/** Discovery and announcement of endpoints. */
 class DiscoveryTest {
 
   private static final QosSettings QOS = QosSettings.named("default").orElseThrow();
   private static final MessageType FLOAT = RandomMessages.type("std_msgs/msg/Float32");
 
-  /** Writers and readers of one topic, each alone, and how many of each match in the end. */
+  /**
+   * Creates an isolated writer and reader of one topic per tag, and returns the final number of
+   * matches of each.
+   */
   private static List<Integer> matches(List<String> tags, int expected) {
     List<DdsParticipant> participants = new ArrayList<>();
     try {
@@ -96,7 +99,7 @@ class DiscoveryTest {
     }
   }
 
-  /** The endpoints of others as soon as there are so many, all with their nodes. */
+  /** Waits for this number of remote endpoints, all with their nodes. */
   private static List<Peer> seen(DdsParticipant participant, int count) throws Exception {
     long end = System.nanoTime() + Wire.PATIENCE.toNanos();
     List<Peer> peers = participant.peers();
@@ -147,7 +150,7 @@ class DiscoveryTest {
       assertGids(List.of(reader.gid()), node.get("reader_gid_seq"));
       byte[] participant = (byte[]) seen.get("gid.data");
       assertEquals(16, participant.length);
-      // An endpoint begins as its participant does.
+      // The GUID of an endpoint starts with that of its participant.
       assertArrayEquals(
           java.util.Arrays.copyOf(participant, 12), java.util.Arrays.copyOf(writer.gid(), 12));
       writer.close();

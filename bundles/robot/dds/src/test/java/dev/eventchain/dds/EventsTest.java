@@ -16,7 +16,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** What writers and readers learn of each other besides samples. */
+/** Status events of writers and readers. */
 class EventsTest {
 
   private static final QosSettings QOS = QosSettings.named("default").orElseThrow();
@@ -39,7 +39,7 @@ class EventsTest {
     there.close();
   }
 
-  /** Waits for an event of this kind; the others are none of the test's business. */
+  /** Waits for an event of this kind, ignoring others. */
   private static Optional<DdsEvent> first(DdsEvent.Kind kind, Supplier<List<DdsEvent>> events) {
     long start = System.nanoTime();
     while (System.nanoTime() - start < Wire.PATIENCE.toNanos()) {
@@ -122,8 +122,8 @@ class EventsTest {
 
   @Test
   void aReaderThatDoesNotAcknowledgeHoldsUpAWriterThatKeepsAllForAShortTimeOnly() {
-    // Nobody takes, and the reader keeps no more than it can: Cyclone stores what comes, so the
-    // writer continues, and each write ends soon in any case.
+    // No samples are taken, and the reader keeps as many as it can. Cyclone stores what arrives, so
+    // the writer continues, and each write ends soon in any case.
     QosSettings all = QOS.withHistory(QosSettings.History.KEEP_ALL);
     DdsWriter writer = here.writer("/full", FLOAT, all);
     DdsReader reader = there.reader("/full", FLOAT, all);

@@ -50,7 +50,7 @@ class ExchangeTest {
     return (Float) CdrCodec.decode(FLOAT, sample.bytes()).get("data");
   }
 
-  /** Takes until there are so many, or too long. */
+  /** Takes samples until there are this many, or until a timeout. */
   private static List<DdsSample> take(DdsReader reader, int count) {
     List<DdsSample> samples = new ArrayList<>();
     long start = System.nanoTime();
@@ -82,7 +82,7 @@ class ExchangeTest {
       List<DdsSample> samples = take(readers.get(name), 1);
       assertEquals(1, samples.size(), name);
       MessageType type = RandomMessages.type(name);
-      // The network may pad to a multiple of four.
+      // The network may pad to a multiple of four bytes.
       assertEquals(
           CdrCodec.decode(type, written.get(name)),
           CdrCodec.decode(type, samples.get(0).bytes()),

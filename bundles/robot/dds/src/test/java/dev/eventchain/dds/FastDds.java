@@ -27,7 +27,7 @@ import us.ihmc.pubsub.publisher.Publisher;
 import us.ihmc.pubsub.subscriber.Subscriber;
 import us.ihmc.pubsub.subscriber.SubscriberListener;
 
-/** A participant of Fast DDS in this process, with codecs of its own for two messages. */
+/** A participant of Fast DDS in this process, with its own codecs for two message types. */
 final class FastDds implements AutoCloseable {
 
   /** A std_msgs/msg/Float32. */
@@ -78,7 +78,9 @@ final class FastDds implements AutoCloseable {
             .historyDepth(10));
   }
 
-  /** Hands over what comes, with its source timestamp in ns; this binding drops whole seconds. */
+  /**
+   * Passes on received samples with their source timestamp in ns; this binding drops whole seconds.
+   */
   <T> void subscribe(String topic, TopicDataType<T> type, BiConsumer<T, Long> listener)
       throws IOException {
     register(type);
@@ -116,7 +118,7 @@ final class FastDds implements AutoCloseable {
     domain.removeParticipant(participant);
   }
 
-  /** What both types have in common. */
+  /** Common part of both types. */
   private abstract static class Type<T> implements TopicDataType<T> {
     private final CDR serializer = new CDR();
     private final CDR deserializer = new CDR();

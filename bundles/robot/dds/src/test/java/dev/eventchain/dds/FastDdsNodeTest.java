@@ -18,8 +18,8 @@ import org.junit.jupiter.api.io.TempDir;
 import us.ihmc.pubsub.publisher.Publisher;
 
 /**
- * A generated node, unchanged, on our runtime in its own process, and Fast DDS, the default
- * middleware of ROS 2, which sends it times to collision and gets brake forces.
+ * An unchanged generated node on our runtime in its own process. Fast DDS, the default middleware
+ * of ROS 2, sends it times to collision and receives brake forces.
  */
 class FastDdsNodeTest {
 
@@ -60,7 +60,7 @@ class FastDdsNodeTest {
     }
   }
 
-  /** What the node answers to a number sooner or later: at first nobody may be there yet. */
+  /** Sends a number until the node answers: at first, endpoints may not have matched. */
   private static float answer(
       Publisher times, float time, BlockingQueue<Float> forces, Process node, Path log)
       throws IOException, InterruptedException {

@@ -37,7 +37,7 @@ class FastDdsTest {
           "range_min",
           "range_max");
 
-  /** Fast DDS knows no tags; what else runs on this machine is kept apart by the domain. */
+  /** Fast DDS has no tags; the domain isolates it from other programs on this machine. */
   private final int domain = 110 + (int) (ProcessHandle.current().pid() % 100);
 
   private DdsParticipant here;
@@ -54,7 +54,7 @@ class FastDdsTest {
     here.close();
   }
 
-  /** Who comes first has to tell the other one of itself again. */
+  /** Opens both sides. The first one has to announce itself again to the second. */
   private void open(boolean fastDdsFirst) throws IOException {
     if (fastDdsFirst) {
       there = new FastDds(domain);
@@ -128,7 +128,7 @@ class FastDdsTest {
     DdsWriter numberWriter = here.writer("/brake", NUMBER, QOS);
     assertTrue(scanWriter.waitForMatches(1, Wire.PATIENCE));
     assertTrue(numberWriter.waitForMatches(1, Wire.PATIENCE));
-    // Until Fast DDS knows of the writers, too, what they write is lost.
+    // Until Fast DDS has discovered the writers, too, their samples are lost.
     MessageValue zero = MessageValue.of(NUMBER);
     await("the first scan", () -> write(scanWriter, scan(0), 0) && isHeard(scans));
     await("the first number", () -> write(numberWriter, zero, 0) && isHeard(numbers));
@@ -144,7 +144,9 @@ class FastDdsTest {
     }
   }
 
-  /** What Fast DDS got; the first messages, which were perhaps written several times, have 0. */
+  /**
+   * A sample received by Fast DDS; the first messages, possibly written several times, contain 0.
+   */
   private record Heard(Object message, long stamp) {}
 
   private static Heard next(BlockingQueue<Heard> heard) throws InterruptedException {
@@ -180,7 +182,7 @@ class FastDdsTest {
         here.reader("/brake", NUMBER, QOS, s -> numbersHeard.add(decode(NUMBER, s)));
     assertTrue(scanReader.waitForMatches(1, Wire.PATIENCE));
     assertTrue(numberReader.waitForMatches(1, Wire.PATIENCE));
-    // Until Fast DDS knows of the readers, too, what it writes is lost.
+    // Until Fast DDS has discovered the readers, too, its samples are lost.
     await("the first scan", () -> isHeard(scans, plain(scan(0)), scansHeard));
     await("the first number", () -> isHeard(numbers, number(0), numbersHeard));
     for (int i = 1; i < 6; i++) {
@@ -213,7 +215,7 @@ class FastDdsTest {
     return isHeard(heard);
   }
 
-  /** The next one that is not the first, which was perhaps written several times. */
+  /** Returns the next sample other than the first one, which was possibly written several times. */
   private static MessageValue next(BlockingQueue<MessageValue> heard, MessageValue first)
       throws InterruptedException {
     MessageValue message = first;

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The real library passes; one that leaves other descriptors of topics in memory is refused. */
+/** The real library passes; one with other topic descriptors in memory is refused. */
 class LayoutCheckTest {
 
   private static final long FLAGS = 8;

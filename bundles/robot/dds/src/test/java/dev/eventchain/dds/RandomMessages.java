@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 
-/** Messages with a value in each field. */
+/** Random messages with a value in each field. */
 final class RandomMessages {
 
   static final MessageCatalog CATALOG = MessageCatalog.of(List.of());

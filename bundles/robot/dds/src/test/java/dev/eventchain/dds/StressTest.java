@@ -17,7 +17,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 
-/** Threads that write and take while everything is closed below them. */
+/** Threads that write and take while their participant is closed. */
 class StressTest {
 
   private static final int ROUNDS = 30;
@@ -76,7 +76,7 @@ class StressTest {
     }
   }
 
-  /** Works until it is refused. */
+  /** Starts a thread that works until it is refused. */
   private Thread start(CountDownLatch begun, Runnable work) {
     Thread thread =
         new Thread(

@@ -13,43 +13,45 @@ final class Wire {
 
   static final Duration PATIENCE = Duration.ofMinutes(2);
 
-  /** On one machine tests of several builds may run at once: tags keep them apart. */
+  /** Prefix of tags, since tests of several builds may run on one machine at once. */
   private static final String RUN = "test-" + ProcessHandle.current().pid();
 
   private static final AtomicInteger COUNT = new AtomicInteger();
 
   private Wire() {}
 
-  /** The library that {@code EVENTCHAIN_LIBDDSC} names, else that of the Python environment. */
+  /**
+   * Returns the library that {@code EVENTCHAIN_LIBDDSC} names, else that of the Python environment.
+   */
   static DdsLibrary library() {
     boolean named = !System.getenv().getOrDefault("EVENTCHAIN_LIBDDSC", "").isEmpty();
     return DdsLibrary.load(named ? Optional.empty() : Optional.of(OfPython.PATH));
   }
 
-  /** A tag that no other test has. */
+  /** Returns a tag that is unique among tests. */
   static String newTag() {
     return RUN + "-" + COUNT.incrementAndGet();
   }
 
-  /** A number of this process that no other test has. */
+  /** Returns a domain number that is unique within this process. */
   static int newDomain() {
     return 10 + COUNT.incrementAndGet() % 200;
   }
 
-  /** A participant for itself, or with others of this domain in this process. */
+  /** Returns an isolated participant in a new domain. */
   static DdsParticipant alone() {
     return DdsParticipant.loopback(library(), newDomain(), newTag());
   }
 
   /**
-   * A participant that meets those with the same tag over the network, although it is in this
-   * process: for Cyclone in another domain, on the wire in the same.
+   * Returns a participant that communicates with those of the same tag over the network, although
+   * they are in this process: Cyclone uses different domains, with the same domain on the wire.
    */
   static DdsParticipant onTheWire(String tag) {
     return onTheWire(tag, "");
   }
 
-  /** The same, with nodes as a release of ROS 2 tells of them. */
+  /** As {@code onTheWire(String)}, with nodes announced as in a ROS 2 release. */
   static DdsParticipant onTheWire(String tag, String distribution) {
     return DdsParticipant.on(
         library(),
@@ -61,7 +63,7 @@ final class Wire {
   private static final class OfPython {
     static final Path PATH = find();
 
-    /** There is no wheel for other machines; where there should be one, it must be there. */
+    /** Finds the library. Other machines have no wheel; where one exists, it is required. */
     private static Path find() {
       boolean linux = System.getProperty("os.name").equals("Linux");
       assumeTrue(linux && System.getProperty("os.arch").equals("amd64"));

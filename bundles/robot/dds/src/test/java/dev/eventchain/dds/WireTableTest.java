@@ -15,7 +15,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
-/** The facts of DDS that the side in Python is tested against, too. */
+/** The facts about DDS that are also tested in Python. */
 class WireTableTest {
 
   private static final JsonNode TABLE = table();

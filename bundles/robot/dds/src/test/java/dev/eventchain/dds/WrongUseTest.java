@@ -23,7 +23,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Wrong use is an exception that says so; the process lives on. */
+/** Wrong use throws a clear exception, and the process continues. */
 class WrongUseTest {
 
   private static final QosSettings QOS = QosSettings.named("default").orElseThrow();
@@ -161,7 +161,7 @@ class WrongUseTest {
         try {
           assertTrue(writer.write(bytes, i));
           written++;
-          // What was taken for a message is one.
+          // Bytes that were accepted as a message can be decoded.
           for (DdsSample sample : reader.take()) {
             CdrCodec.requireMessage(SCAN, sample.bytes());
           }

@@ -1,15 +1,15 @@
 package dev.eventchain.messages;
 
 /**
- * Messages on the wire of ROS 2: plain CDR, version 1 (OMG CORBA 3.4 part 2, 9.3; DDS-XTypes 1.3,
- * 7.4.1), after a header of four bytes. Written little-endian, read in both orders.
+ * Codec for ROS 2 messages on the wire: plain CDR, version 1 (OMG CORBA 3.4 part 2, 9.3; DDS-XTypes
+ * 1.3, 7.4.1), after a header of four bytes. Writes little-endian, reads both byte orders.
  */
 public final class CdrCodec {
 
   private CdrCodec() {}
 
   /**
-   * The bytes of a message.
+   * Encodes a message.
    *
    * @return header and payload
    */
@@ -20,7 +20,7 @@ public final class CdrCodec {
   }
 
   /**
-   * The message of a whole array.
+   * Decodes a message that fills an array.
    *
    * @throws IllegalArgumentException as {@link #decode(MessageType, byte[], int, int)}
    */
@@ -29,7 +29,7 @@ public final class CdrCodec {
   }
 
   /**
-   * The message of a part of an array.
+   * Decodes a message in a part of an array.
    *
    * @throws IllegalArgumentException if the bytes are not a message of this type: they end too
    *     early, have another representation, or hold a string that is not UTF-8
@@ -39,11 +39,11 @@ public final class CdrCodec {
   }
 
   /**
-   * Makes sure that bytes hold a message of this type and nothing else but up to three bytes of
-   * padding, without reading its values.
+   * Checks that bytes hold a message of this type, followed by at most three bytes of padding. Does
+   * not read its values.
    *
-   * @throws IllegalArgumentException if they end too early or continue after it, have another
-   *     representation or a Boolean that is neither 0 nor 1
+   * @throws IllegalArgumentException if they are too short or too long, have another representation
+   *     or a Boolean that is neither 0 nor 1
    */
   public static void requireMessage(MessageType type, byte[] bytes) {
     new CdrReader(bytes, 0, bytes.length).requireMessage(type);

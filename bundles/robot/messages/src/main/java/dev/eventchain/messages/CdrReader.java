@@ -11,7 +11,7 @@ import java.util.List;
 /** Reads one message as CDR. */
 final class CdrReader {
 
-  /** On the wire a message is padded to a multiple of this. */
+  /** Messages on the wire are padded to a multiple of this, in bytes. */
   private static final int PADDED = 4;
 
   private final ByteBuffer buffer;
@@ -94,7 +94,7 @@ final class CdrReader {
       throw new BufferUnderflowException();
     }
     if (length == 0) {
-      return ""; // not allowed, but some writers do it
+      return ""; // not allowed, but written by some writers
     }
     ByteBuffer text = buffer.slice(buffer.position(), length - 1);
     buffer.position(buffer.position() + length);
@@ -137,7 +137,7 @@ final class CdrReader {
     }
   }
 
-  /** Those before the position are false or true, nothing else. */
+  /** Checks that the preceding bytes are Booleans, 0 or 1. */
   private void requireTruthValues(int count) {
     for (int i = buffer.position() - count; i < buffer.position(); i++) {
       if ((buffer.get(i) & ~1) != 0) {
@@ -146,10 +146,11 @@ final class CdrReader {
     }
   }
 
-  /** How many values an array or a sequence has. */
+  /** Returns the number of values of an array or a sequence. */
   private int count(FieldType type) {
     boolean array = type.shape() == FieldType.Shape.ARRAY;
-    // A string or a message takes at least one byte, so a wrong count ends here and not in memory.
+    // A string or a message takes at least one byte, so a wrong count fails here before memory is
+    // allocated.
     int count = count(array ? type.size() : align(4).getInt(), Math.max(1, type.kind().bytes()));
     if (!array && type.size() > 0 && count > type.size()) {
       throw new IllegalArgumentException(count + " values do not fit into " + type + ".");

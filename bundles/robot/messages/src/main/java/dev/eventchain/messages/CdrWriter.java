@@ -21,7 +21,7 @@ final class CdrWriter {
   void write(MessageValue message) {
     List<MessageType.Field> fields = message.type().fields();
     if (fields.isEmpty()) {
-      reserve(1, 1).put((byte) 0); // a struct of IDL has a member (rosidl)
+      reserve(1, 1).put((byte) 0); // a struct of IDL needs a member (rosidl)
     }
     for (int i = 0; i < fields.size(); i++) {
       FieldType type = fields.get(i).type();
@@ -79,7 +79,7 @@ final class CdrWriter {
   private void numbers(int size, Object values) {
     int length = java.lang.reflect.Array.getLength(values);
     if (length == 0) {
-      return; // no padding for what is not there
+      return; // no padding for an empty sequence
     }
     ByteBuffer target = reserve(size, Math.multiplyExact(size, length));
     if (values instanceof byte[] array) {
@@ -105,7 +105,7 @@ final class CdrWriter {
     target.position(target.position() + size * length);
   }
 
-  /** Aligns from the end of the header, and makes room. */
+  /** Aligns relative to the end of the header, and reserves space. */
   private ByteBuffer reserve(int alignment, int count) {
     int start = buffer.position();
     int padding = -(start - HEADER) & (alignment - 1);
@@ -114,6 +114,6 @@ final class CdrWriter {
       bytes = Arrays.copyOf(bytes, Math.max(needed + 512, bytes.length * 2));
       buffer = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
     }
-    return buffer.position(start + padding); // fresh bytes are zero, as padding is
+    return buffer.position(start + padding); // new bytes are zero, as padding has to be
   }
 }

@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * A message definition as it was read, before the types of its fields are looked up.
+ * A parsed message definition, before the types of its fields are resolved.
  *
- * @param problems what is wrong with it
+ * @param problems errors in the definition
  */
 record Definition(
     String name, List<Member> fields, List<Member> constants, List<Diagnostic> problems) {
@@ -18,14 +18,17 @@ record Definition(
   /**
    * A field or a constant.
    *
-   * @param type its type; a message type is only named, by {@code base}
+   * @param type its type; a message type is unresolved and named by {@code base}
    * @param base the full name of a message type, or the primitive type
    * @param value the value of a constant or the default of a field; null if there is none
-   * @param place where its type is
+   * @param place the location of its type
    */
   record Member(String name, FieldType type, String base, Object value, SourceLocation place) {
 
-    /** What it says, wherever it stands; IDL writes {@code char} as {@code uint8} (rosidl). */
+    /**
+     * Returns the content regardless of locations; IDL writes {@code char} as {@code uint8}
+     * (rosidl).
+     */
     private List<Object> meaning() {
       boolean isChar = type.kind() == FieldType.Kind.CHAR;
       return List.of(
@@ -43,7 +46,7 @@ record Definition(
   }
 
   /**
-   * This, if nothing is wrong with it.
+   * Returns this definition if it has no errors.
    *
    * @throws DiagnosticException with its problems
    */
@@ -54,7 +57,7 @@ record Definition(
     return this;
   }
 
-  /** Whether both have the same fields in the same order, and the same constants. */
+  /** Returns whether both have the same fields in the same order, and the same constants. */
   boolean saysTheSameAs(Definition other) {
     return sameMembers(fields, other.fields)
         && sameMembers(byName(constants), byName(other.constants));

@@ -9,16 +9,16 @@ import java.util.Optional;
 import java.util.StringJoiner;
 
 /**
- * Definitions of message types as JSON, in which the runtime in Python gets them: an object with a
+ * Definitions of message types as JSON, the form that the Python runtime reads: an object with a
  * member for each type, sorted by name, such as
  *
  * <pre>{@code
  * "geometry_msgs/msg/Quaternion": {"fields": [["x", "float64"], ["w", "float64", 1.0]], "constants": []}
  * }</pre>
  *
- * A field is its name, its type as the message language writes it, with the full name of a message,
- * and its default, if it has one; a constant has a value always. Numbers that are not finite are
- * the texts {@code nan}, {@code inf} and {@code -inf}.
+ * A field consists of its name, its type in the syntax of the message language, with full names of
+ * messages, and an optional default. A constant always has a value. Non-finite numbers are the
+ * strings {@code nan}, {@code inf} and {@code -inf}.
  */
 final class DefinitionsJson {
 

@@ -8,16 +8,16 @@ import java.util.Optional;
  *
  * @param kind the primitive type, or {@link Kind#MESSAGE}
  * @param message the message type if the kind is {@link Kind#MESSAGE}
- * @param shape one value, a fixed number, or as many as there are
- * @param size how many values an array has; how many a sequence may have at most, 0 for any
- * @param stringBound how many bytes of UTF-8 a string may have at most, 0 for any
+ * @param shape a single value, an array or a sequence
+ * @param size length of an array; maximal length of a sequence, 0 if unbounded
+ * @param stringBound maximal length of a string in bytes of UTF-8, 0 if unbounded
  */
 public record FieldType(
     Kind kind, Optional<MessageType> message, Shape shape, int size, int stringBound) {
 
   /** Primitive types of the message language; {@code char} is {@code uint8} in ROS 2. */
   public enum Kind {
-    /** true or false, one byte. */
+    /** True or false, one byte. */
     BOOL(1),
     /** An octet, 0 to 255. */
     BYTE(1),
@@ -54,23 +54,23 @@ public record FieldType(
       this.bytes = bytes;
     }
 
-    /** The size of a number, in bytes; 0 for what has no fixed size. */
+    /** Returns the size of a number in bytes; 0 for types without a fixed size. */
     int bytes() {
       return bytes;
     }
   }
 
-  /** How many values a field holds. */
+  /** Multiplicities of a field. */
   public enum Shape {
-    /** One. */
+    /** A single value. */
     SINGLE,
-    /** A fixed number, {@code float64[9]}. */
+    /** A fixed number of values, {@code float64[9]}. */
     ARRAY,
-    /** Any number, {@code float64[]}, or up to a bound, {@code float64[<=9]}. */
+    /** Any number of values, {@code float64[]}, or up to a bound, {@code float64[<=9]}. */
     SEQUENCE
   }
 
-  /** As the message language writes it, with the full name of a message. */
+  /** Returns the type in the syntax of the message language, with the full name of a message. */
   @Override
   public String toString() {
     String base =

@@ -15,8 +15,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Reads the definition of a message in OMG IDL 4.2, as far as ROS 2 uses it (design.ros2.org, "IDL
- * Interface Definition"), up to the first thing that is wrong or no part of that.
+ * Parser for message definitions in OMG IDL 4.2, as far as ROS 2 uses it (design.ros2.org, "IDL
+ * Interface Definition"). It stops at the first error or unsupported construct.
  */
 final class IdlParser {
 
@@ -25,7 +25,7 @@ final class IdlParser {
 
   private static final Pattern OCTAL = Pattern.compile("0[0-7]+");
 
-  /** How rosidl writes the values of an array: as a text, {@code "(1, 2)"}. */
+  /** Notation of rosidl for the values of an array: a string, {@code "(1, 2)"}. */
   private static final Pattern LISTED =
       Pattern.compile("\"[(\\[](?<items>.*?),?[)\\]]\"", Pattern.DOTALL);
 
@@ -54,7 +54,7 @@ final class IdlParser {
   }
 
   /**
-   * Reads one definition.
+   * Parses one definition.
    *
    * @param name the full name of the type
    */
@@ -135,7 +135,9 @@ final class IdlParser {
     } while (tokens.takes(","));
   }
 
-  /** Skips annotations, which say nothing about bytes; the value of {@code @default}. */
+  /**
+   * Skips annotations, which do not affect the wire format; returns the value of {@code @default}.
+   */
   private Optional<String> annotations() {
     Optional<String> value = Optional.empty();
     while (tokens.takes("@")) {
@@ -175,7 +177,10 @@ final class IdlParser {
     }
   }
 
-  /** A literal as the message language writes it, texts in quotes and with escapes in them. */
+  /**
+   * Reads a literal and returns it in the syntax of the message language, strings quoted and
+   * escaped.
+   */
   private String value() {
     Token first = tokens.next();
     if (first.kind() == Kind.TEXT) {
@@ -194,7 +199,10 @@ final class IdlParser {
     return tokens.take().text();
   }
 
-  /** A number as the message language writes it: zeros before an integer make it octal in IDL. */
+  /**
+   * Reads a number and returns it in the syntax of the message language; leading zeros make an IDL
+   * integer octal.
+   */
   private String number() {
     String number = tokens.take(Kind.NUMBER).text();
     return OCTAL.matcher(number).matches() ? "0o" + number.substring(1) : number;

@@ -9,24 +9,24 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** The words and signs of a file in OMG IDL 4.2, one after the other. */
+/** Tokens of a file in OMG IDL 4.2. */
 final class IdlTokens {
 
-  /** What a token is. */
+  /** Kinds of tokens. */
   enum Kind {
     /** A name or a keyword. */
     WORD,
-    /** A number without sign. */
+    /** A number without a sign. */
     NUMBER,
-    /** A text in quotes. */
+    /** A string or character in quotes. */
     TEXT,
-    /** Anything else. */
+    /** Any other character or operator. */
     SIGN,
     /** The end of the file. */
     END
   }
 
-  /** A token and where it begins. */
+  /** A token and its offset. */
   record Token(Kind kind, String text, int offset) {
     boolean is(String sign) {
       return text.equals(sign) && kind != Kind.TEXT;
@@ -66,7 +66,7 @@ final class IdlTokens {
   private int position;
 
   /**
-   * Splits a file.
+   * Tokenizes a file.
    *
    * @throws DiagnosticException {@code message.syntax}
    */
@@ -94,12 +94,12 @@ final class IdlTokens {
     return tokens.get(position);
   }
 
-  /** The token after the next one. */
+  /** Returns the token after the next one. */
   Token second() {
     return tokens.get(Math.min(position + 1, tokens.size() - 1));
   }
 
-  /** The next token, whatever it is, but for the end. */
+  /** Takes the next token, unless it is the end. */
   Token take() {
     Token token = next();
     if (token.kind() != Kind.END) {
@@ -123,7 +123,7 @@ final class IdlTokens {
     return take();
   }
 
-  /** Takes the next token if it is this one. */
+  /** Takes the next token if it is the given one. */
   boolean takes(String sign) {
     boolean found = next().is(sign);
     if (found) {
@@ -132,7 +132,7 @@ final class IdlTokens {
     return found;
   }
 
-  /** Adjacent texts as one, without quotes and escapes. */
+  /** Takes adjacent strings as one, without quotes and escapes. */
   String text() {
     StringBuilder text = new StringBuilder();
     while (next().kind() == Kind.TEXT) {
@@ -151,7 +151,7 @@ final class IdlTokens {
     return Matcher.quoteReplacement(meant);
   }
 
-  /** A finding about what is at an offset. */
+  /** Returns a finding at an offset. */
   DiagnosticException refusal(String message, int offset) {
     return refusal("message.syntax", message, offset, HINT);
   }

@@ -10,11 +10,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** Reads the types of IDL that messages have, and knows those that got another name. */
+/** Parser for the IDL types of messages; it knows the types renamed by {@code typedef}. */
 final class IdlTypes {
 
   /**
-   * A type; a message type is only named.
+   * A type; a message type is unresolved.
    *
    * @param base the full name of a message type, or the primitive type of a definition in the
    *     message language
@@ -61,7 +61,7 @@ final class IdlTypes {
     aliases.put(alias, type);
   }
 
-  /** A type, without the size that may follow the name of what has it. */
+  /** Reads a type, without the size that may follow a declared name. */
   Type read() {
     tokens.takes("::");
     Token first = tokens.next();
@@ -79,7 +79,7 @@ final class IdlTypes {
     return primitive ? primitive(first) : named(first);
   }
 
-  /** What a name has that is declared with this type: an array, if a size follows the name. */
+  /** Returns the type of a declared name: an array if a size follows the name. */
   Type declared(Type type) {
     Type declared = type;
     while (tokens.next().is("[")) {

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Values as a message definition writes them (rosidl_adapter, {@code parse_value_string}). */
+/** Literals of message definitions (rosidl_adapter, {@code parse_value_string}). */
 final class Literals {
 
   private static final String DIGITS = "\\d+(?:_\\d+)*";
@@ -27,10 +27,10 @@ final class Literals {
   private Literals() {}
 
   /**
-   * Reads a constant's value or a field's default.
+   * Parses the value of a constant or the default of a field.
    *
    * @return a value as {@link MessageValue} holds it
-   * @throws IllegalArgumentException with a sentence about what is wrong
+   * @throws IllegalArgumentException with a sentence that describes the error
    */
   static Object parse(FieldType type, String text, boolean constant) {
     if (type.kind() == FieldType.Kind.MESSAGE) {
@@ -53,7 +53,7 @@ final class Literals {
     return Values.coerce(type, items);
   }
 
-  /** A text in double quotes, as {@link #parse} reads it. */
+  /** Returns a string in double quotes, as {@link #parse} reads it. */
   static String quoted(String text) {
     return '"' + text.replace("\"", "\\\"") + '"';
   }
@@ -62,7 +62,7 @@ final class Literals {
     return text.isEmpty() ? List.of() : List.of(text.split(",", -1));
   }
 
-  /** Texts between commas, which may be part of a text in quotes. */
+  /** Splits strings at commas outside quotes. */
   private static List<String> texts(String text) {
     List<String> texts = new ArrayList<>();
     String rest = text;
@@ -81,7 +81,7 @@ final class Literals {
     return texts;
   }
 
-  /** The position behind the quote that ends a text in quotes. */
+  /** Returns the position after the closing quote of a string. */
   private static int closing(String text) {
     String quote = text.substring(0, 1);
     int end = text.indexOf(quote, 1);
@@ -104,7 +104,7 @@ final class Literals {
     };
   }
 
-  /** Without the quotes around it; those within it have a backslash then, and lose that. */
+  /** Removes the surrounding quotes and the backslashes before quotes within. */
   private static String unquoted(String text) {
     for (String quote : List.of("\"", "'")) {
       if (text.startsWith(quote) && text.endsWith(quote)) {

@@ -6,13 +6,16 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
 
-/** The names that fields and constants of messages may have in ROS 2 (rosidl_adapter). */
+/** Naming rules for fields and constants of ROS 2 messages (rosidl_adapter). */
 final class MemberNames {
 
   private static final Pattern FIELD = Pattern.compile("[a-z][a-z0-9]*(_[a-z0-9]+)*");
   private static final Pattern CONSTANT = Pattern.compile("[A-Z][A-Z0-9]*(_[A-Z0-9]+)*");
 
-  /** Python language reference, 2.3.1; a message class has an attribute for each field. */
+  /**
+   * Keywords of Python (language reference, 2.3.1); a message class has an attribute for each
+   * field.
+   */
   private static final List<String> KEYWORDS =
       List.of(
           "False",
@@ -53,12 +56,12 @@ final class MemberNames {
 
   private MemberNames() {}
 
-  /** The keywords of Python, which are no names in any language of definitions. */
+  /** Returns the keywords of Python, which are not allowed as names in any definition language. */
   static List<String> keywords() {
     return KEYWORDS;
   }
 
-  /** What is wrong with the name of a field in the message language; empty if nothing is. */
+  /** Returns the error in a field name of the message language; empty if it is valid. */
   static Optional<Diagnostic> problemOfField(String name, SourceLocation place) {
     if (FIELD.matcher(name).matches()) {
       return problemOfKeyword(name, place);
@@ -70,7 +73,7 @@ final class MemberNames {
                     + " first: max_speed."));
   }
 
-  /** What is wrong with the name of a constant in the message language; empty if nothing is. */
+  /** Returns the error in a constant name of the message language; empty if it is valid. */
   static Optional<Diagnostic> problemOfConstant(String name, SourceLocation place) {
     if (CONSTANT.matcher(name).matches()) {
       return Optional.empty();
@@ -82,7 +85,7 @@ final class MemberNames {
                     + " MAX_SPEED. A field's default has no equals sign: int32 speed 5."));
   }
 
-  /** Whether a name is a keyword of Python, in whatever language it is written. */
+  /** Returns an error if a name is a keyword of Python, for any definition language. */
   static Optional<Diagnostic> problemOfKeyword(String name, SourceLocation place) {
     return KEYWORDS.contains(name)
         ? Optional.of(

@@ -29,8 +29,8 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * The message types that can be used: the standard ones of ROS 2 Humble, and those in folders of
- * the user. Definitions are read when they are asked for.
+ * Catalog of the available message types: the standard ones of ROS 2 Humble, and those in folders
+ * of the user. Definitions are read on demand.
  */
 public final class MessageCatalog {
 
@@ -54,11 +54,11 @@ public final class MessageCatalog {
   }
 
   /**
-   * The standard types, and those of folders.
+   * Returns a catalog of the standard types and those in folders.
    *
-   * @param folders each holds {@code PACKAGE/msg/NAME.msg} or {@code NAME.idl}, or both, which then
-   *     say the same, or links to such files or folders; a later folder hides an earlier one, and
-   *     both hide standard types
+   * @param folders folders with {@code PACKAGE/msg/NAME.msg} or {@code NAME.idl}, or both with
+   *     equal content, or links to such files or folders; later folders override earlier ones, and
+   *     all override standard types
    * @throws DiagnosticException {@code file.unreadable}: a folder is missing or cannot be listed
    */
   public static MessageCatalog of(Collection<Path> folders) {
@@ -66,9 +66,9 @@ public final class MessageCatalog {
   }
 
   /**
-   * The standard types, and those of texts.
+   * Returns a catalog of the standard types and the given definitions.
    *
-   * @param texts definitions by full names; they hide standard types
+   * @param texts definitions by full name; they override standard types
    */
   public static MessageCatalog ofTexts(Map<String, String> texts) {
     Map<String, String> all = new HashMap<>(StandardTypes.TEXTS);
@@ -96,7 +96,7 @@ public final class MessageCatalog {
     }
   }
 
-  /** Notes a file; NAME.msg comes after NAME.idl. */
+  /** Registers a file; NAME.msg comes after NAME.idl. */
   private void place(String type, Path file, boolean isFirst) {
     Path before = files.put(type, file);
     if (isFirst || before == null) {
@@ -106,7 +106,7 @@ public final class MessageCatalog {
     }
   }
 
-  /** Whether a file is called like a definition, in capitals or not. */
+  /** Returns whether a file has the name of a definition, ignoring case. */
   private static boolean isDefinition(Path file) {
     String name = file.toString().toLowerCase(Locale.ROOT);
     return (name.endsWith(SUFFIX) || name.endsWith(IDL_SUFFIX)) && !Files.isDirectory(file);
@@ -121,31 +121,31 @@ public final class MessageCatalog {
             SourceLocation.of(folder)));
   }
 
-  /** The folders of the user, as they were named. */
+  /** Returns the folders of the user, as they were given. */
   public List<Path> folders() {
     return folders;
   }
 
-  /** The file that defines a type, if one of the user's does. */
+  /** Returns the file of the user that defines a type, if there is one. */
   public Optional<Path> file(String type) {
     return Optional.ofNullable(files.get(RosNames.fullMessageType(type)));
   }
 
-  /** The full names of all types. */
+  /** Returns the full names of all types. */
   public SortedSet<String> names() {
     SortedSet<String> names = new TreeSet<>(standard.keySet());
     names.addAll(files.keySet());
     return names;
   }
 
-  /** The full names of the types in the user's folders. */
+  /** Returns the full names of the types in the user's folders. */
   public SortedSet<String> ownNames() {
     return new TreeSet<>(files.keySet());
   }
 
   /**
-   * Everything that is wrong with the definitions in the user's folders; definitions that cannot be
-   * used because of their place or name ({@code message.place}) are warned about.
+   * Returns all errors of the definitions in the user's folders, and warnings about definitions
+   * that are unusable because of their place or name ({@code message.place}).
    */
   public List<Diagnostic> diagnostics() {
     Set<Diagnostic> found = new TreeSet<>();
@@ -169,10 +169,10 @@ public final class MessageCatalog {
   }
 
   /**
-   * A type by its name, {@code sensor_msgs/msg/LaserScan} or {@code sensor_msgs/LaserScan}.
+   * Returns a type by its name, {@code sensor_msgs/msg/LaserScan} or {@code sensor_msgs/LaserScan}.
    *
-   * @return empty if there is none of this name
-   * @throws DiagnosticException its definition, or one that it uses, is wrong: {@code
+   * @return empty if there is no such type
+   * @throws DiagnosticException its definition, or one that it uses, is invalid: {@code
    *     message.syntax}, {@code message.name.duplicate}, {@code message.value}, {@code
    *     message.type.unknown}, {@code message.cycle}, {@code message.conflict}; or its file cannot
    *     be read
@@ -186,8 +186,8 @@ public final class MessageCatalog {
   }
 
   /**
-   * The definition of a type and of those that it uses, as recordings hold it: each of the others
-   * comes after a line of 80 equals signs and one with {@code MSG:} and its name.
+   * Returns the definition of a type and of the types that it uses, in the format of recordings.
+   * Each of the others follows a line of 80 equals signs and one with {@code MSG:} and its name.
    */
   public synchronized String text(MessageType type) {
     StringBuilder text = new StringBuilder(ownText(type));
@@ -201,17 +201,16 @@ public final class MessageCatalog {
   }
 
   /**
-   * The types in the user's folders as the runtime in Python takes them: a JSON object with their
-   * fields, defaults and constants by full names. Types that they use and that are not theirs are
-   * standard ones.
+   * Returns the types in the user's folders in the format of the Python runtime: a JSON object with
+   * their fields, defaults and constants by full name. Other types that they use are standard ones.
    *
-   * @throws DiagnosticException as {@link #find}, for the first that is wrong
+   * @throws DiagnosticException as {@link #find}, for the first invalid one
    */
   public String ownDefinitions() {
     return definitions(files.keySet());
   }
 
-  /** The definitions of types as {@link #ownDefinitions} has them. */
+  /** Returns the definitions of types in the format of {@link #ownDefinitions}. */
   String definitions(Collection<String> types) {
     return DefinitionsJson.of(types.stream().map(name -> find(name).orElseThrow()).toList());
   }
@@ -324,7 +323,7 @@ public final class MessageCatalog {
     }
   }
 
-  /** The texts of the standard types by name, cut out of one resource. */
+  /** Texts of the standard types by name, extracted from one resource. */
   private static final class StandardTypes {
     private static final Map<String, String> TEXTS = read();
 

@@ -14,12 +14,12 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Reads the message language of ROS 2 (docs.ros.org, "About ROS 2 interfaces"): a field or a
- * constant a line, and continues after a line that is wrong.
+ * Parser for the message language of ROS 2 (docs.ros.org, "About ROS 2 interfaces"): one field or
+ * constant per line. It continues after an invalid line.
  */
 final class MessageParser {
 
-  /** What ends a line in Python, whose rules rosidl_adapter follows. */
+  /** Line separators of Python, whose rules rosidl_adapter follows. */
   private static final Pattern LINE_END =
       Pattern.compile("[\n\r\u000b\f\u001c-\u001e\u0085\u2028\u2029]");
 
@@ -50,7 +50,7 @@ final class MessageParser {
   }
 
   /**
-   * Reads one definition.
+   * Parses one definition.
    *
    * @param name the full name of the type
    */
@@ -60,7 +60,7 @@ final class MessageParser {
     return new Definition(name, parser.fields, parser.constants, parser.problems);
   }
 
-  /** {@code Header}, {@code Vector3}, {@code geometry_msgs/Vector3} as full names. */
+  /** Returns the full name for {@code Header}, {@code Vector3} or {@code geometry_msgs/Vector3}. */
   static String fullName(String text, String ownPackage) {
     if (text.equals("Header")) {
       return HEADER;
@@ -134,7 +134,7 @@ final class MessageParser {
     members.add(new Member(member, typed.type(), typed.base(), value, typed.place()));
   }
 
-  /** A member without name: its type, and the base of that. */
+  /** Parses a type into a member without a name. */
   private Optional<Member> type(String text, int offset) {
     Matcher type = TYPE.matcher(text);
     boolean isType = type.matches();

@@ -14,8 +14,8 @@ public final class MessageType {
   /**
    * A field.
    *
-   * @param defaultValue what {@link MessageValue#of} sets: of the kind that {@link MessageValue}
-   *     holds; empty for zero
+   * @param defaultValue the value that {@link MessageValue#of} sets, represented as in {@link
+   *     MessageValue}; empty for zero
    */
   public record Field(String name, FieldType type, Optional<Object> defaultValue) {}
 
@@ -27,11 +27,11 @@ public final class MessageType {
   public record Constant(String name, FieldType type, Object value) {}
 
   /**
-   * What a field path leads to.
+   * The result of resolving a field path.
    *
-   * @param type the type of the field; empty if there is none
-   * @param problem what is wrong with the path, a sentence; empty if nothing is
-   * @param hint what was meant, a sentence; empty if nothing is near
+   * @param type the type of the field; empty if the path is invalid
+   * @param problem the error in the path, a sentence; empty if it is valid
+   * @param hint a suggestion, a sentence; empty if no name is similar
    */
   public record Resolution(Optional<FieldType> type, String problem, String hint) {}
 
@@ -49,38 +49,38 @@ public final class MessageType {
     }
   }
 
-  /** The full name, {@code sensor_msgs/msg/LaserScan}. */
+  /** Returns the full name, {@code sensor_msgs/msg/LaserScan}. */
   public String name() {
     return name;
   }
 
-  /** The fields, in order. */
+  /** Returns the fields, in order. */
   public List<Field> fields() {
     return fields;
   }
 
-  /** The constants, in order. */
+  /** Returns the constants, in order. */
   public List<Constant> constants() {
     return constants;
   }
 
   /**
-   * The hash of the type as nodes of ROS 2 (Iron or later) announce it, {@code RIHS01_} and 64
-   * hexadecimal digits. Types with the same hash have the same fields, so that they understand each
-   * other's bytes.
+   * Returns the hash of the type as nodes of ROS 2 (Iron or later) announce it, {@code RIHS01_} and
+   * 64 hexadecimal digits. Types with the same hash have the same fields, so their encodings are
+   * compatible.
    */
   public String hash() {
     return TypeHash.of(this);
   }
 
-  /** The position of a field, or -1. */
+  /** Returns the position of a field, or -1. */
   int indexOf(String field) {
     return indices.getOrDefault(field, -1);
   }
 
   /**
-   * Whether the path names a field, and of which type. A path ends at an array or sequence: single
-   * values of it have no path.
+   * Resolves a path to the type of a field. A path ends at an array or sequence: their elements
+   * have no path.
    */
   public Resolution resolve(String path) {
     MessageType current = this;
@@ -120,7 +120,7 @@ public final class MessageType {
               + ", and pick the value inside the component.");
     }
     String rest = path.substring(start + step.length());
-    // The classic one: nav_msgs/Odometry has twist.twist.linear.x and no twist.linear.x.
+    // A common mistake: nav_msgs/Odometry has twist.twist.linear.x and no twist.linear.x.
     Optional<String> deeper =
         fields.stream()
             .filter(field -> field.type().message().isPresent())

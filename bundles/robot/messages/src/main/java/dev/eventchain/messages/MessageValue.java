@@ -27,7 +27,7 @@ public final class MessageValue {
     this.values = values;
   }
 
-  /** A message of the default values of its type. */
+  /** Returns a message with the default values of its type. */
   public static MessageValue of(MessageType type) {
     Object[] values = new Object[type.fields().size()];
     for (int i = 0; i < values.length; i++) {
@@ -37,15 +37,15 @@ public final class MessageValue {
     return new MessageValue(type, values);
   }
 
-  /** Its type. */
+  /** Returns the type. */
   public MessageType type() {
     return type;
   }
 
   /**
-   * The value of a field.
+   * Returns the value of a field.
    *
-   * @param path a field, or fields of fields: {@code header.stamp.sec}
+   * @param path a field or a nested field: {@code header.stamp.sec}
    * @throws IllegalArgumentException if there is no such field
    */
   public Object get(String path) {
@@ -54,7 +54,7 @@ public final class MessageValue {
   }
 
   /**
-   * The value of a field that is a number, unsigned ones as they are meant.
+   * Returns the value of a numeric field; unsigned numbers as non-negative values.
    *
    * @throws IllegalArgumentException if there is no such field, or it is not a number
    */
@@ -71,8 +71,8 @@ public final class MessageValue {
   /**
    * Sets a field.
    *
-   * @param value of the kind that the field holds; or any {@link Number} that fits, or a collection
-   *     of these
+   * @param value a value in the representation of the field, or any {@link Number} that fits, or a
+   *     collection of these
    * @return this
    * @throws IllegalArgumentException if there is no such field, or the value does not fit
    */
@@ -87,7 +87,7 @@ public final class MessageValue {
     return this;
   }
 
-  /** The value of a field by its position. */
+  /** Returns the value of a field by position. */
   Object at(int index) {
     return values[index];
   }

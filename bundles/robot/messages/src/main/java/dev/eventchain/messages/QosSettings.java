@@ -12,13 +12,14 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 
 /**
- * The quality of service that a publisher offers or a subscriber requests, as far as it decides
- * whether samples flow between them (OMG DDS 1.4, 2.2.3). Profiles have the names and values of
- * {@code rmw/qos_profiles.h}.
+ * Quality of service that a publisher offers or a subscription requests, as far as it decides
+ * whether they match (OMG DDS 1.4, 2.2.3). Profiles have the names and values of {@code
+ * rmw/qos_profiles.h}.
  *
- * @param deadline the longest time between two samples; empty for any time
- * @param lease how long a publisher may be silent before it counts as gone; empty for any time
- * @param depth how many samples are kept with {@link History#KEEP_LAST}; it decides nothing here
+ * @param deadline the longest time between two samples; empty if unbounded
+ * @param lease the longest silence before a publisher loses its liveliness; empty if unbounded
+ * @param depth the number of samples kept with {@link History#KEEP_LAST}; it does not affect
+ *     matching
  */
 public record QosSettings(
     Reliability reliability,
@@ -29,60 +30,61 @@ public record QosSettings(
     Liveliness liveliness,
     Optional<Duration> lease) {
 
-  /** Whether lost samples are sent again; the stronger a policy, the later it stands. */
+  /** Retransmission of lost samples; stronger policies come later. */
   public enum Reliability {
-    /** They are not. */
+    /** Lost samples are not sent again. */
     BEST_EFFORT,
-    /** They are. */
+    /** Lost samples are sent again. */
     RELIABLE,
-    /** What the middleware is configured to do. */
+    /** The policy that the middleware is configured for. */
     SYSTEM_DEFAULT,
-    /** What suits the other sides that exist when the endpoint is made. */
+    /** The policy that suits the remote endpoints that exist when the endpoint is created. */
     BEST_AVAILABLE
   }
 
-  /** Whether late subscribers get earlier samples; the stronger a policy, the later it stands. */
+  /** Delivery of earlier samples to late subscriptions; stronger policies come later. */
   public enum Durability {
-    /** They do not. */
+    /** Late subscriptions get no earlier samples. */
     VOLATILE,
-    /** They get what the publisher still keeps. */
+    /** Late subscriptions get the samples that the publisher still keeps. */
     TRANSIENT_LOCAL,
-    /** What the middleware is configured to do. */
+    /** The policy that the middleware is configured for. */
     SYSTEM_DEFAULT,
-    /** What suits the other sides that exist when the endpoint is made. */
+    /** The policy that suits the remote endpoints that exist when the endpoint is created. */
     BEST_AVAILABLE
   }
 
-  /** Which samples are kept. */
+  /** Samples that are kept. */
   public enum History {
-    /** The last ones. */
+    /** The last samples. */
     KEEP_LAST,
-    /** All. */
+    /** All samples. */
     KEEP_ALL,
-    /** What the middleware is configured to do. */
+    /** The policy that the middleware is configured for. */
     SYSTEM_DEFAULT
   }
 
-  /** How a publisher shows that it is alive; the stronger a policy, the later it stands. */
+  /** Assertion of a publisher's liveliness; stronger policies come later. */
   public enum Liveliness {
-    /** Its process does. Every implementation of rmw takes this where nothing is set. */
+    /** By its process. Every implementation of rmw uses this policy where none is set. */
     AUTOMATIC,
-    /** It does itself, for this topic. */
+    /** By the publisher itself, for this topic. */
     MANUAL_BY_TOPIC,
-    /** What suits the other sides that exist when the endpoint is made. */
+    /** The policy that suits the remote endpoints that exist when the endpoint is created. */
     BEST_AVAILABLE
   }
 
   /**
    * A policy for which an offer does not satisfy a request.
    *
-   * @param policy as DDS calls it: reliability, durability, deadline, liveliness, lease duration
+   * @param policy by its DDS name: reliability, durability, deadline, liveliness, lease duration
    * @param offered the kind, or a time in ms, "50.5 ms", or {@link #NO_TIME}; requested as well
-   * @param decided false where it depends on the middleware's configuration or on the moment
+   * @param decided false if it depends on the middleware's configuration or on the time of
+   *     discovery
    */
   public record Incompatibility(String policy, String offered, String requested, boolean decided) {}
 
-  /** How a time is called that is not bounded. */
+  /** Name of an unbounded time. */
   public static final String NO_TIME = "none";
 
   private static final String SYSTEM_DEFAULT = "system_default";
@@ -125,62 +127,65 @@ public record QosSettings(
                       .withDurability(Durability.BEST_AVAILABLE)
                       .withLiveliness(Liveliness.BEST_AVAILABLE))));
 
-  /** What holds where nothing is said: the profile {@code default}. */
+  /** Returns the settings that apply by default: the profile {@code default}. */
   public static QosSettings defaults() {
     return DEFAULT;
   }
 
-  /** A profile by its name in lower case, {@code sensor_data}; empty if ROS 2 has none such. */
+  /**
+   * Returns a profile by its name in lower case, {@code sensor_data}; empty if ROS 2 has no such
+   * profile.
+   */
   public static Optional<QosSettings> named(String name) {
     return Optional.ofNullable(NAMED.get(name));
   }
 
-  /** The names of the profiles. */
+  /** Returns the names of the profiles. */
   public static SortedSet<String> names() {
     return new TreeSet<>(NAMED.keySet());
   }
 
-  /** The same with another reliability. */
+  /** Returns a copy with another reliability. */
   public QosSettings withReliability(Reliability value) {
     return new QosSettings(value, durability, history, depth, deadline, liveliness, lease);
   }
 
-  /** The same with another durability. */
+  /** Returns a copy with another durability. */
   public QosSettings withDurability(Durability value) {
     return new QosSettings(reliability, value, history, depth, deadline, liveliness, lease);
   }
 
-  /** The same with another history. */
+  /** Returns a copy with another history. */
   public QosSettings withHistory(History value) {
     return new QosSettings(reliability, durability, value, depth, deadline, liveliness, lease);
   }
 
-  /** The same with another depth. */
+  /** Returns a copy with another depth. */
   public QosSettings withDepth(int value) {
     return new QosSettings(reliability, durability, history, value, deadline, liveliness, lease);
   }
 
-  /** The same with a deadline. */
+  /** Returns a copy with a deadline. */
   public QosSettings withDeadline(Duration value) {
     return new QosSettings(
         reliability, durability, history, depth, Optional.of(value), liveliness, lease);
   }
 
-  /** The same with another liveliness. */
+  /** Returns a copy with another liveliness. */
   public QosSettings withLiveliness(Liveliness value) {
     return new QosSettings(reliability, durability, history, depth, deadline, value, lease);
   }
 
-  /** The same with a lease duration. */
+  /** Returns a copy with a lease duration. */
   public QosSettings withLease(Duration value) {
     return new QosSettings(
         reliability, durability, history, depth, deadline, liveliness, Optional.of(value));
   }
 
   /**
-   * The policies for which an offer does not satisfy a request, in the order of DDS's table: an
-   * offer satisfies a request that asks for the same or less. With {@code SYSTEM_DEFAULT} and
-   * {@code BEST_AVAILABLE} that cannot always be told.
+   * Returns the policies for which an offer does not satisfy a request, in the order of the table
+   * in DDS. An offer satisfies a request for the same or a weaker policy. With {@code
+   * SYSTEM_DEFAULT} and {@code BEST_AVAILABLE} this cannot always be decided.
    */
   public static List<Incompatibility> incompatibilities(
       QosSettings offered, QosSettings requested) {
@@ -199,7 +204,7 @@ public record QosSettings(
         Durability.VOLATILE,
         Durability.TRANSIENT_LOCAL,
         found);
-    // A profile that takes the best it can have adapts its times, too.
+    // A profile with "best available" policies adapts its times, too.
     boolean decided = offered.liveliness != Liveliness.BEST_AVAILABLE;
     compare("deadline", offered.deadline, requested.deadline, decided, found);
     compare(
@@ -216,7 +221,7 @@ public record QosSettings(
   private static <E extends Enum<E>> void compare(
       String policy, E offered, E requested, E weak, E strong, List<Incompatibility> found) {
     if (offered == strong || requested == weak) {
-      return; // the most is offered, or the least requested: the other side does not matter
+      return; // the strongest is offered, or the weakest requested: the other side does not matter
     }
     boolean decided = offered == weak && requested == strong;
     found.add(new Incompatibility(policy, offered.name(), requested.name(), decided));
@@ -234,7 +239,7 @@ public record QosSettings(
     }
   }
 
-  /** A time as people write it, in ms. */
+  /** Returns a time in ms as text. */
   private static String text(Optional<Duration> time) {
     if (time.isEmpty()) {
       return NO_TIME;

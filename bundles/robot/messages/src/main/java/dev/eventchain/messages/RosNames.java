@@ -4,10 +4,10 @@ import java.util.Locale;
 import java.util.regex.Pattern;
 
 /**
- * The names of ROS 2: topics, message types and the fields of messages (design.ros2.org, "Topic and
- * Service name mapping to DDS"; docs.ros.org, "About ROS 2 interfaces"). The only place that knows
- * how they look and which of them mean the same; {@code eventchain.ocl} states the same rules, and
- * a test compares them.
+ * Names of ROS 2: topics, message types and the fields of messages (design.ros2.org, "Topic and
+ * Service name mapping to DDS"; docs.ros.org, "About ROS 2 interfaces"). The only definition of
+ * their syntax and equivalence in Java; {@code eventchain.ocl} states the same rules, and a test
+ * compares them.
  */
 public final class RosNames {
 
@@ -21,21 +21,25 @@ public final class RosNames {
   private RosNames() {}
 
   /**
-   * Whether a text names a topic: parts of letters, digits and underscores between slashes, no
-   * digit first, no two underscores in a row; it may begin with {@code /} or {@code ~/}.
+   * Returns whether a text is a topic name: parts of letters, digits and underscores between
+   * slashes, no digit first, no two underscores in a row; it may begin with {@code /} or {@code
+   * ~/}.
    */
   public static boolean isTopic(String name) {
     return TOPIC.matcher(name).matches() && !name.contains("__");
   }
 
-  /** Whether a topic's name means another topic for each node: it begins with {@code ~/}. */
+  /**
+   * Returns whether a topic name is private, that is relative to each node: it begins with {@code
+   * ~/}.
+   */
   public static boolean isPrivate(String topic) {
     return topic.startsWith("~");
   }
 
   /**
-   * The name that the node of a component has in ROS 2: in snake_case, {@code TTC_Calculation} is
-   * {@code ttc_calculation} and {@code ObjectDetection} is {@code object_detection}.
+   * Returns the ROS 2 node name of a component, in snake_case: {@code TTC_Calculation} is {@code
+   * ttc_calculation} and {@code ObjectDetection} is {@code object_detection}.
    */
   public static String nodeName(String component) {
     return component
@@ -46,8 +50,8 @@ public final class RosNames {
   }
 
   /**
-   * The full name of a topic as a node in the root namespace calls it: {@code a/x} is {@code /a/x},
-   * and {@code ~/x} is {@code /node/x}. A full name is its own.
+   * Returns the full name of a topic for a node in the root namespace: {@code a/x} is {@code /a/x},
+   * and {@code ~/x} is {@code /node/x}. A full name stays unchanged.
    *
    * @param node the name of the node in ROS 2, see {@link #nodeName}
    */
@@ -59,33 +63,35 @@ public final class RosNames {
   }
 
   /**
-   * Whether a text names a message type with its package, in full or short: {@code
+   * Returns whether a text is the name of a message type with its package, full or short: {@code
    * std_msgs/msg/Bool}, {@code std_msgs/Bool}.
    */
   public static boolean isMessageType(String name) {
     return TYPE.matcher(name).matches();
   }
 
-  /** Whether a text is the full name of a message type. */
+  /** Returns whether a text is the full name of a message type. */
   static boolean isFullMessageType(String name) {
     return isMessageType(name) && name.contains("/msg/");
   }
 
-  /** The full name of a message type: {@code std_msgs/Bool} is {@code std_msgs/msg/Bool}. */
+  /**
+   * Returns the full name of a message type: {@code std_msgs/Bool} is {@code std_msgs/msg/Bool}.
+   */
   public static String fullMessageType(String name) {
     int slash = name.indexOf('/');
     boolean isShort = slash >= 0 && name.indexOf('/', slash + 1) < 0;
     return isShort ? name.substring(0, slash) + "/msg" + name.substring(slash) : name;
   }
 
-  /** Whether a text is the path of a field: names with dots between. */
+  /** Returns whether a text is a field path: names separated by dots. */
   public static boolean isFieldPath(String path) {
     return FIELD_PATH.matcher(path).matches();
   }
 
   /**
-   * Whether two paths name the same value, or one names a part of the other: {@code header} and
-   * {@code header.stamp.sec}, {@code ranges} and {@code ranges[2]}.
+   * Returns whether two paths are equal or one is a part of the other: {@code header} and {@code
+   * header.stamp.sec}, {@code ranges} and {@code ranges[2]}.
    */
   public static boolean overlap(String one, String other) {
     String longer = one.length() >= other.length() ? one : other;

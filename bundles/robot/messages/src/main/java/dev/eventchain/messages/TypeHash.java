@@ -5,8 +5,8 @@ import java.util.StringJoiner;
 import java.util.TreeMap;
 
 /**
- * The hash by which nodes of ROS 2 tell versions of a message type apart: SHA-256 of a description
- * in JSON (REP 2016; the kinds of fields are those of type_description_interfaces/msg/FieldType).
+ * Hash by which ROS 2 nodes distinguish versions of a message type: SHA-256 of a description in
+ * JSON (REP 2016; the kinds of fields are those of type_description_interfaces/msg/FieldType).
  */
 final class TypeHash {
 
@@ -17,11 +17,11 @@ final class TypeHash {
   private static final int BOUNDED_SEQUENCE = 96;
   private static final int SEQUENCE = 144;
 
-  /** A struct of IDL has a member. */
+  /** The member of an empty message, since an IDL struct needs one. */
   private static final FieldType PLACEHOLDER =
       new FieldType(FieldType.Kind.UINT8, java.util.Optional.empty(), FieldType.Shape.SINGLE, 0, 0);
 
-  /** Descriptions of the types that are used, by name. */
+  /** Descriptions of the referenced types, by name. */
   private final TreeMap<String, String> used = new TreeMap<>();
 
   private TypeHash() {}

@@ -6,9 +6,9 @@ import java.util.Arrays;
 import java.util.Optional;
 
 /**
- * A unit of measurement, as vehicle signals are written: {@code m/s}, {@code km/h}, {@code m/s^2},
- * {@code m.s-2}, {@code degC}. The symbols are those of UCUM where it has them, together with other
- * common spellings. Immutable.
+ * A unit of measurement in the notation of vehicle signals: {@code m/s}, {@code km/h}, {@code
+ * m/s^2}, {@code m.s-2}, {@code degC}. The symbols are those of UCUM and other common spellings.
+ * Immutable.
  */
 public final class Unit {
 
@@ -19,11 +19,11 @@ public final class Unit {
   private final double offset;
 
   /**
-   * A unit.
+   * Creates a unit.
    *
-   * @param exponents those of the base dimensions, see {@link UnitTable}
-   * @param scale how many of the coherent unit of the same dimension this one is: 0.01 for cm
-   * @param offset what is added after scaling; other than 0 for temperatures only
+   * @param exponents exponents of the base dimensions, see {@link UnitTable}
+   * @param scale size in the coherent unit of the same dimension: 0.01 for cm
+   * @param offset offset added after scaling; 0 except for temperatures
    */
   Unit(int[] exponents, double scale, double offset) {
     this.exponents = exponents.clone();
@@ -31,30 +31,28 @@ public final class Unit {
     this.offset = offset;
   }
 
-  /** How the numbers of two units go together. */
+  /** Relations between two units. */
   public enum Relation {
-    /** The same number means the same. */
+    /** Equal units: numbers are interchangeable. */
     SAME,
-    /** The same dimension, other numbers: km/h and m/s. */
+    /** Same dimension with different scale or offset: km/h and m/s. */
     CONVERTIBLE,
-    /**
-     * Apart from angles the same dimension: rad and 1, rad/s and Hz. What is meant cannot be told.
-     */
+    /** Same dimension except for angles: rad and 1, rad/s and Hz. The meaning is ambiguous. */
     ANGLE,
-    /** Other dimensions: m/s and m/s2. */
+    /** Different dimensions: m/s and m/s2. */
     INCOMPATIBLE
   }
 
   /**
-   * Reads a unit.
+   * Parses a unit.
    *
-   * @return empty if it is not understood
+   * @return empty if the text is not a known unit
    */
   public static Optional<Unit> parse(String text) {
     return UnitParser.parse(text);
   }
 
-  /** How numbers of this unit go together with those of another. */
+  /** Returns the relation of this unit to another one. */
   public Relation relationTo(Unit other) {
     if (Arrays.equals(exponents, other.exponents)) {
       boolean same = Math.abs(scale / other.scale - 1.0) < ALMOST && offset == other.offset;
@@ -66,7 +64,7 @@ public final class Unit {
   }
 
   /**
-   * How a number of this unit becomes one of a {@link Relation#CONVERTIBLE} other: "multiply by
+   * Describes the conversion from this unit to a {@link Relation#CONVERTIBLE} one: "multiply by
    * 3.6", "subtract 273.15".
    */
   public String conversionTo(Unit other) {
@@ -82,7 +80,7 @@ public final class Unit {
     return scaled ? multiplied + ", then " + shifted : shifted;
   }
 
-  /** At most ten digits, without those that only rounding put there. */
+  /** Returns a number with at most ten digits, without artefacts of rounding. */
   private static String number(double value) {
     return new BigDecimal(value).round(new MathContext(10)).stripTrailingZeros().toPlainString();
   }
@@ -92,9 +90,11 @@ public final class Unit {
   }
 
   /**
-   * A number of this unit in the coherent unit of the same dimension, such as m/s for km/h.
+   * Converts a number of this unit to the coherent unit of the same dimension, such as m/s for
+   * km/h.
    *
-   * @return for cm and the like the nearest double: 29 % is 0.29, which 29 times 0.01 is not always
+   * @return the nearest double for decimal scales such as cm: 29 % is 0.29, which 29 times 0.01 is
+   *     not always
    */
   public double coherent(double number) {
     double parts = 1.0 / scale;
@@ -103,9 +103,9 @@ public final class Unit {
   }
 
   /**
-   * A number of the coherent unit in this one: the inverse of {@link #coherent}.
+   * Converts a number of the coherent unit to this one: the inverse of {@link #coherent}.
    *
-   * @return for cm and the like the nearest double
+   * @return the nearest double for decimal scales such as cm
    */
   public double ofCoherent(double number) {
     double parts = 1.0 / scale;
@@ -114,7 +114,7 @@ public final class Unit {
     return multiplies ? shifted * parts : shifted / scale;
   }
 
-  /** The unit of a product with a power of another one: with -1 that of the quotient. */
+  /** Returns the product with a power of another unit; -1 gives the quotient. */
   public Unit times(Unit other, int power) {
     int[] sum = exponents.clone();
     for (int i = 0; i < sum.length; i++) {

@@ -5,7 +5,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Reads products and quotients of units with integer exponents, from left to right as UCUM does:
+ * Parser for products and quotients of units with integer exponents, from left to right as in UCUM:
  * {@code kg.m2/s3}, {@code m/s/s}, {@code 1/s}, {@code J/(kg.K)}, {@code m·s⁻²}, {@code m/s**2}.
  */
 final class UnitParser {
@@ -14,7 +14,7 @@ final class UnitParser {
   private static final String SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺";
   private static final String PLAIN = "0123456789-+";
 
-  /** A factor: a number, or a symbol with its exponent. Two digits are enough for any unit. */
+  /** A factor: a number, or a symbol with its exponent of at most two digits. */
   private static final Pattern FACTOR =
       Pattern.compile(
           "(?<number>[0-9]{1,9})|(?<symbol>[^\\s0-9()./*·^+-]+)((\\^|\\*\\*)?(?<power>[-+]?[0-9]{1,2}))?");
@@ -42,7 +42,7 @@ final class UnitParser {
       int superscript = SUPERSCRIPTS.indexOf(written.charAt(i));
       text.append(superscript < 0 ? written.charAt(i) : PLAIN.charAt(superscript));
     }
-    // A blank is a product, but not next to another sign.
+    // A blank is a product, but not next to another operator.
     return text.toString().replaceAll("\\s*([*/.\u00B7])\\s*", "$1");
   }
 

@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The symbols of units, and the prefixes that some of them take. C and F are not among them: people
- * write them for degrees.
+ * Symbols of units, and the prefixes that some of them take. C and F are excluded, since they are
+ * in use for degrees.
  */
 final class UnitTable {
 
@@ -18,8 +18,8 @@ final class UnitTable {
   private static final int KELVIN = 4;
 
   /**
-   * Angles have a dimension of their own here, other than in the SI: a number in rad and one in Hz
-   * or per cent should not pass for the same.
+   * Index of the angle, a separate dimension here unlike in the SI: a number in rad and one in Hz
+   * or per cent must not be interchangeable.
    */
   static final int ANGLE = 5;
 
@@ -44,10 +44,10 @@ final class UnitTable {
           Map.entry("G", 1e9),
           Map.entry("T", 1e12));
 
-  /** Where people use these prefixes: dB is not a tenth of a byte. */
+  /** Symbols that take small prefixes: dB is not a tenth of a byte. */
   private static final Set<String> SMALL_STEPS = Set.of("m", "g", "l", "L", "Pa");
 
-  /** An empty product. */
+  /** The empty product. */
   static final Unit ONE = new Unit(new int[DIMENSIONS], 1.0, 0.0);
 
   static {
@@ -99,7 +99,7 @@ final class UnitTable {
 
   private UnitTable() {}
 
-  /** The unit of a symbol, with its prefix if it has one. */
+  /** Returns the unit of a symbol with an optional prefix. */
   static Optional<Unit> find(String symbol) {
     Unit whole = PLAIN.getOrDefault(symbol, PREFIXED.get(symbol));
     if (whole != null || symbol.length() < 2) {

@@ -8,14 +8,14 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 
-/** The Java values of fields: see {@link MessageValue}. */
+/** Java representation of field values, see {@link MessageValue}. */
 final class Values {
 
   private static final BigInteger TWO_TO_64 = BigInteger.ONE.shiftLeft(64);
 
   private Values() {}
 
-  /** Zero, false, empty, or a message of these. */
+  /** Returns the zero value: 0, false, empty, or a message of these. */
   static Object zero(FieldType type) {
     if (type.shape() == FieldType.Shape.SINGLE) {
       return switch (type.kind()) {
@@ -37,7 +37,7 @@ final class Values {
     return Array.newInstance(component(type.kind()), length);
   }
 
-  /** A default value for one more message: arrays and lists are its own. */
+  /** Copies a default value for a new message, including arrays and lists. */
   static Object copy(Object value) {
     if (value instanceof List<?> list) {
       return new ArrayList<>(list);
@@ -51,7 +51,7 @@ final class Values {
     return copy;
   }
 
-  /** Whether several values are in a list, not in an array of a primitive type. */
+  /** Returns whether several values are held in a list instead of an array of a primitive type. */
   static boolean isList(FieldType.Kind kind) {
     return kind.bytes() == 0;
   }
@@ -75,9 +75,9 @@ final class Values {
   }
 
   /**
-   * The value as a field of this type holds it.
+   * Converts a value to the representation of this type.
    *
-   * @throws IllegalArgumentException if it does not fit, with a sentence that says why
+   * @throws IllegalArgumentException if it does not fit, with a sentence that gives the reason
    */
   static Object coerce(FieldType type, Object value) {
     if (type.shape() == FieldType.Shape.SINGLE) {
@@ -185,7 +185,7 @@ final class Values {
     return BigInteger.valueOf(value.longValue());
   }
 
-  /** The element of a Java array: unsigned numbers keep their bits. */
+  /** Converts an element of a Java array: unsigned numbers keep their bits. */
   private static Object narrow(FieldType.Kind kind, Object value) {
     if (!(value instanceof Number number)) {
       return value;
@@ -197,7 +197,7 @@ final class Values {
     };
   }
 
-  /** The exact value of an unsigned number of 64 bits. */
+  /** Returns the exact value of an unsigned number of 64 bits. */
   static BigInteger unsigned(long bits) {
     BigInteger value = BigInteger.valueOf(bits);
     return bits < 0 ? value.add(TWO_TO_64) : value;

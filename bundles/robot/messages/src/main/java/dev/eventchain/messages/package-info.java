@@ -1,2 +1,2 @@
-/** ROS 2 message definitions, the paths of their fields, and their form on the wire. */
+/** ROS 2 message definitions, field paths, and the encoding of messages on the wire. */
 package dev.eventchain.messages;

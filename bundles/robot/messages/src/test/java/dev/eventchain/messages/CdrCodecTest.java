@@ -120,7 +120,7 @@ class CdrCodecTest {
     for (String line : messagesOfRosbags()) {
       JsonNode expected = JSON.readTree(line);
       MessageType type = CATALOG.find(expected.get("type").asText()).orElseThrow();
-      if (!usesChar(type)) { // rosbags takes it for a type of its own, ROS 2 for uint8
+      if (!usesChar(type)) { // a separate type in rosbags, uint8 in ROS 2
         assertEquals(expected.get("hash").asText(), type.hash(), type::name);
         compared++;
       }

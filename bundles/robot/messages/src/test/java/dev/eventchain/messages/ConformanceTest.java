@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The files that the runtime in Python is tested against, too. */
+/** The files that the Python runtime is also tested against. */
 class ConformanceTest {
 
   private static final Path FOLDER = Path.of("conformance");

@@ -34,7 +34,7 @@ class MessageCatalogTest {
     }
   }
 
-  /** The findings of a folder stand next to it; a missing expectation is written. */
+  /** The expected findings of a folder are next to it; a missing file is written. */
   @ParameterizedTest
   @MethodSource("folders")
   void findingsAreAsExpected(Path folder) throws IOException {

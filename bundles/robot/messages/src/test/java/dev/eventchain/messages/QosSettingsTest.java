@@ -22,7 +22,7 @@ class QosSettingsTest {
     return QosSettings.named(name).orElseThrow();
   }
 
-  /** "RELIABILITY" where it is incompatible, "reliability?" where it depends; "" where all fits. */
+  /** Returns "RELIABILITY" if incompatible, "reliability?" if undecided, "" if compatible. */
   private static String between(QosSettings offered, QosSettings requested) {
     return String.join(
         " ",
@@ -74,7 +74,9 @@ class QosSettingsTest {
     assertEquals(Optional.empty(), QosSettings.named("Sensor_Data"));
   }
 
-  /** Each pair of kinds against the rule of the standard: the offered one is not weaker. */
+  /**
+   * Compares each pair of kinds with the rule of the standard: the offered one must not be weaker.
+   */
   @Test
   void kindsAreOrdered() {
     for (Reliability offered : List.of(Reliability.BEST_EFFORT, Reliability.RELIABLE)) {

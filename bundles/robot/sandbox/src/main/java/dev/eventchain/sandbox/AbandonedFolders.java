@@ -24,14 +24,17 @@ final class AbandonedFolders {
   static final String PREFIX = "eventchain-work-";
   static final String LOCK = "lock";
 
-  /** A folder without a lock is about to get it, unless it is this old. */
+  /**
+   * Age from which a folder without a lock is abandoned; a younger one may be about to get its
+   * lock.
+   */
   private static final Duration BEING_MADE = Duration.ofMinutes(5);
 
   private static final Set<Path> SWEPT = ConcurrentHashMap.newKeySet();
 
   private AbandonedFolders() {}
 
-  /** Deletes what nobody holds below a place; once for each place in a process. */
+  /** Deletes the abandoned folders below a place; once per place and process. */
   static void sweepOnce(Path place, Set<Path> ours) {
     if (SWEPT.add(place.toAbsolutePath())) {
       sweep(place, ours);
@@ -39,9 +42,10 @@ final class AbandonedFolders {
   }
 
   /**
-   * Deletes what nobody holds below a place.
+   * Deletes the abandoned folders below a place.
    *
-   * @param ours the folders of this process: to open and close their locks would give them up
+   * @param ours the folders of this process: opening and closing their lock files would release the
+   *     locks
    */
   static void sweep(Path place, Set<Path> ours) {
     try (DirectoryStream<Path> found = Files.newDirectoryStream(place, PREFIX + "*")) {
@@ -54,7 +58,7 @@ final class AbandonedFolders {
         }
       }
     } catch (IOException | DirectoryIteratorException e) {
-      // What cannot be looked at is not ours to delete.
+      // A folder that cannot be inspected is not deleted.
     }
   }
 
@@ -73,11 +77,11 @@ final class AbandonedFolders {
         delete(folder);
       }
     } catch (IOException e) {
-      // It went while we looked, or this file system has no locks.
+      // It was deleted meanwhile, or this file system has no locks.
     }
   }
 
-  /** Deletes a folder with all that is in it and can be deleted; links are not followed. */
+  /** Deletes a folder and its contents as far as possible; does not follow links. */
   static void delete(Path folder) {
     try {
       Files.walkFileTree(folder, new Deletion());
@@ -93,7 +97,7 @@ final class AbandonedFolders {
       return remove(file);
     }
 
-    /** A folder that its owner may not list comes here first. */
+    /** Called first for a folder that its owner may not list. */
     @Override
     public FileVisitResult visitFileFailed(Path file, IOException problem) throws IOException {
       if (Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS) && open(file)) {
@@ -113,7 +117,7 @@ final class AbandonedFolders {
       return remove(folder);
     }
 
-    /** Makes a folder such that it can be emptied; whether that changed anything. */
+    /** Makes a folder writable and listable. Returns whether that changed its permissions. */
     private static boolean open(Path folder) {
       try {
         var all = PosixFilePermissions.fromString("rwx------");
@@ -128,7 +132,7 @@ final class AbandonedFolders {
       try {
         Files.deleteIfExists(path);
       } catch (IOException e) {
-        // What is left keeps the folders around it, which the next sweep finds.
+        // A remaining file keeps its parent folders, which the next sweep finds.
       }
       return FileVisitResult.CONTINUE;
     }

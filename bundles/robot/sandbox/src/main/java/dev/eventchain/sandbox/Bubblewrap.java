@@ -13,8 +13,8 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * The bubblewrap command (bwrap(1)) that shows a process the system's libraries, what it may read
- * and its work folder. There is no /proc, no /sys, no /tmp, and nothing of the rest can be written.
+ * The bubblewrap command (bwrap(1)). It gives a process the system's libraries, its readable paths
+ * and its work folder. There is no /proc, no /sys, no /tmp, and only the work folder is writable.
  */
 final class Bubblewrap {
 
@@ -26,9 +26,9 @@ final class Bubblewrap {
   private Bubblewrap() {}
 
   /**
-   * The part of the command line before the program.
+   * Returns the part of the command line before the program.
    *
-   * @param network whether the program has the network of this machine instead of none
+   * @param network true for the network of this machine, false for no network
    */
   static List<String> command(Collection<Path> readable, Path workFolder, boolean network) {
     List<String> line = new ArrayList<>(List.of("bwrap", "--unshare-all", "--die-with-parent"));
@@ -40,7 +40,7 @@ final class Bubblewrap {
     for (String device : DEVICES) {
       line.addAll(List.of("--dev-bind", device, device));
     }
-    // Outer folders first: what is mounted later lies on top.
+    // Outer folders first: later mounts cover earlier ones.
     TreeSet<Path> ordered =
         new TreeSet<>(
             Comparator.comparingInt(Path::getNameCount).thenComparing(Comparator.naturalOrder()));

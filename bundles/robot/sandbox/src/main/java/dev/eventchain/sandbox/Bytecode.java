@@ -9,8 +9,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 
 /**
- * Compiles our own Python sources ahead of time, since a confined process cannot keep what it
- * compiles. It only makes a start faster: where it cannot be done, nothing is lost.
+ * Compiles our own Python sources ahead of time, since a confined process cannot store byte code.
+ * This only speeds up the start; failures are ignored.
  */
 final class Bytecode {
 

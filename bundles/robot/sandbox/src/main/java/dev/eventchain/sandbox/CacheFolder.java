@@ -8,12 +8,12 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Map;
 
-/** Where files go that can be made again: the same folder as in {@code environment.py}. */
+/** Folder of reproducible files: the same folder as in {@code environment.py}. */
 final class CacheFolder {
 
   private CacheFolder() {}
 
-  /** Eventchain's folder in the user's cache (XDG Base Directory Specification). */
+  /** Returns Eventchain's folder in the user's cache (XDG Base Directory Specification). */
   static Path of(Map<String, String> settings) {
     Path configured = Path.of(settings.getOrDefault("XDG_CACHE_HOME", ""));
     if (configured.isAbsolute()) {

@@ -8,9 +8,9 @@ import java.util.Optional;
 /**
  * The results of a sequence of calls.
  *
- * @param outputs what each call returned, in their order: an object with every output of the
+ * @param outputs the results of the calls in order, each an object with every output of the
  *     signature
- * @param problem why the call after those returned nothing that can be used; empty if all did
+ * @param problem the reason why the next call gave no usable result; empty if all calls did
  */
 public record CallResults(List<JsonNode> outputs, Optional<Diagnostic> problem) {
 

@@ -7,7 +7,7 @@ import java.util.Map;
 /**
  * One call of {@code execute}.
  *
- * @param name how findings name it, such as {@code stopped vehicle ahead}
+ * @param name name of the call in findings, such as {@code stopped vehicle ahead}
  * @param arguments the inputs by name: {@link Boolean}, {@link Number}, {@link String}, lists and
  *     string-keyed maps of these; {@code byte[]}, {@code int[]}, {@code float[]} and {@code
  *     double[]} become the arrays that fields of ROS messages hold

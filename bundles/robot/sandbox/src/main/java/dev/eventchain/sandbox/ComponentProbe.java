@@ -20,13 +20,13 @@ import java.util.Map;
 
 /**
  * Checks that a Python file is a component: a class whose {@code execute} takes the inputs by name
- * and returns a dict with exactly the outputs. The file is read first; only if nothing is wrong
- * then, it is imported and called, in a {@link ConfinedProcess} separate from the one that checks.
+ * and returns a dict with exactly the outputs. The file is first checked statically. Only without
+ * findings is it imported and called, in a {@link ConfinedProcess} separate from the checking one.
  *
  * <p>Findings, each an error with the place in the file: {@code component.syntax}, {@code
  * component.class.missing}, {@code component.constructor.signature}, {@code
  * component.execute.signature}, {@code component.import.forbidden}, {@code
- * component.import.effect}, {@code component.call.forbidden}; and from running it {@code
+ * component.import.effect}, {@code component.call.forbidden}; and from execution {@code
  * component.raised}, {@code component.timeout}, {@code component.ended}, {@code
  * component.result.type}, {@code component.result.keys}, {@code component.result.nan}, {@code
  * component.state.shared}.
@@ -47,8 +47,8 @@ public final class ComponentProbe {
   private final boolean existing;
 
   /**
-   * Checks components on this Python: two seconds of processor time for the import and for each
-   * call, and a minute on the clock, since a component that waits uses none.
+   * Creates a probe for this Python. Import and each call may take two seconds of processor time,
+   * and one minute of wall time, since waiting uses no processor time.
    */
   public ComponentProbe(PythonEnvironment environment) {
     this(environment, Duration.ofSeconds(2), WALL_TIME, Confinement.detect(), false);
@@ -75,14 +75,14 @@ public final class ComponentProbe {
     this.existing = existing;
   }
 
-  /** The same with another limit of processor time for the import and for each call. */
+  /** Returns a copy with another limit of processor time for the import and for each call. */
   public ComponentProbe withTimeLimit(Duration newTimeLimit) {
     return new ComponentProbe(environment, newTimeLimit, wallTime, confinement, existing);
   }
 
   /**
-   * The same for components that people wrote: they may import and call what generated ones must
-   * not, and import what lies next to them.
+   * Returns a copy for hand-written components: they may import and call what generated ones must
+   * not, and import modules next to them.
    */
   public ComponentProbe ofExisting() {
     return new ComponentProbe(environment, timeLimit, wallTime, confinement, true);
@@ -91,10 +91,10 @@ public final class ComponentProbe {
   /**
    * Checks a file.
    *
-   * @param calls made one after the other on one component, so that state shows
-   * @return what is wrong, by place in the file; empty if nothing is
-   * @throws dev.eventchain.diagnostics.DiagnosticException the file is missing or no UTF-8 text, or
-   *     there is no Python
+   * @param calls calls made in sequence on one component instance, so that state has an effect
+   * @return the findings, sorted by place in the file; empty if there are none
+   * @throws dev.eventchain.diagnostics.DiagnosticException the file is missing or not UTF-8 text,
+   *     or Python is unavailable
    */
   public List<Diagnostic> check(
       Path file, ComponentSignature signature, List<ComponentCall> calls) {
@@ -102,10 +102,10 @@ public final class ComponentProbe {
   }
 
   /**
-   * Makes sequences of calls, each on a new component of the file.
+   * Makes sequences of calls, each on a new component instance of the file.
    *
-   * @return what came of each sequence, in their order; one result with a problem and nothing else
-   *     if reading the file finds something wrong, or the calls were not all made
+   * @return the results of the sequences, in order; a single result with a problem if the static
+   *     check has findings, or if not all calls were made
    * @throws dev.eventchain.diagnostics.DiagnosticException as {@link #check} does
    */
   public List<CallResults> call(
@@ -120,7 +120,7 @@ public final class ComponentProbe {
       List<ComponentCall> calls,
       List<List<ComponentCall>> sequences) {
     Path absolute = file.toAbsolutePath().normalize();
-    SourceText.read(absolute); // says what is wrong with a file that cannot be read
+    SourceText.read(absolute); // reports a file that cannot be read
     int count = calls.size() + sequences.stream().mapToInt(each -> each.size() + 1).sum();
     try (WorkFolder folder = WorkFolder.create()) {
       return run(absolute, request(absolute, signature, calls, sequences), count, folder.path());
@@ -145,7 +145,7 @@ public final class ComponentProbe {
       try (OutputStream input = process.stdin()) {
         input.write(request);
       } catch (IOException e) {
-        // It ended before it read: how it ended says why.
+        // The process ended before it read its input; its termination gives the reason.
       }
       byte[] output = process.stdout().readNBytes(MAXIMAL_OUTPUT);
       if (output.length == MAXIMAL_OUTPUT) {
@@ -189,7 +189,7 @@ public final class ComponentProbe {
     }
   }
 
-  /** Arrays as {@code decode} of component_probe.py reads them. */
+  /** Encodes arrays for {@code decode} of component_probe.py. */
   private static Object encode(Object value) {
     if (value instanceof byte[] bytes) {
       return Map.of("$bytes", Base64.getEncoder().encodeToString(bytes));

@@ -4,12 +4,13 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * The signature that a component must have.
+ * The signature required of a component.
  *
  * @param className the name of its class
  * @param inputs the names of the parameters of {@code execute}, in order
  * @param outputs the keys of the dict that {@code execute} returns, in order
- * @param outputTypes the type of each output as message definitions write it; empty for any
+ * @param outputTypes the type of each output in the syntax of message definitions; empty for any
+ *     type
  */
 public record ComponentSignature(
     String className, List<String> inputs, List<String> outputs, List<String> outputTypes) {
@@ -24,7 +25,7 @@ public record ComponentSignature(
     }
   }
 
-  /** One whose outputs may have any type. */
+  /** Creates a signature whose outputs may have any type. */
   public ComponentSignature(String className, List<String> inputs, List<String> outputs) {
     this(className, inputs, outputs, Collections.nCopies(outputs.size(), ""));
   }

@@ -12,7 +12,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Stream;
 
-/** The command line of a confined process: bubblewrap if it holds it, Python, and confined.py. */
+/** The command line of a confined process: bubblewrap (where used), Python, and confined.py. */
 final class ConfinedCommand {
 
   private static final ObjectMapper JSON = new ObjectMapper();
@@ -92,7 +92,7 @@ final class ConfinedCommand {
     hooks = false;
   }
 
-  /** The whole environment of the process. */
+  /** Returns the complete environment of the process. */
   Map<String, String> settings() {
     return Map.of(
         "HOME", workFolder.toString(),

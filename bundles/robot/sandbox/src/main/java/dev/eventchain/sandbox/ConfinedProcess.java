@@ -18,49 +18,48 @@ import java.util.stream.Stream;
 /**
  * A Python process that runs an untrusted program.
  *
- * <p>It reads Python itself, the system's libraries and the paths it is given, writes its work
- * folder and nothing else, has no network except what {@link Builder#preparation} made, starts no
- * processes, and ends when it uses more than its limits, when it is closed, or when this Java ends.
- * It sees no environment variables but those that make it repeatable ({@code PYTHONHASHSEED=0},
- * UTF-8, no byte code files); home and temporary folder are the work folder. See {@link
- * Confinement} for what this rests on.
+ * <p>It can read Python itself, the system's libraries and the given paths, and write only its work
+ * folder. It has no network except sockets made by {@link Builder#preparation}, and cannot start
+ * processes. It ends when it exceeds its limits, when it is closed, or when this JVM ends. Its only
+ * environment variables make it reproducible ({@code PYTHONHASHSEED=0}, UTF-8, no byte code files);
+ * home and temporary folder are the work folder. See {@link Confinement} for the mechanisms.
  *
- * <p>Standard output is the caller's to read; a process whose output is not read blocks until its
- * time is up. Standard error is always read and its first and last parts are kept; one that writes
- * more than 16 MiB there is ended.
+ * <p>The caller has to read standard output; otherwise the process blocks until its time limit.
+ * Standard error is always read, and its first and last parts are kept; a process that writes more
+ * than 16 MiB there is killed.
  */
 public final class ConfinedProcess implements AutoCloseable {
 
   /**
-   * What the process may use.
+   * Resource limits of the process.
    *
-   * @param wallTime from its start until it is killed
+   * @param wallTime time from its start until it is killed
    * @param cpuTime processor time, whole seconds, rounded up
    * @param memoryMiB address space in MiB; Python with NumPy needs about 100
    */
   public record Limits(Duration wallTime, Duration cpuTime, int memoryMiB) {}
 
-  /** Why a process ended. */
+  /** Reasons for the end of a process. */
   public enum Cause {
-    /** By itself, or by a signal that it caused. */
+    /** It ended by itself, or by a signal that it caused. */
     EXITED,
-    /** It used up its wall time. */
+    /** It exceeded its wall time. */
     WALL_TIME,
-    /** It used up its processor time. */
+    /** It exceeded its processor time. */
     CPU_TIME,
-    /** It wrote more to standard error than anybody reads. */
+    /** It exceeded the limit of standard error. */
     OUTPUT,
-    /** {@link ConfinedProcess#close} or an interrupt of the waiting thread. */
+    /** {@link ConfinedProcess#close} was called, or the waiting thread was interrupted. */
     CLOSED
   }
 
   /**
-   * How a process ended.
+   * The termination of a process.
    *
-   * @param exitCode its exit code; 128 plus the number of the signal that ended it
+   * @param exitCode its exit code; 128 plus the signal number if a signal ended it
    */
   public record Termination(Cause cause, int exitCode) {
-    /** Whether it ended by itself with 0. */
+    /** Returns whether the process ended by itself with exit code 0. */
     public boolean isSuccess() {
       return cause == Cause.EXITED && exitCode == 0;
     }
@@ -82,29 +81,27 @@ public final class ConfinedProcess implements AutoCloseable {
     var unused = process.onExit().thenRun(() -> kill.cancel(false));
   }
 
-  /** Describes a process on this Python. */
+  /** Returns a builder for a process on this Python. */
   public static Builder on(PythonEnvironment environment) {
     return new Builder(environment);
   }
 
-  /** Where the program reads its standard input from. */
+  /** Returns the stream to the program's standard input. */
   public OutputStream stdin() {
     return process.getOutputStream();
   }
 
-  /** What the program writes to its standard output. */
+  /** Returns the stream of the program's standard output. */
   public InputStream stdout() {
     return process.getInputStream();
   }
 
-  /** What it wrote to standard error until now, shortened in the middle beyond 64 KiB. */
+  /** Returns its standard error so far, shortened in the middle beyond 64 KiB. */
   public String standardError() {
     return standardError.text();
   }
 
-  /**
-   * Processor time that it and the processes below it have used so far, of those that still run.
-   */
+  /** Returns the processor time used so far by it and its descendants that are still running. */
   public Duration processorTime() {
     return processes()
         .map(handle -> handle.info().totalCpuDuration().orElse(Duration.ZERO))
@@ -112,19 +109,19 @@ public final class ConfinedProcess implements AutoCloseable {
   }
 
   /**
-   * Whether a signal has stopped it, or a process below it, as SIGSTOP does; false where that
-   * cannot be told.
+   * Returns whether it or a descendant is stopped by a signal such as SIGSTOP; false where that is
+   * unknown.
    */
   public boolean isStopped() {
     return processes().anyMatch(handle -> ProcessState.of(handle.pid()).isStopped());
   }
 
-  /** It and the processes below it. */
+  /** Returns the process and its descendants. */
   Stream<ProcessHandle> processes() {
     return Stream.concat(Stream.of(process.toHandle()), process.descendants());
   }
 
-  /** Whether it still runs. */
+  /** Returns whether it is still running. */
   public boolean isAlive() {
     return process.isAlive();
   }
@@ -143,7 +140,7 @@ public final class ConfinedProcess implements AutoCloseable {
     }
   }
 
-  /** Ends it, if it has not ended by itself. */
+  /** Kills it if it is still running. */
   @Override
   public void close() {
     if (process.isAlive()) {
@@ -167,7 +164,7 @@ public final class ConfinedProcess implements AutoCloseable {
     }
   }
 
-  /** Describes a process: a program, a work folder and limits are needed. */
+  /** Builder of a process. A program, a work folder and limits are required. */
   public static final class Builder {
 
     private final ConfinedCommand command;
@@ -178,25 +175,27 @@ public final class ConfinedProcess implements AutoCloseable {
       limits(new Limits(wallTime, wallTime, 512));
     }
 
-    /** Runs a script file. Its own folder is not searched for modules: see {@link #pythonPath}. */
+    /**
+     * Runs a script file. The script's folder is not on the module path: see {@link #pythonPath}.
+     */
     public Builder script(Path script) {
       command.program("script", script.toAbsolutePath().toString());
       return readable(script);
     }
 
-    /** Runs a module of the {@link #pythonPath} as {@code python -m} does. */
+    /** Runs a module of the {@link #pythonPath}, as {@code python -m} does. */
     public Builder module(String name) {
       command.program("module", name);
       return this;
     }
 
     /**
-     * The program calls components through {@code component_client.py}: each then lives in its own
-     * process, which may write nothing but a folder of its own in the work folder, and has these
-     * limits for itself.
+     * Lets the program call components through {@code component_client.py}. Each component then
+     * runs in its own process with these limits, and may write only its own folder in the work
+     * folder.
      *
-     * @param turn which of several such processes this is: each stays on one processor, and they
-     *     should not meet there
+     * @param turn index among several such processes: each is pinned to one processor, ideally a
+     *     different one
      */
     public Builder components(int turn) {
       command.components(turn);
@@ -204,70 +203,71 @@ public final class ConfinedProcess implements AutoCloseable {
     }
 
     /**
-     * Before it gives up its rights, the process calls {@code prepare} of a module of the {@link
-     * #pythonPath}, one of our own, to make what the program needs and may not make: sockets on
-     * this machine's network, and threads for them. What is made there stays; the program itself
-     * opens no others.
+     * Calls {@code prepare} of a trusted module of the {@link #pythonPath} before the process is
+     * confined. It creates resources that the program needs but may not create itself: sockets on
+     * this machine's network, and threads for them.
      */
     public Builder preparation(String module, JsonNode settings) {
       command.preparation(module, settings);
       return this;
     }
 
-    /** The arguments of the program. */
+    /** Sets the arguments of the program. */
     public Builder arguments(String... arguments) {
       command.arguments(List.of(arguments));
       return this;
     }
 
-    /** The only folder that the program may write, and its current folder; it has to exist. */
+    /**
+     * Sets the only folder that the program may write, also its current folder; it has to exist.
+     */
     public Builder workFolder(Path folder) {
       command.workFolder(folder);
       return this;
     }
 
-    /** Files and folders that the program may read besides Python and its packages. */
+    /** Adds files and folders that the program may read besides Python and its packages. */
     public Builder readable(Path... paths) {
       command.readable(List.of(paths));
       return this;
     }
 
     /**
-     * Folders of our own Python sources to import from, readable and, for a fast start, compiled
-     * ahead of time if they can be written.
+     * Adds folders of our own Python sources to the module path. They are readable and, if writable
+     * for us, compiled ahead of time for a fast start.
      */
     public Builder pythonPath(Path... folders) {
       command.pythonPath(List.of(folders));
       return this;
     }
 
-    /** Ten seconds and 512 MiB unless this says otherwise. */
+    /** Sets the limits; the default is ten seconds and 512 MiB. */
     public Builder limits(Limits limits) {
       wallTime = limits.wallTime();
       command.limits(limits);
       return this;
     }
 
-    /** How to confine it; {@link Confinement#detect} unless this says otherwise. */
+    /** Sets the confinement; the default is {@link Confinement#detect}. */
     public Builder confinement(Confinement confinement) {
       command.confinement(confinement);
       return this;
     }
 
-    /** For tests of what one layer stops alone. */
+    /** Disables the kernel's layer, for tests of the other layers. */
     Builder withoutKernel() {
       command.withoutKernel();
       return this;
     }
 
-    /** For tests of what the other layers stop alone. */
+    /** Disables the audit hooks, for tests of the other layers. */
     Builder withoutHooks() {
       command.withoutHooks();
       return this;
     }
 
     /**
-     * Starts it.
+     * Starts the process.
      *
      * @throws DiagnosticException {@code python.unavailable}: the process cannot be started
      */

@@ -9,26 +9,25 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
 /**
- * How a process that runs foreign Python is confined.
+ * Ways to confine a process that runs untrusted Python.
  *
  * <p>Both ways set limits (address space, processor time, file size, open files, wall time), give
- * the process no environment variables of ours, refuse through Python's audit hooks what a
- * component has no use for (files, sockets, processes, native code, traces of frames), and ask the
- * kernel, where it can (Linux with seccomp, on x86-64 and AArch64), to refuse new processes,
- * sockets, signals to others, and the scheduling of others. They differ in what hides the files and
- * processes of this machine.
+ * the process no environment variables of ours, refuse operations that a component does not need
+ * through Python's audit hooks (files, sockets, processes, native code, frame tracing), and refuse
+ * new processes, sockets, signals to others, and the scheduling of others through seccomp (Linux on
+ * x86-64 and AArch64). They differ in how they hide the files and processes of this machine.
  *
- * <p>What audit hooks cannot stop: they see what the interpreter reports, so native code that opens
- * files by itself and byte code made by hand get past them; from Python 3.13 on also code that runs
- * in the middle of a check, such as a signal's handler. Namespaces hold then, or Landlock (Linux
- * 5.13); on an older kernel without bubblewrap nothing does. Neither way limits the sum of the
- * memory of files in the work folder, or hides how long something took.
+ * <p>Limits of audit hooks: they see only events that the interpreter reports. Native code that
+ * opens files by itself and hand-made byte code bypass them; from Python 3.13 on also code that
+ * runs during a check, such as a signal handler. Namespaces or Landlock (Linux 5.13) still apply
+ * then; nothing stops them on an older kernel without bubblewrap. Neither way limits the total size
+ * of files in the work folder, or prevents timing measurements.
  */
 public enum Confinement {
-  /** Namespaces of its own, made by bubblewrap: what is not given is not there. */
+  /** Separate namespaces, created by bubblewrap: only the given files exist. */
   BUBBLEWRAP("bubblewrap (own namespaces), seccomp, audit hooks, limits"),
 
-  /** Python audit hooks, and Landlock where the kernel has it. */
+  /** Python audit hooks, and Landlock where the kernel supports it. */
   AUDIT_HOOKS("Python audit hooks, Landlock and seccomp where the kernel has them, limits");
 
   private static final String VARIABLE = "EVENTCHAIN_CONFINEMENT";
@@ -45,18 +44,18 @@ public enum Confinement {
     this.description = description;
   }
 
-  /** For people: what holds the process. */
+  /** Returns a description for the user. */
   public String describe() {
     return description;
   }
 
   /**
-   * What {@code EVENTCHAIN_CONFINEMENT} names, or, if that is unset, empty or {@code auto}, the
-   * strongest that works here: bubblewrap may be installed and yet be forbidden to make namespaces.
-   * Found out once.
+   * Returns the confinement that {@code EVENTCHAIN_CONFINEMENT} names. If it is unset, empty or
+   * {@code auto}, returns the strongest that works here: bubblewrap may be installed but forbidden
+   * to create namespaces. Determined once.
    *
    * @throws DiagnosticException {@code python.confinement.unknown} with the reason INPUT: the
-   *     variable names something else; {@code python.confinement.unavailable} with the reason
+   *     variable has another value; {@code python.confinement.unavailable} with the reason
    *     UNAVAILABLE: it demands bubblewrap, which does not work here
    */
   public static synchronized Confinement detect() {
@@ -77,9 +76,8 @@ public enum Confinement {
   }
 
   /**
-   * What {@code EVENTCHAIN_CONFINEMENT} says, {@code auto} if it is unset or empty; whether it is
-   * known is for {@link #detect()} to say. A result of code that was confined in another way may
-   * not be what it would be in this one.
+   * Returns the value of {@code EVENTCHAIN_CONFINEMENT}, {@code auto} if it is unset or empty,
+   * without validation, see {@link #detect()}. Results of code may differ between confinements.
    */
   public static String demanded() {
     String wanted = System.getenv().getOrDefault(VARIABLE, "");

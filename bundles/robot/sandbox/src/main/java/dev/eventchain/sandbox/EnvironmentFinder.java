@@ -22,8 +22,8 @@ import java.util.Set;
 import java.util.function.Consumer;
 
 /**
- * Finds the environment that {@code environment.py} makes. Which environment belongs to which
- * Python is remembered in the cache, so that usually no Python has to be started to find it.
+ * Finds the environment that {@code environment.py} creates. The cache maps each Python to its
+ * environment, so that usually no Python has to be started.
  */
 final class EnvironmentFinder {
 
@@ -55,7 +55,10 @@ final class EnvironmentFinder {
     return find(WITH_CYCLONEDDS, List.of("--cyclonedds"));
   }
 
-  /** What {@link #find} will do, which this does not: the version of Python and its packages. */
+  /**
+   * Returns the version of Python and its packages that {@link #find} would use, without creating
+   * the environment.
+   */
   String outlook() {
     return ask(python(), List.of("--check"));
   }
@@ -93,7 +96,7 @@ final class EnvironmentFinder {
         "Install Python 3.10 or newer, or set EVENTCHAIN_PYTHON to one.");
   }
 
-  /** Changes when the pins or the installed Python change. */
+  /** Returns a cache key that changes with the pins or the installed Python. */
   private String key(Path python, List<String> content) {
     Sha256 digest = new Sha256();
     try {
@@ -150,7 +153,7 @@ final class EnvironmentFinder {
     return new PythonEnvironment(folder, version, List.copyOf(installation), cycloneDds);
   }
 
-  /** The symbolic links between the environment's Python and the file that is run. */
+  /** Returns the symbolic links between the environment's Python and the executed file. */
   private static List<Path> links(Path executable) throws IOException {
     List<Path> links = new ArrayList<>();
     Path current = executable;
@@ -227,7 +230,7 @@ final class EnvironmentFinder {
     return answer.last;
   }
 
-  /** What {@code environment.py} says: progress, problem and hint, and at last what was asked. */
+  /** Output of {@code environment.py}: progress, problem and hint, and finally the result. */
   private final class Answer {
     private String error = "";
     private String hint = "";

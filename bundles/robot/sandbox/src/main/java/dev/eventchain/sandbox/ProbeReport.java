@@ -16,7 +16,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What component_probe.py wrote, and how it ended.
+ * The output of component_probe.py and its termination.
  *
  * @param output its findings and results as a JSON object
  */
@@ -26,7 +26,7 @@ record ProbeReport(String output, ConfinedProcess.Termination end, String errors
       JsonMapper.builder().enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS).build();
   private static final int LAST_LINES = 300;
 
-  /** The findings; a check that did not come to its end is one. */
+  /** Returns the findings; an incomplete check is a finding, too. */
   List<Diagnostic> diagnostics(SourceText source) {
     JsonNode findings = parse().path("findings");
     if (!end.isSuccess() || !findings.isArray()) {
@@ -41,10 +41,10 @@ record ProbeReport(String output, ConfinedProcess.Termination end, String errors
   }
 
   /**
-   * What came of each sequence of calls; a check that did not come to its end, or says something of
-   * another number of sequences, is a problem.
+   * Returns the results of the sequences of calls. An incomplete check, or one that reports another
+   * number of sequences, is a problem.
    *
-   * @param sequences how many there are
+   * @param sequences their number
    */
   List<CallResults> results(SourceText source, int sequences) {
     List<Diagnostic> found = diagnostics(source);
@@ -73,7 +73,7 @@ record ProbeReport(String output, ConfinedProcess.Termination end, String errors
     return List.of(new CallResults(List.of(), Optional.of(problem)));
   }
 
-  /** Calls that fail alike at the same place are one finding. */
+  /** Returns a key under which calls that fail alike at the same place are one finding. */
   private static String kind(Diagnostic finding) {
     boolean ofCall = finding.id().equals("component.raised") || finding.id().contains(".result.");
     return finding.id() + finding.location() + (ofCall ? "" : finding.message());
@@ -83,7 +83,7 @@ record ProbeReport(String output, ConfinedProcess.Termination end, String errors
     try {
       return JSON.readTree(output);
     } catch (JsonProcessingException e) {
-      return MissingNode.getInstance(); // a part of an object
+      return MissingNode.getInstance(); // incomplete JSON
     }
   }
 

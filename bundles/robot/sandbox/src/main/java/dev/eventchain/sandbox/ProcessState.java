@@ -5,18 +5,17 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * What Linux says that a process does (proc(5), third field of {@code stat}).
+ * The state of a process on Linux (proc(5), third field of {@code stat}).
  *
- * @param letter {@code R} for running, {@code T} for stopped and so on; a blank where Linux does
- *     not say it
+ * @param letter {@code R} for running, {@code T} for stopped and so on; a blank if unknown
  */
 record ProcessState(char letter) {
 
-  /** Of a process now. */
+  /** Returns the current state of a process. */
   static ProcessState of(long pid) {
     try {
       String line = Files.readString(Path.of("/proc", Long.toString(pid), "stat"));
-      // The name before it is in parentheses, and may hold some.
+      // The process name before it is in parentheses, and may contain parentheses.
       int end = line.lastIndexOf(')');
       return new ProcessState(end < 0 || end + 2 >= line.length() ? ' ' : line.charAt(end + 2));
     } catch (IOException e) {
@@ -24,7 +23,7 @@ record ProcessState(char letter) {
     }
   }
 
-  /** Whether a signal, or a debugger, has stopped it. */
+  /** Returns whether a signal, or a debugger, has stopped it. */
   boolean isStopped() {
     return letter == 'T' || letter == 't';
   }

@@ -10,12 +10,12 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 
-/** The threads that start processes and end those whose time is over. */
+/** Threads that start processes and kill those that exceed their time. */
 final class ProcessThreads {
 
   /**
-   * One thread that never ends starts all processes: the kernel's parent-death signal, by which a
-   * confined process ends with this Java, goes by the thread that started it (prctl(2)).
+   * A permanent thread that starts all processes. The kernel's parent-death signal, which ends a
+   * confined process with this JVM, depends on the starting thread (prctl(2)).
    */
   private static final ExecutorService STARTER =
       Executors.newSingleThreadExecutor(task -> daemon(task, "confined-process-starter"));
@@ -33,7 +33,7 @@ final class ProcessThreads {
         try {
           return started.get();
         } catch (InterruptedException e) {
-          interrupted = true; // the process is owned by nobody until it is here
+          interrupted = true; // the started process must not be lost
         } catch (ExecutionException e) {
           throw new IOException(e.getCause().getMessage(), e);
         }

@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * Eventchain's own Python: a virtual environment with pinned packages (NumPy, rosbags), in the
- * user's cache, built on the Python 3.10 or newer of this machine.
+ * Eventchain's own Python: a virtual environment with pinned packages (NumPy, rosbags) in the
+ * user's cache, based on this machine's Python 3.10 or newer.
  */
 public final class PythonEnvironment {
 
@@ -25,17 +25,17 @@ public final class PythonEnvironment {
   }
 
   /**
-   * Finds the environment, and creates it if it is not there yet (about ten seconds and the network
-   * once; a few milliseconds after that). Safe when several processes do it at the same time.
+   * Finds the environment, or creates it on first use (about ten seconds and network access; later
+   * a few milliseconds). Safe for concurrent processes.
    *
-   * <p>The Python to build on is {@code EVENTCHAIN_PYTHON} if that is set, else {@code python3} of
-   * the {@code PATH}. The packages come from pip's index, or from the folder of wheels {@code
+   * <p>The base Python is {@code EVENTCHAIN_PYTHON} if that is set, else {@code python3} of the
+   * {@code PATH}. The packages come from pip's index, or from the folder of wheels {@code
    * EVENTCHAIN_WHEELS} if that is set.
    *
-   * @param progress gets lines for people while the environment is made
+   * @param progress receives lines for the user while the environment is created
    * @throws dev.eventchain.diagnostics.DiagnosticException {@code python.unavailable} with the
    *     reason UNAVAILABLE: there is no Python 3.10 or newer, it lacks its venv module, the
-   *     packages cannot be had, or the cache cannot be written; {@code python.wheels.missing}:
+   *     packages are unavailable, or the cache cannot be written; {@code python.wheels.missing}:
    *     {@code EVENTCHAIN_WHEELS} lacks one; and as {@link Confinement#detect}
    */
   public static PythonEnvironment ensure(Consumer<String> progress) {
@@ -44,7 +44,7 @@ public final class PythonEnvironment {
   }
 
   /**
-   * As {@link #ensure}, with Eclipse Cyclone DDS; an environment of its own, so that simulations in
+   * As {@link #ensure}, with Eclipse Cyclone DDS; a separate environment, so that simulations in
    * lock-step do not need it.
    *
    * @throws dev.eventchain.diagnostics.DiagnosticException as {@link #ensure}, and {@code
@@ -57,11 +57,11 @@ public final class PythonEnvironment {
   }
 
   /**
-   * Says in a few words what {@link #ensure} will do, which this does not: the version of Python,
-   * and whether the packages are there or where they will come from. If they are not there, pip has
-   * fetched them once into a folder that is removed again.
+   * Describes briefly what {@link #ensure} would do, without doing it: the version of Python, and
+   * whether the packages are present or where they come from. If they are not present, pip
+   * downloads them once into a temporary folder.
    *
-   * @param progress gets lines for people in the meantime
+   * @param progress receives lines for the user in the meantime
    * @throws dev.eventchain.diagnostics.DiagnosticException as {@link #ensure} would
    */
   public static String outlook(Consumer<String> progress) {
@@ -72,33 +72,36 @@ public final class PythonEnvironment {
   /**
    * As {@link #outlook}, for {@link #ensureWithCycloneDds}.
    *
-   * @throws dev.eventchain.diagnostics.DiagnosticException as that would, unless the library turns
-   *     out not to fit the system when it is loaded
+   * @throws dev.eventchain.diagnostics.DiagnosticException as {@code ensureWithCycloneDds}, except
+   *     for a library that does not load on this system
    */
   public static String outlookWithCycloneDds(Consumer<String> progress) {
     Confinement unused = Confinement.detect();
     return new EnvironmentFinder(System.getenv(), progress).outlookWithCycloneDds();
   }
 
-  /** The Python of the environment. */
+  /** Returns the Python executable of the environment. */
   public Path executable() {
     return folder.resolve("bin").resolve("python");
   }
 
-  /** The version of Python, such as {@code 3.11.7}. */
+  /** Returns the version of Python, such as {@code 3.11.7}. */
   public String version() {
     return version;
   }
 
   /**
-   * The library libddsc of Eclipse Cyclone DDS; empty unless the environment was made with it. It
-   * has been loaded once, by this Python.
+   * Returns the library libddsc of Eclipse Cyclone DDS; empty unless the environment was created
+   * with it. This Python has loaded it once as a check.
    */
   public Optional<Path> cycloneDds() {
     return cycloneDds;
   }
 
-  /** What a process has to be able to read to run this Python, besides the system's libraries. */
+  /**
+   * Returns the paths, besides the system's libraries, that a process must be able to read to run
+   * this Python.
+   */
   List<Path> installation() {
     return installation;
   }

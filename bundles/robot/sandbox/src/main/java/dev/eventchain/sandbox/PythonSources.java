@@ -20,13 +20,13 @@ import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
 import java.util.stream.Stream;
 
-/** Python files that travel as resources, as files that Python can read. */
+/** Provides Python files in resources as files on disk. */
 public final class PythonSources {
 
   private PythonSources() {}
 
   /**
-   * Finds a folder of resources on disk, or copies it out of its jar, once for each content.
+   * Returns a folder of resources on disk, or copies it from its jar, once for each content.
    *
    * @param loader the class loader that finds the folder
    * @param resourceRoot the folder, such as {@code dev/eventchain/sandbox}
@@ -120,7 +120,7 @@ public final class PythonSources {
     }
   }
 
-  /** Puts the folder in its place; if another process was faster, its folder is as good. */
+  /** Moves the folder to its place; a folder that another process put there first is equivalent. */
   private static void move(Path unfinished, Path folder) throws IOException {
     try {
       Files.move(unfinished, folder, StandardCopyOption.ATOMIC_MOVE);

@@ -6,7 +6,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 
-/** Reads a process's standard error to its end, and keeps the first and the last part of it. */
+/** Reads a process's standard error to its end, and keeps the first and last parts. */
 final class StandardError {
 
   private static final int PART = 32 * 1024;
@@ -25,7 +25,7 @@ final class StandardError {
   }
 
   /**
-   * Reads a stream from now on.
+   * Starts to read a stream.
    *
    * @param most bytes after which {@code tooMuch} is run, once
    */
@@ -48,7 +48,7 @@ final class StandardError {
         all += count;
       }
     } catch (IOException e) {
-      keep(new byte[0], 0); // the pipe of a killed process: what was read is all there is
+      keep(new byte[0], 0); // the pipe of a killed process: its output is complete
     }
   }
 

@@ -18,11 +18,12 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * A temporary folder for foreign code, for its owner only, that is deleted with all that is in it.
+ * A temporary folder for untrusted code, accessible to its owner only, that is deleted with its
+ * contents.
  *
- * <p>It is in its own folder next to a file that this process keeps locked. A process that is
- * killed cannot delete anything; but its locks end with it, and the first folder that a later
- * process makes deletes those whose locks are gone.
+ * <p>Its parent folder also holds a file that this process keeps locked. A killed process cannot
+ * delete its folders, but its locks are released. A later process deletes folders without locks
+ * when it creates its first one.
  */
 public final class WorkFolder implements AutoCloseable {
 
@@ -37,7 +38,7 @@ public final class WorkFolder implements AutoCloseable {
   }
 
   /**
-   * Makes an empty folder below {@code TMPDIR}, or else where Java puts temporary files.
+   * Creates an empty folder below {@code TMPDIR}, or else in Java's folder for temporary files.
    *
    * @throws DiagnosticException {@code temporary.unwritable} with the reason UNAVAILABLE: that
    *     place is full, missing, or may not be written
@@ -63,7 +64,7 @@ public final class WorkFolder implements AutoCloseable {
     }
   }
 
-  /** The lock gets its name once it is held: a lock that nobody holds belongs to nobody. */
+  /** The lock file is named only after it is locked: an unlocked one has no owner. */
   private static WorkFolder fill(Path whole) throws IOException {
     Path unnamed = whole.resolve("being-made");
     FileChannel lock =
@@ -86,12 +87,12 @@ public final class WorkFolder implements AutoCloseable {
     return Path.of(place).toAbsolutePath().normalize();
   }
 
-  /** The folder; the lock is outside it, so that what is confined to it cannot reach it. */
+  /** Returns the folder; the lock is outside, out of reach of code confined to the folder. */
   public Path path() {
     return whole.resolve("work");
   }
 
-  /** What to say when a file in it cannot be written. */
+  /** Returns the finding for a file in it that cannot be written. */
   public DiagnosticException unwritable(IOException problem) {
     return unwritable(whole.getParent(), problem);
   }
@@ -120,14 +121,14 @@ public final class WorkFolder implements AutoCloseable {
     return reason == null ? "writing failed" : reason;
   }
 
-  /** Deletes it as far as it can be deleted; a later process tries again with the rest. */
+  /** Deletes it as far as possible; a later process deletes the rest. */
   @Override
   public void close() {
     AbandonedFolders.delete(whole);
     try {
       lock.close();
     } catch (IOException e) {
-      // The lock ends with this process.
+      // The lock is released with this process.
     }
     OURS.remove(whole);
   }

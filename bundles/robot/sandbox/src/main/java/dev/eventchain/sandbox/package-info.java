@@ -1,2 +1,2 @@
-/** The Python environment, and the confined process in which foreign Python runs. */
+/** The Python environment, and the confined process that runs untrusted Python. */
 package dev.eventchain.sandbox;

@@ -1,15 +1,15 @@
-"""Refuse, through Python's audit hooks, what a confined program must not do (PEP 578).
+"""Refuse forbidden operations of a confined program through Python's audit hooks (PEP 578).
 
-Audit hooks are a fence, not a wall: they see what the interpreter reports, so native code that opens files or sockets
-by itself is out of their sight, and so is byte code that no compiler made. What holds for certain is the kernel
-(``kernel.py``, bubblewrap) where it has the means. A hook cannot be removed once it is there.
+Audit hooks see only events that the interpreter reports. Native code that opens files or sockets by itself and
+hand-made byte code bypass them. Only the kernel (``kernel.py``, bubblewrap) confines reliably, where it is available.
+An installed hook cannot be removed.
 
-A program gets hold of the hook's frames by the traceback of each refusal, and through them of all that the hook uses.
-So there is nothing to change there: the functions of a check have no closure, no name that is looked up in a module,
-and no table that could be written; all they use are defaults of parameters, which are numbers, strings, tuples, frozen
-sets, functions in C, and each other. To replace their code or their defaults is refused like everything else. From
-Python 3.13 on (PEP 667) a frame's local variables can be written. Those of a finished check change nothing, and no
-other thread gets hold of one that is under way; a signal's handler or a finalizer that runs in the middle of it does.
+A program can reach the hook's frames through the traceback of a refusal, and through them all objects that the hook
+uses. Therefore these are immutable: the functions of a check have no closure, no global names and no mutable tables.
+They use only defaults of parameters, which are numbers, strings, tuples, frozen sets, functions in C, and each other.
+Replacing their code or their defaults is refused, too. From Python 3.13 on (PEP 667) the local variables of a frame are
+writable. Those of a finished check have no effect, and other threads cannot reach a running check. A signal handler or
+a finalizer that runs during a check can.
 """
 
 from __future__ import annotations
@@ -55,15 +55,15 @@ REFUSED_MODULES = (
     *("_ctypes", "ctypes", "_posixsubprocess", "_posixshmem", "_multiprocessing", "_sqlite3", "_dbm", "_gdbm", "apsw"),
     *("readline", "_testcapi", "_testinternalcapi", "_testlimitedcapi", "_xxsubinterpreters", "_interpreters", "cffi"),
 )
-# Functions that raise no audit event. They are taken out of this module, so it must not be imported once more.
+# Functions that raise no audit event. They are removed from this module, so it must not be imported again.
 SILENT_MODULE = "posix"
 SILENT_FUNCTIONS = (
     *("chroot", "lchown", "memfd_create", "mkfifo", "mknod", "nice", "pidfd_open", "sched_setaffinity"),
     *("sched_setparam", "sched_setscheduler", "setns", "setpgid", "setpriority", "tcsetpgrp", "unshare", "eventfd"),
     *("fchmod", "fchown", "openpty", "login_tty", "sync"),
 )
-# The number of leading arguments of each event that are paths about to change, and the first of those that are
-# descriptors of folders to which a path is relative.
+# The number of leading arguments of each event that are paths to be changed, and the index of the first argument
+# that is the descriptor of a folder for relative paths.
 CHANGES = (
     *(("os.chflags", 1, 9), ("os.chmod", 1, 2), ("os.chown", 1, 9), ("os.mkdir", 1, 2), ("os.remove", 1, 1)),
     *(("os.removexattr", 1, 9), ("os.rename", 2, 2), ("os.rmdir", 1, 1), ("os.setxattr", 1, 9)),
@@ -75,20 +75,20 @@ FREQUENT = frozenset(
 )
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 HARMLESS = "/dev/null"
-# The commands of fcntl(2) that choose who gets the signals of a file, and which: F_SETOWN, F_SETSIG, F_SETOWN_EX.
+# The commands of fcntl(2) that choose the receiver and the number of a file's signals: F_SETOWN, F_SETSIG, F_SETOWN_EX.
 SIGNAL_COMMANDS = (8, 10, 15)
 
 Hook = Callable[[str, tuple[Any, ...]], None]
 
 
 def install(readable: Iterable[str], writable: str) -> None:
-    """Refuse from now on, for good, all files but these, all sockets and all processes."""
+    """Permanently refuse all files except the given ones, all sockets and all processes."""
     for name in SILENT_FUNCTIONS:
         for module in (os, posix):
             if hasattr(module, name):
                 delattr(module, name)
     for name in REFUSED_MODULES:
-        sys.modules[name] = None  # type: ignore[assignment]  # an import then says ModuleNotFoundError
+        sys.modules[name] = None  # type: ignore[assignment]  # an import then raises ModuleNotFoundError
     sys.addaudithook(_hook(tuple(os.path.realpath(path) for path in readable), os.path.realpath(writable)))
 
 
@@ -109,7 +109,7 @@ def _hook(readable: tuple[str, ...], writable: str) -> Hook:
 
 
 def _sealed(function: Callable[..., Any], *used: Any) -> Callable[..., Any]:
-    """The function with these as defaults of its last parameters, and without a module to look for names in."""
+    """Return the function with these objects as defaults of its last parameters, and without global names."""
     code = function.__code__
     return FunctionType(code, {"__builtins__": {}}, code.co_name, used)
 
@@ -119,8 +119,8 @@ def _codes() -> tuple[CodeType, ...]:
     return tuple(function.__code__ for function in functions)
 
 
-# The functions below are sealed. A class is compared with `is`, or asked for its true bases: isinstance would believe
-# what an object says of itself. A path is copied to a plain string, because a subclass of str could lie.
+# The functions below are sealed. Classes are compared with `is`, or by their true bases, since isinstance would trust
+# an object's own claim. A path is copied to a plain string, since a subclass of str could give false values.
 
 
 def _check(
@@ -179,7 +179,7 @@ def _check_path(
     refuse: type[Exception],
 ) -> None:
     if path is None or (is_kind(type_of(path), number) and (event == "open" or not change)):
-        return  # the current folder, or a file that is open already
+        return  # the current folder, or an open file
     if type_of(path) is raw:
         path = path.decode("utf-8", "surrogateescape")
     elif is_kind(type_of(path), text):
@@ -265,7 +265,7 @@ def _real_path(
     no_link: type[Exception],
     refuse: type[Exception],
 ) -> str:
-    """As os.path.realpath, by functions that a program cannot replace."""
+    """Resolve a path as os.path.realpath does, with functions that a program cannot replace."""
     pending = (path if path.startswith("/") else current_folder() + "/" + path).split("/")[::-1]
     done: list[str] = []
     links = 0

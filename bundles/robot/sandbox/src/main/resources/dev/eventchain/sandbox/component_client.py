@@ -1,7 +1,7 @@
-"""Components in processes of their own, seen from the process that calls them and records what they did.
+"""Client of component processes, for the process that calls components and records their results.
 
-Foreign code shares nothing with this process but a socket. What comes through it is a value or it ends the component;
-when it comes, and how much processor time was spent, is measured here and by the kernel.
+Untrusted code shares only a socket with this process. Data that are not a value end the component. Arrival times and
+processor time are measured here and by the kernel.
 """
 
 from __future__ import annotations
@@ -35,12 +35,12 @@ _LONGEST_TEXT = 500
 
 
 class ComponentError(BaseException):
-    """A component did not give a result. Not an `Exception`, so that nodes which catch those do not go on without it.
+    """A component gave no result. Not an `Exception`, so that nodes which catch those do not continue without it.
 
     Args:
         identifier: `component.raised`, `.syntax`, `.timeout`, `.ended` or `.result.type`.
-        message: what happened, in one line.
-        file: where, with 1-based line and column; 0: unknown.
+        message: description in one line.
+        file: the place, with 1-based line and column; 0: unknown.
         hint: what to do about it.
 
     """
@@ -64,14 +64,14 @@ class ComponentError(BaseException):
 
 
 class Limits(NamedTuple):
-    """What a component may use for one answer: processor time, and time on the clock for those that sleep; in s."""
+    """Limits of a component for one answer, in s: processor time, and wall time for components that sleep."""
 
     processor: float
     wall: float
 
 
 class Result(NamedTuple):
-    """What `execute` returned, as values of this process, where it says it did, and the processor time in ns."""
+    """Result of `execute`, the reported place of its `return`, and its processor time in ns."""
 
     values: Any
     line: int
@@ -80,18 +80,18 @@ class Result(NamedTuple):
 
 
 class ForkServer:
-    """Starts and ends processes; the parent of this process, see :mod:`fork_server`."""
+    """Client of the fork server, this process's parent, which starts and ends processes: see :mod:`fork_server`."""
 
     def __init__(self, control: socket.socket) -> None:
         self._control = control
 
     @classmethod
     def inherited(cls) -> ForkServer:
-        """The one that started this process."""
+        """Return the server that started this process."""
         return cls(_inherited())
 
     def start(self, description: dict[str, Any]) -> tuple[int, int, int]:
-        """Start the process of a component; its id, and file descriptors of its channel and of its stack."""
+        """Start the process of a component; return its id, and file descriptors of its channel and of its stack."""
         self._control.send(json.dumps(["start", description]).encode())
         descriptors = array("i")
         message, ancillary, _, _ = self._control.recvmsg(64, socket.CMSG_SPACE(2 * descriptors.itemsize))
@@ -101,11 +101,11 @@ class ForkServer:
         return int(message), channel, stack
 
     def show_stack(self, process: int) -> None:
-        """Let a process write where it is."""
+        """Make a process write its stack."""
         self._ask("stack", process)
 
     def end(self, process: int) -> int:
-        """End a process, if it has not ended by itself; its exit code, or the negative number of a signal."""
+        """End a process if it is still running; return its exit code, or the negative number of a signal."""
         return self._ask("end", process)
 
     def _ask(self, what: str, process: int) -> int:
@@ -119,7 +119,7 @@ def _inherited() -> socket.socket:
     return _INHERITED
 
 
-# Made when this module is imported, before audit hooks refuse sockets.
+# Created on import, before audit hooks refuse sockets.
 _INHERITED = socket.socket(fileno=int(os.environ[CONTROL])) if CONTROL in os.environ else None
 
 
@@ -128,9 +128,9 @@ class ComponentProcess:
 
     Args:
         server: starts the process.
-        description: as of `component_process.ComponentProcess`.
+        description: see `component_process.ComponentProcess`.
         limits: for each answer.
-        objects: what besides plain values may be sent.
+        objects: objects that may be sent besides plain values.
 
     """
 
@@ -154,7 +154,7 @@ class ComponentProcess:
         self._expect_done(self._ask(["load"]))
 
     def make(self) -> None:
-        """Make the object."""
+        """Create the object."""
         self._expect_done(self._ask(["make"]))
 
     def call(self, arguments: tuple[Any, ...], inputs: dict[str, Any]) -> Result:
@@ -172,7 +172,7 @@ class ComponentProcess:
         raise self._strange()
 
     def close(self) -> int:
-        """End the process; its exit code, or the negative number of a signal."""
+        """End the process; return its exit code, or the negative number of a signal."""
         if self._ended:
             return 0
         self._ended = True
@@ -189,7 +189,7 @@ class ComponentProcess:
         if self._ended:
             raise ComponentError("component.ended", "the process of the component has ended", self._file)
         self._start_clocks()
-        self._token = os.urandom(_TOKEN_BYTES)  # nobody can answer a question before it is asked
+        self._token = os.urandom(_TOKEN_BYTES)  # prevents answers sent before the question
         self._send(component_values.write(question, self._objects))
         try:
             answer = component_values.read(self._receive(), self._objects)
@@ -215,7 +215,7 @@ class ComponentProcess:
                 written += self._write([rest[written:]])
 
     def _write(self, buffers: list[Any]) -> int:
-        """Write as much as there is room for; the socket gives up from time to time (SO_SNDTIMEO)."""
+        """Write as much as fits; the socket times out periodically (SO_SNDTIMEO)."""
         while True:
             try:
                 return os.writev(self._channel, buffers)
@@ -241,7 +241,7 @@ class ComponentProcess:
         return view[_HEADER.size : whole]
 
     def _read(self, view: memoryview) -> int:
-        """Read what there is; the socket gives up from time to time (SO_RCVTIMEO)."""
+        """Read the available bytes; the socket times out periodically (SO_RCVTIMEO)."""
         while True:
             try:
                 count = os.readv(self._channel, [view])
@@ -270,7 +270,7 @@ class ComponentProcess:
         return self._error("component.timeout", message, self._file, line, hint=_TOO_LATE_HINT)
 
     def _line_of_stack(self) -> int:
-        """Where the process is: the innermost line of the component, 0 if it does not tell."""
+        """Return the innermost line of the component in the process's stack, 0 if unknown."""
         self._server.show_stack(self._process)
         os.set_blocking(self._stack, False)
         text, end = "", time.monotonic() + _PATIENCE
@@ -301,7 +301,7 @@ class ComponentProcess:
         return self._error("component.ended", "its process wrote something else than an answer", self._file)
 
     def _raised(self, kind: Any, text: Any, file: Any, line: Any, column: Any) -> ComponentError:
-        """The file is believed only if it is one of the sources: a finding shows lines of it."""
+        """Return the component's error. Its place must be in a source file, since findings show the line."""
         place = file if type(file) is str and self._is_source(file) else self._file
         known = place == file
         shown = _line(text)
@@ -332,7 +332,7 @@ def _number(value: Any) -> int:
 
 
 def _line(value: Any) -> str:
-    """Foreign text on one line, without characters that do something to a terminal, and not too long."""
+    """Return untrusted text on one line, without terminal control characters, and shortened."""
     text = value if type(value) is str else ""
     shown = "".join(c if c.isprintable() else c.encode("unicode_escape", "replace").decode() for c in text)
     return shown if len(shown) <= _LONGEST_TEXT else shown[: _LONGEST_TEXT - 3] + "..."

@@ -1,8 +1,8 @@
-"""Which names a component may take from which modules: a positive list, what a library adds is not on it by itself.
+"""Names that a component may import from modules: an allow list, so names added by new versions are not allowed.
 
-All of them are functions, classes and constants that give the same for the same arguments: no modules, files, clocks,
-random numbers, addresses, or ways to reach an attribute by a name that is computed. Taken from the documentation of
-Python 3.10 to 3.14 and NumPy 2; a name that a version lacks is allowed and then not there.
+All of them are deterministic functions, classes and constants: no modules, files, clocks, random numbers, addresses, or
+access to attributes by computed names. Taken from the documentation of Python 3.10 to 3.14 and NumPy 2; a name that a
+version lacks is allowed, but missing.
 """
 
 from __future__ import annotations
@@ -136,7 +136,7 @@ ALLOWED_NAMES = {
     }.items()
 }
 
-# Names of libraries that are not allowed for a reason that people should be told.
+# Forbidden names of libraries with the reason for the user.
 RANDOM_NAMES = frozenset({"random", "kde_random", "NormalDist"})
 FILE_NAMES = frozenset(
     {"DataSource", "ctypeslib", "fromfile", "fromregex", "genfromtxt", "load", "loadtxt", "memmap", "save", "savetxt"}
@@ -156,7 +156,7 @@ REACHING_ATTRIBUTES = _words("""
     f_lineno f_locals f_trace tb_frame tb_lasti tb_lineno tb_next co_code co_consts co_filename co_freevars co_names
     co_varnames cell_contents buffer_info ctypes dump dumps fromfile mro tofile
 """)
-# What a class may define for Python to call: operators and collections, not what copies, pickles or looks up.
+# Special methods that a class may define: operators and collections, not copying, pickling or attribute lookup.
 _OPERATIONS = _words("add and divmod floordiv lshift matmul mod mul or pow rshift sub truediv xor")
 _OTHERS = _words("""
     abs bool call ceil complex contains copy deepcopy delitem enter eq exit float floor format ge getitem gt hash index

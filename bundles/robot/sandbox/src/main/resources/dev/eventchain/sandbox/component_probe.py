@@ -1,12 +1,12 @@
-"""Check one component file: read it, import it, make calls. Runs confined; started by ComponentProbe.
+"""Check one component file: parse it, import it, make calls. Runs confined; started by ComponentProbe.
 
 Standard input is a JSON object: ``file``, ``class``, ``inputs``, ``outputs`` and their ``types``, ``calls`` (``name``
-and ``arguments``, all made on one component, in order), ``existing`` (whether people wrote it: it may import and call
-what generated ones must not, and import what lies beside it), ``sequences`` (lists of such calls, each list made on a
-component of its own), and for each answer of the component ``processorSeconds`` and ``wallSeconds``. Standard output is
-a JSON object: ``findings``, and ``results`` with, for each sequence, what its calls returned (``outputs``) and the
-finding that ended it, if one did (``problem``). The component runs in a process of its own, whose output goes to
-standard error: this process runs nothing of it.
+and ``arguments``, all made on one component, in order), ``existing`` (true if it is hand-written: it may import and
+call what generated ones must not, and import modules next to it), ``sequences`` (lists of such calls, each list made on
+a new component object), and for each answer of the component ``processorSeconds`` and ``wallSeconds``. Standard output
+is a JSON object: ``findings``, and ``results`` with, for each sequence, the results of its calls (``outputs``) and the
+finding that ended it, if any (``problem``). The component runs in a separate process, whose output goes to standard
+error: this process runs none of its code.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ _OF_ALL = {
 
 
 class Probe:
-    """The checks of one file."""
+    """Checks of one file."""
 
     def __init__(self, request: dict[str, Any]) -> None:
         self._file: str = request["file"]
@@ -51,7 +51,7 @@ class Probe:
         self._lines = Path(self._file).read_text(encoding="utf-8-sig").split("\n")
 
     def findings(self) -> list[Finding]:
-        """Make all checks; those that run the component only when reading it found nothing wrong."""
+        """Make all checks; the component is run only if the static checks have no findings."""
         findings = check_file(self._file, self._component)
         if self._existing:
             findings = [finding for finding in findings if finding.id in _OF_ALL]
@@ -79,7 +79,7 @@ class Probe:
         return found
 
     def results(self) -> list[dict[str, Any]]:
-        """Make the calls of each sequence on a new component."""
+        """Make the calls of each sequence on a new component object."""
         results: list[dict[str, Any]] = []
         process: ComponentProcess | None = None
         for calls in self._sequences:
@@ -98,7 +98,7 @@ class Probe:
                         result["problem"] = found[0]._asdict()
                         break
             except ComponentError as problem:
-                process = None  # it has ended
+                process = None  # the process has ended
                 result["problem"] = self._finding(problem, stage, "")._asdict()
             results.append(result)
         if process is not None:
@@ -131,7 +131,7 @@ class Probe:
         ]
 
     def _check_state(self, process: ComponentProcess) -> list[Finding]:
-        """What a component remembers outside its object shows in a second one."""
+        """Check for state outside the object, which would be visible in a second object."""
         process.make()
         for call, first in zip(self._calls, self._returned, strict=False):
             arguments = {key: decode(value) for key, value in call["arguments"].items()}
@@ -160,7 +160,7 @@ class Probe:
 
 
 def decode(value: Any) -> Any:
-    """Turn an argument of a call into what a ROS message field gives."""
+    """Convert an argument of a call to the value of a ROS message field."""
     if isinstance(value, dict) and "$bytes" in value:
         return array.array("B", base64.b64decode(value["$bytes"]))
     if isinstance(value, dict) and "$array" in value:
@@ -169,7 +169,7 @@ def decode(value: Any) -> Any:
 
 
 def plain(value: Any) -> Any:
-    """Turn an output into what JSON holds; bytes become numbers."""
+    """Convert an output to JSON values; bytes become numbers."""
     if isinstance(value, (bytes, bytearray)):
         return list(value)
     return value.tolist() if hasattr(value, "tolist") else value

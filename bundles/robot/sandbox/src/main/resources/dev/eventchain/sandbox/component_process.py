@@ -1,13 +1,13 @@
-"""The process in which one component lives: it gets the arguments of execute() and gives back its result.
+"""Process of one component: it receives the arguments of execute() and returns the result.
 
-Nothing else that this process says is believed, since foreign code runs in it: see :mod:`component_client`, the other
+Everything else from this process is ignored, since untrusted code runs in it: see :mod:`component_client`, the other
 side. Frames in both directions are the length of the value (u32, little endian), the token of the question (4 bytes,
 which the answer has, too), and a value of :mod:`component_values`, question and answer in turn:
 
 - ``["load"]``, which imports the file, and ``["make"]``, which makes the object, are answered by ``["done"]``,
 - ``["call", [argument...], {name: argument...}]`` by ``["result", value, line, column]``, with the place where
-  `execute` returned, or by ``["unfit", type, key, line, column]``: a value that cannot be sent; the key is null where
-  it is the result itself,
+  `execute` returned, or by ``["unfit", type, key, line, column]``: a value that cannot be sent; the key is null if it
+  is the result itself,
 - each of them by ``["raised", type, text, file, line, column]`` if the code raised something.
 """
 
@@ -39,7 +39,7 @@ _LONGEST_TEXT = 2000
 
 
 class ComponentProcess:
-    """Answers the questions about one component.
+    """Answers the requests for one component.
 
     Args:
         channel: file descriptor to read questions from and to write answers to.
@@ -61,13 +61,13 @@ class ComponentProcess:
         self._place = self._execute_place
 
     def serve(self) -> NoReturn:
-        """Answer until nobody asks any more."""
+        """Answer requests until there are no more."""
         while True:
             token, data = self._receive()
             question = component_values.read(data, self._objects)
             try:
                 answer = self._answer(question)
-            except BaseException as problem:  # foreign code may raise anything
+            except BaseException as problem:  # untrusted code may raise anything
                 answer = self._raised(problem)
             try:
                 buffers = component_values.write(answer, self._objects)
@@ -90,9 +90,9 @@ class ComponentProcess:
         return ["done"]
 
     def _load(self) -> None:
-        """Import the file as the module it is, with its `return` statements marked."""
+        """Import the file under its module name, with its `return` statements marked."""
         source = read(self._file)
-        ast.parse(source, self._file)  # says what is wrong with a file that is no Python
+        ast.parse(source, self._file)  # reports a file that is not valid Python
         rules = Rules(source, Component(self._class_name, [], []))
         rules.check()
         package = self._module_name.rpartition(".")[0]
@@ -118,7 +118,7 @@ class ComponentProcess:
         return ["result", result, *self._place]
 
     def _unfit(self, result: dict[Any, Any]) -> list[Any]:
-        """Name the value that cannot be sent."""
+        """Report the value that cannot be sent."""
         for key, value in result.items():
             try:
                 component_values.write(value, self._objects)
@@ -140,7 +140,7 @@ class ComponentProcess:
 
 
 def place_of(problem: BaseException, sources: Iterable[str]) -> tuple[str, int, int]:
-    """File, line and column (1-based, 0: unknown) of the innermost frame in one of the files or folders."""
+    """Return file, line and column (1-based, 0: unknown) of the innermost frame in one of the files or folders."""
     found = "", 0, 0
     trace = problem.__traceback__
     while trace is not None:
@@ -152,7 +152,7 @@ def place_of(problem: BaseException, sources: Iterable[str]) -> tuple[str, int, 
 
 
 def _column(trace: TracebackType) -> int:
-    """The column of what the frame executes, where this Python records it (3.11 and later)."""
+    """Return the column of the frame's current instruction, where this Python records it (3.11 and later)."""
     if sys.version_info < (3, 11):
         return 0
     column = list(trace.tb_frame.f_code.co_positions())[trace.tb_lasti // 2][2]
@@ -187,7 +187,7 @@ def _write_all(channel: int, buffers: list[Any]) -> None:
 
 
 def run(channel: int, stack: int, description: dict[str, Any]) -> NoReturn:
-    """Be the process of a component.
+    """Run the process of a component.
 
     Args:
         channel: see :class:`ComponentProcess`.

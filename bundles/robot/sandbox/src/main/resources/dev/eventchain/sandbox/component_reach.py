@@ -1,7 +1,7 @@
-"""What a component file reaches beyond itself: modules, names of Python's own, and attributes that lead out of it.
+"""Accesses of a component file to its outside: modules, built-in names, and attributes that lead out of it.
 
-Found by reading its syntax tree; nothing of it runs. A module is never a value: it is asked for its names only, and
-only for those of :data:`component_names.ALLOWED_NAMES`.
+Found in the syntax tree, without running the file. A module must not be used as a value, only for its names in
+:data:`component_names.ALLOWED_NAMES`.
 """
 
 from __future__ import annotations
@@ -67,12 +67,12 @@ class _Scope(NamedTuple):
 
 
 def reach(tree: ast.Module) -> list[Problem]:
-    """Find all that a file must not reach, in no particular order."""
+    """Find all forbidden accesses of a file, in no particular order."""
     return _Reader(tree).found
 
 
 class _Reader(ast.NodeVisitor):
-    """Reads one file."""
+    """Visitor of one file."""
 
     def __init__(self, tree: ast.Module) -> None:
         self.found: list[Problem] = []
@@ -88,7 +88,7 @@ class _Reader(ast.NodeVisitor):
         self.visit(tree)
 
     def _bind(self, node: ast.Import | ast.ImportFrom) -> None:
-        """Remember which names stand for modules, wherever they are imported."""
+        """Collect the names bound to modules by any import."""
         for alias in node.names:
             if isinstance(node, ast.Import):
                 module = alias.name if alias.asname else alias.name.partition(".")[0]
@@ -172,7 +172,7 @@ class _Reader(ast.NodeVisitor):
         self._comprehension(node)
 
     def _comprehension(self, node: Comprehension) -> None:
-        """The first iterable belongs to the scope around it."""
+        """Visit a comprehension; its first iterable belongs to the enclosing scope."""
         first = node.generators[0]
         self.visit(first.iter)
         targets = {name.id for part in node.generators for name in ast.walk(part.target) if isinstance(name, ast.Name)}
@@ -188,7 +188,7 @@ class _Reader(ast.NodeVisitor):
         self._scopes.pop()
 
     def _is_own(self, name: str) -> bool:
-        """Whether a function around this place binds it; a module's binding could come too late, or go."""
+        """Return whether an enclosing function binds the name; a binding in the module may be late or be deleted."""
         for scope in reversed(self._scopes):
             if name in scope.outer or name in scope.imported:
                 return False
@@ -197,7 +197,7 @@ class _Reader(ast.NodeVisitor):
         return False
 
     def _modules_of(self, node: ast.expr) -> set[str]:
-        """The modules that an expression can refer to; empty if it is not a module."""
+        """Return the modules that an expression may refer to; empty if it is not a module."""
         if isinstance(node, ast.Name):
             return set() if self._is_own(node.id) else self._modules.get(node.id, set())
         if isinstance(node, ast.Attribute):
@@ -287,7 +287,7 @@ class _Reader(ast.NodeVisitor):
             self._add(CALL, node, f"A component must not use '{node.value}', which can be the current time.", SIMULATED)
 
     def _constant_getattr(self, called: ast.Name, wanted: ast.expr) -> None:
-        """getattr(x, "plain_name") is another way to write x.plain_name; any other use can reach everything."""
+        """getattr(x, "plain_name") is equivalent to x.plain_name; any other use can reach every attribute."""
         if isinstance(wanted, ast.Constant) and isinstance(wanted.value, str):
             self._excused.add(called)
             self._attribute(wanted, wanted.value, False)
@@ -309,7 +309,7 @@ class _Reader(ast.NodeVisitor):
 
 
 def _fields(text: str) -> Iterator[str]:
-    """The fields of a format, also those inside its specifications; something wrong if it is not a format."""
+    """Return the fields of a format, also in its specifications; a forbidden one if the format is invalid."""
     try:
         for _, field, specification, _ in string.Formatter().parse(text):
             yield field or ""
@@ -319,14 +319,14 @@ def _fields(text: str) -> Iterator[str]:
 
 
 def _scope(arguments: set[str], body: Iterable[ast.AST]) -> _Scope:
-    """What a function binds, without what the functions, classes and comprehensions inside it bind for themselves."""
+    """Return the names bound by a function, without those of functions, classes and comprehensions inside it."""
     scope = _Scope(set(arguments), set(), set())
     pending = list(body)
     while pending:
         node = pending.pop()
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
             scope.own.add(node.name)
-            pending += node.decorator_list  # where a walrus can be
+            pending += node.decorator_list  # places of possible assignment expressions
             continue
         if isinstance(node, ast.Lambda):
             continue

@@ -1,4 +1,4 @@
-"""What a component has to return: a dict with its outputs and nothing else, each of the declared type."""
+"""Checks of a component's result: a dict with exactly its outputs, each of the declared type."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ VALUE_HINT = "Return a number, a truth value, a string, or a list of these."
 
 
 class Output(NamedTuple):
-    """An output: the key in the dict, and its type as the chain declares it, or "" for any."""
+    """An output: the key in the dict, and its declared type, or "" for any."""
 
     name: str
     type: str = ""
 
 
 class Problem(NamedTuple):
-    """What is wrong with a result: the rule's id, a sentence without its subject `execute()`, and what to do."""
+    """A problem of a result: the rule's id, a sentence without its subject `execute()`, and a hint."""
 
     rule: str
     message: str
@@ -29,12 +29,12 @@ class Problem(NamedTuple):
 
 
 def keys_hint(outputs: list[Output]) -> str:
-    """What to return."""
+    """Return the hint for the keys."""
     return f"Return a dict with exactly these keys: {', '.join(output.name for output in outputs)}."
 
 
 def check(values: Any, outputs: list[Output]) -> list[Problem]:
-    """What is wrong with the value that `execute` returned."""
+    """Check the value that `execute` returned."""
     if type(values) is not dict:
         expected = keys_hint(outputs)
         return [Problem("component.result.type", f"returned {type(values).__name__}, not dict", expected)]
@@ -43,7 +43,7 @@ def check(values: Any, outputs: list[Output]) -> list[Problem]:
 
 
 def check_keys(keys: Collection[Any], outputs: list[Output]) -> list[Problem]:
-    """What is wrong with the keys of the dict that `execute` returns."""
+    """Check the keys of the dict that `execute` returns."""
     names = [output.name for output in outputs]
     missing = [name for name in names if name not in keys]
     extra = [str(key) for key in keys if key not in names]
@@ -73,7 +73,7 @@ def _check_output(output: Output, value: Any) -> list[Problem]:
 
 
 def _kinds(declared: str) -> tuple[Any, ...]:
-    """What a value of a declared type is in words, and the types of Python that it may have; empty for any."""
+    """Return the name of a declared type and the Python types that it accepts; empty for any."""
     if declared.endswith("]"):
         return "a sequence", list, tuple, array, bytes, bytearray
     if declared in ("bool", "boolean"):
@@ -82,10 +82,10 @@ def _kinds(declared: str) -> tuple[Any, ...]:
 
 
 def _check_elements(name: str, values: Any) -> list[Problem]:
-    """Infinity is right in a sequence, as in a laser scan: nothing in range (REP 117)."""
+    """Check the elements of a sequence, which may be infinite, as in a laser scan: nothing in range (REP 117)."""
     if not isinstance(values, list):
         total = sum(values) if isinstance(values, array) else values.sum()
-        if total == total:  # sums keep NaN
+        if total == total:  # NaN propagates to the sum
             return []
         values = values.tolist()
     for index, element in enumerate(values):

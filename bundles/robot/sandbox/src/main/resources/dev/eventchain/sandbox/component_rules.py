@@ -1,6 +1,6 @@
-"""The rules of a component file that reading it can check: nothing of the file is run.
+"""Static rules of a component file: none of its code is run.
 
-Each finding has the id of its rule page, the place in the file, what is wrong and what to do about it.
+Each finding has the id of its rule page, the place in the file, a message and a hint.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import component_results
 from component_reach import reach
 from component_results import Output
 
-# Built-in functions that make a constant out of constants.
+# Built-in functions with constant results for constant arguments.
 CONSTANT_MAKERS = frozenset(
     {"abs", "bool", "bytes", "complex", "dict", "float", "frozenset", "int", "len", "list", "max", "min", "pow"}
     | {"range", "round", "set", "sorted", "str", "sum", "tuple", "zip"}
@@ -28,7 +28,7 @@ _KINDS: dict[type[ast.AST], str] = {ast.Tuple: "tuple", ast.List: "list", ast.Se
 
 
 class Finding(NamedTuple):
-    """A broken rule; `line` and `column` count from 1, the column in characters."""
+    """A violated rule; `line` and `column` count from 1, the column in characters."""
 
     id: str
     line: int
@@ -38,7 +38,7 @@ class Finding(NamedTuple):
 
 
 class Component(NamedTuple):
-    """What a component file has to define."""
+    """Required definitions of a component file."""
 
     class_name: str
     inputs: list[str]
@@ -65,7 +65,7 @@ class Rules:
         return sorted(set(found), key=lambda finding: (finding.line, finding.column, finding.id, finding.message))
 
     def marked_tree(self, marker: str) -> ast.Module:
-        """The file with each `return value` of execute() as `return marker(line, column, value)`."""
+        """Return the file's tree with each `return value` of execute() as `return marker(line, column, value)`."""
         execute = self._method(self._class(), "execute")
         if execute is not None:
             marks = _ReturnMarks(marker, self._place)
@@ -73,7 +73,7 @@ class Rules:
         return ast.fix_missing_locations(self._tree)
 
     def execute_place(self) -> tuple[int, int]:
-        """Where execute() is defined."""
+        """Return the place of execute()."""
         execute = self._method(self._class(), "execute")
         return self._place(execute) if execute is not None else (1, 1)
 
@@ -116,7 +116,7 @@ class Rules:
                     yield self._finding("component.import.effect", node, message, "Put it into a method of the class.")
 
     def _effect(self, node: ast.stmt) -> ast.AST | None:
-        """The part of a top-level statement that does more than define something."""
+        """Return the part of a top-level statement that has an effect other than a definition."""
         if isinstance(
             node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Import, ast.ImportFrom, ast.Pass)
         ):
@@ -150,7 +150,7 @@ class Rules:
         return found[-1] if found else None
 
     def _method(self, cls: ast.ClassDef | None, name: str) -> ast.FunctionDef | ast.AsyncFunctionDef | None:
-        """The method of a class, or of a base class in the same file."""
+        """Return the method of a class, or of a base class in the same file."""
         seen: set[str] = set()
         while cls is not None and cls.name not in seen:
             seen.add(cls.name)
@@ -203,7 +203,7 @@ class Rules:
             yield from self._result(returned)
 
     def _result(self, node: ast.Return) -> Iterator[Finding]:
-        """What a `return` gives in any case, also one that no trial reaches."""
+        """Check the result of a `return` as far as it is constant, even if no trial reaches it."""
         value, outputs = node.value, [Output(name) for name in self._component.outputs]
         if isinstance(value, ast.Dict):
             keys = [key.value for key in value.keys if isinstance(key, ast.Constant)]
@@ -222,18 +222,18 @@ class Rules:
 
 
 def read(file: str) -> str:
-    """The text of a component file, with its line ends."""
+    """Return the text of a component file, with its line ends."""
     with open(file, encoding="utf-8-sig", newline="") as opened:  # noqa: PTH123
         return opened.read()
 
 
 def check_file(file: str, component: Component) -> list[Finding]:
-    """Check one file without running anything of it."""
+    """Check one file without running its code."""
     return Rules(read(file), component).check()
 
 
 class _ReturnMarks(ast.NodeTransformer):
-    """Marks the return statements of one function, not those of functions inside it."""
+    """Marks the return statements of one function, except in functions inside it."""
 
     def __init__(self, marker: str, place: Callable[[ast.AST], tuple[int, int]]) -> None:
         self._marker = marker
@@ -257,7 +257,7 @@ def _names(names: Iterable[str]) -> str:
 
 
 def _is_guard(test: ast.expr) -> bool:
-    """`if TYPE_CHECKING:` and `if __name__ == "__main__":`, whose bodies an import does not run."""
+    """Return whether it is `if TYPE_CHECKING:` or `if __name__ == "__main__":`, whose body an import does not run."""
     if isinstance(test, ast.Compare):
         return isinstance(test.left, ast.Name) and test.left.id == "__name__" and isinstance(test.ops[0], ast.Eq)
     return isinstance(test, ast.Name) and test.id == "TYPE_CHECKING"
@@ -268,7 +268,7 @@ def _is_static(node: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
 
 
 def _required(node: ast.FunctionDef | ast.AsyncFunctionDef) -> list[str]:
-    """The parameters that a call has to give, without self."""
+    """Return the parameters that a call has to give, without self."""
     positional = [argument.arg for argument in (*node.args.posonlyargs, *node.args.args)]
     needed = positional[: len(positional) - len(node.args.defaults)]
     if not _is_static(node):
@@ -278,7 +278,7 @@ def _required(node: ast.FunctionDef | ast.AsyncFunctionDef) -> list[str]:
 
 
 def _returns(function: ast.FunctionDef | ast.AsyncFunctionDef) -> Iterator[ast.Return]:
-    """The return statements of a function, not those of functions inside it."""
+    """Return the return statements of a function, except in functions inside it."""
     pending: list[ast.AST] = list(function.body)
     while pending:
         node = pending.pop(0)

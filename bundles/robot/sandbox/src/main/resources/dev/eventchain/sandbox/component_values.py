@@ -1,8 +1,8 @@
-"""Values between a component and the process that calls it, as bytes.
+"""Encoding of values between a component and the process that calls it.
 
-The two do not trust each other: whatever bytes arrive, what comes out is a value or a :class:`MalformedError`. The
-bytes of a value are the length of its head (u32, little endian), the head, and parts. The head is JSON in ASCII, in
-which an object has one member that names what it stands for::
+The processes do not trust each other: any bytes decode to a value or to a :class:`MalformedError`. The bytes of a value
+are the length of its head (u32, little endian), the head, and parts. The head is JSON in ASCII, in which an object has
+one member that names what it stands for::
 
     {"bytes": length}                      the next part
     {"array": [typecode, length]}          array.array, its content is the next part
@@ -26,21 +26,21 @@ _LENGTH = struct.Struct("<I")
 _SCALARS = frozenset({bool, int, float, str, type(None)})
 _TYPE_CODES = frozenset("bBhHiIlLqQfd")
 _NUMPY_KINDS = frozenset("biuf")
-_WIDEST = 8  # bytes of a number
+_WIDEST = 8  # size of a number in bytes
 _encode = json.JSONEncoder(separators=(",", ":"), check_circular=False).encode
 
 Buffer = bytes | bytearray | memoryview
 
 
 class MalformedError(ValueError):
-    """Bytes that are no value."""
+    """Bytes that do not encode a value."""
 
 
 class Objects(NamedTuple):
     """The objects besides plain values that may be sent, such as messages with several fields.
 
-    `describe` gives the name of an object's type and its fields, or None for what is no such object; `make` is its
-    inverse and raises `KeyError`, `TypeError` or `ValueError` for what cannot be made.
+    `describe` gives the name of an object's type and its fields, or None for other objects; `make` is its inverse and
+    raises `KeyError`, `TypeError` or `ValueError` on failure.
     """
 
     describe: Callable[[Any], tuple[str, dict[str, Any]] | None]
@@ -55,12 +55,12 @@ NO_OBJECTS = Objects(lambda _: None, _no_type)
 
 
 def write(value: Any, objects: Objects = NO_OBJECTS) -> list[Any]:
-    """The buffers that hold a value.
+    """Return the buffers that encode a value.
 
     Numbers of NumPy become numbers of Python, and tuples lists.
 
     Raises:
-        TypeError: something in it cannot be sent; the text names its type.
+        TypeError: a part of it cannot be sent; the text names its type.
 
     """
     parts: list[Any] = []
@@ -106,7 +106,7 @@ def _uncommon(value: Any, parts: list[Any], objects: Objects) -> Any:
         parts.append(value.astype(plain).tobytes())
         return {"numpy": [plain.str, list(value.shape), len(parts[-1])]}
     for base in (bool, int, float, str):
-        if isinstance(value, base):  # an enumeration or the like
+        if isinstance(value, base):  # an enumeration or another subclass
             return base(value)
     if isinstance(value, (list, tuple)):
         return [_plain(item, parts, objects) for item in value]
@@ -114,10 +114,10 @@ def _uncommon(value: Any, parts: list[Any], objects: Objects) -> Any:
 
 
 def read(data: Buffer, objects: Objects = NO_OBJECTS) -> Any:
-    """The value that these bytes hold.
+    """Return the value that these bytes encode.
 
     Raises:
-        MalformedError: they hold none.
+        MalformedError: they encode none.
 
     """
     view = memoryview(data)

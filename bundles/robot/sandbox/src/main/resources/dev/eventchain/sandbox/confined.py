@@ -1,11 +1,11 @@
-"""Run one Python program with as few rights as it needs. Started by ConfinedProcess, never by hand.
+"""Run one Python program with minimal rights. Started by ConfinedProcess, never by hand.
 
 The only argument of :func:`main` is a JSON object: ``work`` (the folder that may be written, and the current one),
 ``readable`` (paths), ``path`` (for ``sys.path``), ``script`` or ``module``, ``arguments``, ``limits`` (address space,
-file size and processor time, open files), ``enclosed`` (whether bubblewrap holds this process already),
-``components`` (whether the program calls components, which then live in processes of their own), ``turn`` (which of
-several such programs this is, so that they do not meet on one processor), and perhaps ``preparation`` with its
-``module``, one of ours, and ``settings`` for its function ``prepare``, which runs ahead of the confinement.
+file size and processor time, open files), ``enclosed`` (true if bubblewrap already confines this process),
+``components`` (true if the program calls components, which then run in separate processes), ``turn`` (index among
+several such programs, to distribute them over processors), and optionally ``preparation`` with its trusted ``module``
+and ``settings`` for its function ``prepare``, which runs before the confinement.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from fork_server import NewProcess
 
 SECONDS_TO_CLEAN_UP = 1
-# Libraries and the devices that Python opens by itself.
+# Libraries and devices that Python opens by itself.
 SYSTEM = ("/usr", "/lib", "/lib64", "/lib32", "/bin", "/nix/store", "/etc/ld.so.cache", "/etc/localtime")
 DEVICES = ("/dev/null", "/dev/urandom", "/dev/random", "/dev/zero")
 OURS = ("audit", "confined", "fork_server", "kernel")
@@ -35,7 +35,7 @@ def main(description: str) -> None:
     settings = json.loads(description)
     os.chdir(settings["work"])
     if not settings["enclosed"]:
-        os.setsid()  # an interrupt at the terminal is for Eventchain, which then ends this process
+        os.setsid()  # an interrupt at the terminal is handled by Eventchain, which then ends this process
     here, component = os.getpid(), None
     if settings["components"]:
         component = _serve(settings)
@@ -52,10 +52,10 @@ def main(description: str) -> None:
 
 
 def _serve(settings: dict[str, Any]) -> NewProcess | None:
-    """Be the parent of the program and of the processes of its components.
+    """Run as the parent of the program and of the processes of its components.
 
     Returns:
-        In the process of the program nothing, in that of a component what it is. In the parent never.
+        Nothing in the process of the program, the new process in that of a component. Never in the parent.
 
     """
     import socket
@@ -85,7 +85,7 @@ def _serve(settings: dict[str, Any]) -> NewProcess | None:
 
 
 def _prepare(settings: dict[str, Any]) -> None:
-    """Make what the program needs and could not make any more, such as sockets. Nothing foreign has run by then."""
+    """Create resources that the confined program cannot create, such as sockets. No untrusted code has run before."""
     if "preparation" in settings:
         import importlib
 
@@ -96,13 +96,13 @@ def _prepare(settings: dict[str, Any]) -> None:
 
 
 def _take_turns(number: int) -> None:
-    """Stay on one processor: program and components work in turn, and waking each other there is twice as fast."""
+    """Pin to one processor: program and components alternate, and switching on one processor is twice as fast."""
     processors = sorted(os.sched_getaffinity(0))
     os.sched_setaffinity(0, {processors[number % len(processors)]})
 
 
 def _give_up_rights(settings: dict[str, Any], work: str, parent: int | None) -> None:
-    """Keep what a program with this writable folder needs; end with the parent, if there is one to end with."""
+    """Keep the rights of a program with this writable folder; end with the parent, if the parent may end earlier."""
     _limit(settings["limits"])
     readable = [*SYSTEM, *DEVICES, sys.prefix, sys.base_prefix, sys.base_exec_prefix, *settings["readable"]]
     readable += settings["path"]
@@ -113,7 +113,7 @@ def _give_up_rights(settings: dict[str, Any], work: str, parent: int | None) -> 
 
 
 def _limit(limits: dict[str, int]) -> None:
-    """Set what one process may use; the parent limits how long it may take."""
+    """Set the limits of one process; the parent limits its wall time."""
     seconds = limits["cpuSeconds"]
     resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + SECONDS_TO_CLEAN_UP))
     for kind, amount in (
@@ -138,7 +138,7 @@ def _die_with_parent(parent: int) -> None:
 
 
 def _ask_kernel(readable: list[str], work: str, parent: int | None) -> None:
-    """Use what the kernel offers; a Python without ctypes cannot ask."""
+    """Restrict rights through the kernel; without ctypes this is skipped."""
     try:
         import kernel
     except ImportError:
@@ -153,7 +153,7 @@ def _ask_kernel(readable: list[str], work: str, parent: int | None) -> None:
 
 
 def _become(settings: dict[str, Any]) -> None:
-    """Run the program as ``__main__``, with this module out of its sight."""
+    """Run the program as ``__main__``, with this module hidden from it."""
     import runpy
 
     program = settings.get("script")

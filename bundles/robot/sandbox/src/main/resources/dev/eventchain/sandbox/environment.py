@@ -1,23 +1,22 @@
-"""Make sure that Eventchain's own Python environment exists, and say where it is.
+"""Create Eventchain's own Python environment if necessary, and print its path.
 
     python3 environment.py [--development] [--cyclonedds] [--check | --print-executable | --run ARGUMENT...]
 
 The environment is a virtual environment in ``${XDG_CACHE_HOME:-~/.cache}/eventchain/python-<key>``. The key covers the
-pinned requirements beside this file and the Python that runs, so a change of either builds a new one and leaves the old
-one to its users. Two first runs at once build it once: the builder holds a lock, and the completion marker is written
-last, so a half-made environment is never used and is rebuilt.
+pinned requirements beside this file and the Python that runs, so a change of either builds a new one and keeps the old
+one. Concurrent first runs build it once: the builder holds a lock, and writes the completion marker last, so an
+incomplete environment is never used and is rebuilt.
 
 ``--development`` adds the tools of the build (ruff, mypy, pytest), and ``--cyclonedds`` Eclipse Cyclone DDS, for nodes
-that talk to others outside of the simulation; each in an environment of its own.
-``--check`` makes nothing, and prints ``state: `` with the version of Python and where the packages come from. What
-would stop the real thing stops it, too: pip fetches the packages into a folder that is removed again.
-``--run ARGUMENT...`` replaces this process by the environment's Python with these arguments.
-``EVENTCHAIN_PYTHON`` names the Python to build on; without it this one is used, or a newer one of the PATH if this one
-is too old. ``EVENTCHAIN_WHEELS`` names a folder of wheels: the packages then come from there, and from nowhere else.
+that communicate outside of the simulation; each in a separate environment. ``--check`` creates nothing, and prints
+``state: `` with the version of Python and the source of the packages. It fails where creation would fail: pip downloads
+the packages into a temporary folder. ``--run ARGUMENT...`` replaces this process by the environment's Python with these
+arguments. ``EVENTCHAIN_PYTHON`` names the base Python; the default is this one, or a newer one of the PATH if this one
+is too old. ``EVENTCHAIN_WHEELS`` names a folder of wheels: the packages then come from there only.
 
-Exit code 3: this machine lacks something; standard error then holds ``error: what`` and ``hint: what to do``. Exit code
-4 is the same where only Cyclone DDS cannot be had, and 5 where ``EVENTCHAIN_WHEELS`` lacks a wheel.
-Only the standard library is used, and nothing newer than Python 3.7, so that an old Python can still say what is wrong.
+Exit code 3: a requirement is missing on this machine; standard error then has lines ``error: `` and ``hint: ``. Exit
+code 4 is the same if only Cyclone DDS is unavailable, and 5 if ``EVENTCHAIN_WHEELS`` lacks a wheel. Only the standard
+library is used, and nothing newer than Python 3.7, so that an old Python can still report the error.
 """
 
 from __future__ import annotations
@@ -46,14 +45,14 @@ MIRROR = "point pip to a mirror with PIP_INDEX_URL or PIP_FIND_LINKS, or EVENTCH
 WITHOUT_CYCLONEDDS = (
     "its wheel is for Linux on x86_64, macOS and Windows; where it exists, allow network access once, or " + MIRROR
 )
-# Loads the library, for a wheel may be installed and still not fit the system's own libraries.
+# Loads the library: an installed wheel may not fit the system's own libraries.
 LOAD_CYCLONEDDS = """
 import ctypes, os, sys
 from cyclonedds.__library__ import library_path
 ctypes.CDLL(str(library_path))
 print(os.path.realpath(str(library_path)))
 """
-# Settings that would make pip or Python look or install elsewhere than in the new environment.
+# Settings that would make pip or Python search or install outside the new environment.
 FOREIGN_SETTINGS = (
     "PYTHONHOME",
     "PYTHONPATH",
@@ -69,7 +68,7 @@ FOREIGN_SETTINGS = (
 
 
 class UnavailableError(Exception):
-    """This machine lacks something: what, and what to do about it."""
+    """A requirement is missing on this machine: message and hint."""
 
     def __init__(self, message: str, hint: str, exit_code: int = UNAVAILABLE) -> None:
         super().__init__(message)
@@ -110,7 +109,7 @@ def parse(arguments: list[str]) -> argparse.Namespace:
 
 
 def use_suitable_python(arguments: list[str]) -> None:
-    """Go on in the Python that the environment shall be built on, replacing this process if that is another one."""
+    """Continue in the base Python of the environment, replacing this process if that is another one."""
     chosen = os.environ.pop("EVENTCHAIN_PYTHON", "")
     if chosen:
         found = shutil.which(chosen)
@@ -133,7 +132,7 @@ def use_suitable_python(arguments: list[str]) -> None:
 
 
 def runs(executable: str) -> bool:
-    """Whether this Python starts (a pyenv shim exists for versions that are not active)."""
+    """Return whether this Python starts (a pyenv shim exists for versions that are not active)."""
     test = "import sys; sys.exit(sys.version_info < %r)" % (MINIMUM,)
     return subprocess.run([executable, "-I", "-c", test], stderr=subprocess.DEVNULL, check=False).returncode == 0
 
@@ -150,7 +149,7 @@ def replace_process(executable: str, arguments: list[str]) -> NoReturn:
 
 
 def requirements_of(development: bool, cyclonedds: bool) -> list[Path]:
-    """The files that name the packages of an environment."""
+    """Return the files that name the packages of an environment."""
     requirements = [HERE / "requirements.txt"]
     if development:
         requirements.append(HERE / "requirements-development.txt")
@@ -160,7 +159,7 @@ def requirements_of(development: bool, cyclonedds: bool) -> list[Path]:
 
 
 def ensure(requirements: list[Path]) -> Path:
-    """Return the Python of the environment, which is created first if it is not there."""
+    """Return the Python of the environment, which is created first if it does not exist."""
     folder = folder_of(requirements)
     if not is_complete(folder):
         create_once(folder, requirements)
@@ -168,7 +167,7 @@ def ensure(requirements: list[Path]) -> Path:
 
 
 def outlook(requirements: list[Path]) -> str:
-    """Say what ``ensure`` would do; raise what would stop it."""
+    """Return what ``ensure`` would do; raise errors that would stop it."""
     if is_complete(folder_of(requirements)):
         return "packages are there"
     wheels = wheels_folder()
@@ -182,19 +181,19 @@ def outlook(requirements: list[Path]) -> str:
 
 
 def folder_of(requirements: list[Path]) -> Path:
-    """Where the environment is, or will be."""
+    """Return the folder of the environment, which need not exist."""
     return cache_folder() / ("python-" + key(requirements))
 
 
 def cache_folder() -> Path:
-    """Eventchain's folder in the user's cache (XDG Base Directory Specification)."""
+    """Return Eventchain's folder in the user's cache (XDG Base Directory Specification)."""
     configured = os.environ.get("XDG_CACHE_HOME", "")
     base = Path(configured) if os.path.isabs(configured) else Path(os.path.expanduser("~")) / ".cache"
     return base / "eventchain"
 
 
 def key(requirements: list[Path]) -> str:
-    """12 hexadecimal digits of everything the content of the environment depends on."""
+    """Return 12 hexadecimal digits that depend on the complete content of the environment."""
     digest = hashlib.sha256()
     base = os.path.realpath(getattr(sys, "_base_executable", sys.executable))
     for part in (MARKER, platform.python_implementation(), platform.python_version(), platform.machine(), base):
@@ -205,17 +204,17 @@ def key(requirements: list[Path]) -> str:
 
 
 def executable_of(folder: Path) -> Path:
-    """The Python of an environment."""
+    """Return the Python of an environment."""
     return folder / "bin" / "python"
 
 
 def is_complete(folder: Path) -> bool:
-    """Whether the environment was finished and the Python below it is still installed."""
+    """Return whether the environment is complete and its base Python is still installed."""
     return (folder / MARKER).is_file() and os.access(executable_of(folder), os.X_OK)
 
 
 def create_once(folder: Path, requirements: list[Path]) -> None:
-    """Create the environment unless another process does it right now, in which case wait for it."""
+    """Create the environment, or wait if another process is creating it."""
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
         with open(str(folder) + ".lock", "w", encoding="utf-8") as lock:
@@ -228,7 +227,7 @@ def create_once(folder: Path, requirements: list[Path]) -> None:
 
 
 def cache_not_writable(folder: Path, problem: OSError) -> UnavailableError:
-    """The cache folder cannot be used."""
+    """Return the error for an unusable cache folder."""
     return UnavailableError(
         "the cache folder %s cannot be written: %s" % (folder, problem.strerror or problem),
         "make it writable, or set XDG_CACHE_HOME to a folder that is",
@@ -236,7 +235,7 @@ def cache_not_writable(folder: Path, problem: OSError) -> UnavailableError:
 
 
 def wait_for(lock: int) -> None:
-    """Take the lock; say so when that takes time. The system releases it when its holder dies."""
+    """Take the lock; report a wait. The system releases the lock when its holder ends."""
     try:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
@@ -259,7 +258,7 @@ def create(folder: Path, requirements: list[Path]) -> None:
 
 
 def install_cyclonedds(folder: Path, pip: list[str], wheels: Path | None) -> str:
-    """Install Cyclone DDS, before all else because it may not exist here; return the path of its library, libddsc."""
+    """Install Cyclone DDS first, since it may be unavailable here; return the path of its library, libddsc."""
     obtain(pip, ["install"], [CYCLONEDDS], wheels)
     return run(
         [str(executable_of(folder)), "-c", LOAD_CYCLONEDDS],
@@ -270,7 +269,7 @@ def install_cyclonedds(folder: Path, pip: list[str], wheels: Path | None) -> str
 
 
 def wheels_folder() -> Path | None:
-    """The folder that packages come from; None: from pip's index."""
+    """Return the folder that packages come from; None: from pip's index."""
     named = os.environ.get("EVENTCHAIN_WHEELS", "")
     if not named:
         return None
@@ -284,7 +283,7 @@ def wheels_folder() -> Path | None:
 
 
 def obtain(pip: list[str], action: list[str], requirements: list[Path], wheels: Path | None) -> None:
-    """Have pip install or download what the files name and nothing else."""
+    """Make pip install or download exactly the packages that the files name."""
     command = pip_command(pip, action, wheels)
     for file in requirements:
         command += ["-r", str(file)]
@@ -300,7 +299,7 @@ def obtain(pip: list[str], action: list[str], requirements: list[Path], wheels: 
 
 
 def pip_command(pip: list[str], action: list[str], wheels: Path | None) -> list[str]:
-    """Pip with what holds for every call: from the folder of wheels and nowhere else, if there is one."""
+    """Return the pip command with the common options: only from the folder of wheels, if there is one."""
     command = [*pip, *action, "--no-deps", "--prefer-binary", "--no-input", "--quiet", "--retries", "2"]
     if wheels is not None:
         command += ["--isolated", "--no-index", "--find-links", str(wheels), "--only-binary", ":all:"]
@@ -308,7 +307,7 @@ def pip_command(pip: list[str], action: list[str], wheels: Path | None) -> list[
 
 
 def require_wheels(pip: list[str], requirements: list[Path], wheels: Path, problem: UnavailableError) -> None:
-    """Say all that the folder has no wheel of that fits this Python; pip itself names only the first."""
+    """Report all packages without a fitting wheel in the folder; pip itself reports only the first."""
     lines = [line for file in requirements for line in file.read_text(encoding="utf-8").splitlines()]
     with tempfile.TemporaryDirectory() as scratch:
         download = pip_command(pip, ["download", "--dest", scratch], wheels)
@@ -328,7 +327,7 @@ def require_wheels(pip: list[str], requirements: list[Path], wheels: Path, probl
 
 
 def succeeds(command: list[str]) -> bool:
-    """Whether a command ends without an error."""
+    """Return whether a command succeeds."""
     return subprocess.run(command, env=clean_settings(), capture_output=True, check=False).returncode == 0
 
 
@@ -351,13 +350,13 @@ def create_empty(folder: Path) -> list[str]:
 
 
 def has_module(name: str) -> bool:
-    """Whether this Python can import the module (Debian splits its standard library into packages)."""
+    """Return whether this Python can import the module (Debian splits its standard library into packages)."""
     command = [sys.executable, "-c", "import " + name]
     return subprocess.run(command, env=clean_settings(), stderr=subprocess.DEVNULL, check=False).returncode == 0
 
 
 def run(command: list[str], failure: str, hint: str, exit_code: int = UNAVAILABLE) -> str:
-    """Run a command and return what it wrote; if it fails, report the end of that."""
+    """Run a command and return its output; on failure, report the end of the output."""
     done = subprocess.run(
         command,
         env=clean_settings(),
@@ -377,7 +376,7 @@ def run(command: list[str], failure: str, hint: str, exit_code: int = UNAVAILABL
 
 
 def clean_settings() -> dict[str, str]:
-    """The user's environment without what would lead pip elsewhere; proxies and mirrors stay."""
+    """Return the user's environment without variables that redirect pip; proxies and mirrors stay."""
     settings = {name: value for name, value in os.environ.items() if name not in FOREIGN_SETTINGS}
     settings["PIP_DISABLE_PIP_VERSION_CHECK"] = "1"
     return settings

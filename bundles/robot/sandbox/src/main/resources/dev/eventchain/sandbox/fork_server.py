@@ -1,8 +1,8 @@
-"""Starts the processes of components for a program that must not start any.
+"""Starts the processes of components for a program that must not start processes.
 
 This process runs nothing but Eventchain's own code. It forks the program first, then one process for each component
-that the program asks for; each of them gives up its rights before it runs anything foreign, and shares no memory, no
-file descriptor but those made for it, and no writable folder with the program or with other components.
+that the program requests. Each process gives up its rights before it runs untrusted code. It shares no memory and no
+writable folder with the program or other components, and only the file descriptors made for it.
 
 Requests are JSON in packets of a Unix socket: ``["start", description]``, answered by the id of the process with the
 file descriptors of its channel and of its stack; ``["stack", id]`` and ``["end", id]``, answered by a number.
@@ -32,17 +32,17 @@ LOOK_SECONDS = 0.1
 
 _BUFFER = 1 << 20
 _MOST_DESCRIPTORS = 4096
-_HIGH = 64  # beyond what is open
+_HIGH = 64  # more than can be open
 _NUMPY = re.compile(rb"^[ \t]*(?:import|from)[ \t]+numpy\b", re.MULTILINE)
 
 
 class NewProcess(BaseException):
-    """This is the process of a component now: it forgets whatever it was, down to the frames, and gives up its rights.
+    """Raised in the new process of a component, to discard the server's frames before it gives up its rights.
 
     Args:
-        channel: its end of the channel.
-        stack: where it writes its stack.
-        folder: its own.
+        channel: file descriptor of its end of the channel.
+        stack: file descriptor for its stack.
+        folder: its writable folder.
         description: of the component.
 
     """
@@ -55,7 +55,7 @@ class NewProcess(BaseException):
         self.description = description
 
     def settle(self) -> tuple[int, int]:
-        """Keep nothing open but the channel and the file for the stack, and move into the folder."""
+        """Close all files except the channel and the file for the stack, and change to the folder."""
         os.dup2(2, 1)
         high = [fcntl.fcntl(descriptor, fcntl.F_DUPFD, _HIGH) for descriptor in (self.channel, self.stack)]
         for wanted, descriptor in enumerate(high, start=3):
@@ -70,10 +70,10 @@ class ForkServer:
     """Serves one program.
 
     Args:
-        control: where requests come from.
+        control: socket of the requests.
         program: id of the program's process.
         work: folder for the folders of the components.
-        path: folders with Eventchain's own packages, which nobody else can write.
+        path: folders with Eventchain's own packages, which other users cannot write.
 
     """
 
@@ -86,7 +86,7 @@ class ForkServer:
         self._started = 0
 
     def serve(self) -> int:
-        """Serve until the program ends; its exit code, or 128 and the number of the signal that ended it.
+        """Serve until the program ends; return its exit code, or 128 plus the number of the signal that ended it.
 
         Raises:
             NewProcess: in the process of each component.
@@ -128,7 +128,7 @@ class ForkServer:
             os.close(descriptor)
 
     def _prepare(self, description: dict[str, Any]) -> None:
-        """Import here, once for all processes, what each of them would: NumPy and the classes of messages."""
+        """Import NumPy and the message classes once, before the processes that need them are forked."""
         wanted = []
         with contextlib.suppress(OSError):
             if _NUMPY.search(Path(description["file"]).read_bytes()):
@@ -136,7 +136,7 @@ class ForkServer:
         if description.get("messages") is not None:
             wanted.append(component_process.MESSAGE_OBJECTS)
         before = sys.path
-        # Neither the description's path nor the folder that the program may write: it may be foreign.
+        # Excludes the description's path and the program's writable folder, which may have untrusted code.
         sys.path = [*filter(None, before), *self._path]
         for name in wanted:
             if name not in sys.modules:
@@ -149,7 +149,7 @@ class ForkServer:
             os.kill(process, number)
 
     def _end(self, process: int) -> int:
-        """A process that has ended by itself keeps the exit code that it has."""
+        """End a process; one that has ended by itself keeps its exit code."""
         folder = self._folders.pop(process, None)
         if folder is None:
             return 0

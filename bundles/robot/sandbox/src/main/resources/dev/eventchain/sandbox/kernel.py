@@ -1,8 +1,8 @@
-"""Give up rights for good, through the kernel: seccomp (system calls), Landlock (files) and capabilities.
+"""Permanently give up rights through the kernel: seccomp (system calls), Landlock (files) and capabilities.
 
-The same for a process that bubblewrap holds and for one that only audit hooks hold. Everything here is optional: on a
-kernel or a processor that lacks a part, that part is skipped, and the functions return whether they took effect.
-References: seccomp(2), landlock(7), capset(2); ``linux/seccomp.h``, ``linux/landlock.h``.
+The same with bubblewrap and with audit hooks only. Everything here is optional: a part that the kernel or the processor
+lacks is skipped, and the functions return whether they took effect. References: seccomp(2), landlock(7), capset(2);
+``linux/seccomp.h``, ``linux/landlock.h``.
 """
 
 from __future__ import annotations
@@ -25,11 +25,11 @@ CLONE_THREAD = 0x00010000
 
 _library = ctypes.CDLL(None, use_errno=True)
 
-# The audit architecture of each processor, and the column of NUMBERS that is its own.
+# The audit architecture of each processor, and its column of NUMBERS.
 ARCHITECTURES = {"x86_64": (0xC000003E, 0), "aarch64": (0xC00000B7, 1)}
 X32_BIT = 0x40000000
-# Linux's numbers of system calls, on x86-64 and on AArch64 (which lacks the old ones); a test compares them with the
-# headers of the machine. From 424 on both count alike.
+# Linux's numbers of system calls, on x86-64 and on AArch64 (which lacks old ones); a test compares them with the
+# headers of the machine. From 424 on both have the same numbers.
 NUMBERS: dict[str, tuple[int, int | None]] = {
     "accept": (43, 202),
     "accept4": (288, 242),
@@ -173,9 +173,9 @@ NUMBERS: dict[str, tuple[int, int | None]] = {
     "vfork": (58, None),
     "vhangup": (153, 58),
 }
-# Calls that are younger than this table are as if the kernel lacked them: the C library then takes an older one.
+# System calls newer than this table are treated as unsupported: the C library then uses an older one.
 NEWEST_KNOWN = 462
-# What a component has no use for, by what it would touch.
+# System calls that a component does not need, by resource.
 DENIED = {
     "network": (*("socket", "connect", "bind", "listen", "accept", "accept4", "socketpair"),),
     "processes": (
@@ -211,7 +211,7 @@ DENIED = {
     ),
 }
 SIGNALLING = ("kill", "tkill", "tgkill")
-# fcntl: who gets the signal of an open file, and which; ioctl: typing on a terminal.
+# fcntl: receiver and number of an open file's signals; ioctl: typing on a terminal.
 SIGNAL_COMMANDS = {"F_SETOWN": 8, "F_SETSIG": 10, "F_SETOWN_EX": 15}
 TERMINAL_COMMANDS = {"TIOCSTI": 0x5412, "TIOCLINUX": 0x541C}
 
@@ -221,21 +221,21 @@ NUMBER, ARCHITECTURE = 0, 4
 
 
 def die_with_parent() -> None:
-    """Ask for SIGKILL when the parent ends, however it ends."""
+    """Request SIGKILL for the end of the parent, however it ends."""
     _library.prctl(PR_SET_PDEATHSIG, int(signal.SIGKILL), 0, 0, 0)
 
 
 def drop_capabilities() -> bool:
-    """Give up what root may do beyond owning files."""
+    """Give up the capabilities of root except those for its own files."""
     header = struct.pack("<Ii", 0x20080522, 0)
     return int(_library.capset(header, bytes(24))) == 0
 
 
 def filter_system_calls() -> bool:
-    """Refuse, from now on, to start processes, to open sockets, to touch other processes, to change modes.
+    """Refuse, permanently, to start processes, to open sockets, to affect other processes, to change modes.
 
-    It refuses system calls by name, for all others there is no rule: a list of what Python, NumPy and the C library may
-    call would break with each of their versions. What is younger than the list is refused.
+    This is a deny list: an allow list for Python, NumPy and the C library would break with each of their versions.
+    System calls newer than the table are refused.
     """
     program = _program()
     if not program:
@@ -247,7 +247,7 @@ def filter_system_calls() -> bool:
 
 
 def _program() -> bytes:
-    """The filter as Berkeley packet filter code; empty on a processor whose system calls are not listed."""
+    """Return the filter as Berkeley packet filter code; empty on a processor without listed system calls."""
     machine = platform.machine()
     if machine not in ARCHITECTURES:
         return b""
@@ -260,7 +260,7 @@ def _program() -> bytes:
         _instruction(LOAD, NUMBER),
         *((_instruction(AT_LEAST, X32_BIT, 0, 1), _refuse(errno.EPERM)) if machine == "x86_64" else ()),
         *(_instruction(AT_LEAST, NEWEST_KNOWN + 1, 0, 1), _refuse(errno.ENOSYS)),
-        *_for_call(known["clone3"], _refuse(errno.ENOSYS)),  # clone's flags can be seen, those of clone3 cannot
+        *_for_call(known["clone3"], _refuse(errno.ENOSYS)),  # a filter sees clone's flags, not clone3's
         *_for_call(known["clone"], *_unless(ANY_BIT, 0, CLONE_THREAD)),
         *_for_call(known["prctl"], *_if_any(0, [PR_SET_PDEATHSIG, PR_SCHED_CORE])),
         *_for_call(known["fcntl"], *_if_any(1, SIGNAL_COMMANDS.values())),
@@ -283,7 +283,7 @@ def _refuse(error: int) -> bytes:
 
 
 def _for_call(number: int, *then: bytes) -> list[bytes]:
-    """Do this for one system call; ``then`` has to return."""
+    """Return the code for one system call; ``then`` has to return."""
     return [_instruction(EQUAL, number, 0, len(then)), *then]
 
 
@@ -306,14 +306,14 @@ def _if_any(argument: int, values: Iterable[int]) -> tuple[bytes, ...]:
 
 
 def _unless_own_limit_is_read() -> tuple[bytes, ...]:
-    """prlimit64(0, resource, NULL, old): the own process, and no new limit."""
+    """Return the code that allows only prlimit64(0, resource, NULL, old): reading the own limits."""
     refuse = _refuse(errno.EPERM)
     tests = ((_argument(0), 5), (_argument(2), 3), (_argument(2, high=True), 1))
     code = [part for load, distance in tests for part in (load, _instruction(EQUAL, 0, 0, distance))]
     return (*code, _instruction(RETURN, ALLOW), refuse)
 
 
-CREATE_RULESET, ADD_RULE, RESTRICT_SELF = 444, 445, 446  # the same number on every processor
+CREATE_RULESET, ADD_RULE, RESTRICT_SELF = 444, 445, 446  # same number on every processor
 SCOPE_ABSTRACT_UNIX_SOCKET, SCOPE_SIGNAL = 1, 2
 EXECUTE, WRITE_FILE, READ_FILE, READ_DIR = 1, 2, 4, 8
 MAKE_CHAR, MAKE_SOCK, MAKE_BLOCK, REFER, TRUNCATE, IOCTL = 1 << 6, 1 << 9, 1 << 11, 1 << 13, 1 << 14, 1 << 15
@@ -321,7 +321,7 @@ FILE_RIGHTS = EXECUTE | WRITE_FILE | READ_FILE | TRUNCATE | IOCTL
 
 
 def restrict_files(readable: Iterable[str], writable: Iterable[str]) -> bool:
-    """Refuse, from now on, all files but these and what is below them, and signals to others (Landlock)."""
+    """Refuse, permanently, files outside these paths, and signals to others (Landlock)."""
     version = int(_library.syscall(CREATE_RULESET, None, ctypes.c_size_t(0), 1))
     if version < 1:
         return False

@@ -21,9 +21,9 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Each file {@code components/RULE/NAME.py} is checked against {@code NAME.expected} beside it; a
- * file without one must have no findings if its name starts with {@code good}, and gets one written
- * otherwise. {@code signature.json} of the folder says what the component has to be.
+ * Each file {@code components/RULE/NAME.py} is checked against {@code NAME.expected} beside it;
+ * without one, {@code good} files must have no findings, and for others it is written. The {@code
+ * signature.json} of the folder describes the required component.
  */
 class ComponentProbeTest {
 

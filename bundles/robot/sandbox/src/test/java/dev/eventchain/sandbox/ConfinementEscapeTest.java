@@ -21,21 +21,21 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Each file of {@code escapes} tries one thing; it got out if it says ESCAPED or changed the folder
- * that it is given.
+ * Each file of {@code escapes} makes one attempt to escape; it succeeds if it prints ESCAPED or
+ * changes the folder that it is given.
  */
 class ConfinementEscapeTest {
 
   private static final Path ESCAPES = Path.of("src/test/resources/escapes");
   private static final Path BOMBS = Path.of("src/test/resources/bombs");
 
-  /** The time on the clock is for the slowest of machines: an attempt ends by itself. */
+  /** Limits for slow machines: an attempt ends by itself. */
   private static final ConfinedProcess.Limits LIMITS =
       new ConfinedProcess.Limits(Duration.ofMinutes(5), Duration.ofSeconds(10), 512);
 
   /**
-   * What holds the process: both ways whole, and what is left of each when audit hooks fall or the
-   * kernel helps not.
+   * Layers of confinement: both ways complete, and each without audit hooks or without the kernel's
+   * layer.
    */
   private enum Layer {
     BUBBLEWRAP,
@@ -95,7 +95,7 @@ class ConfinementEscapeTest {
     assertEquals(before, state(outside));
   }
 
-  /** An attempt that failed in the harness, before it began, would prove nothing. */
+  /** Returns whether the attempt started: a failure of the harness would prove nothing. */
   private static boolean started(ConfinedProcess process) {
     String error = process.standardError();
     return error.isEmpty() || error.contains("resources/escapes/");
@@ -113,7 +113,7 @@ class ConfinementEscapeTest {
     return programs.stream();
   }
 
-  /** What does nothing in the open would prove nothing in confinement. */
+  /** An attempt that fails without confinement would prove nothing. */
   @ParameterizedTest
   @MethodSource("controls")
   void attemptSucceedsWithoutConfinement(Path program) throws Exception {

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What a report without findings says of the calls that were to be made. */
+/** Reports without findings, and their results of the requested calls. */
 class ProbeReportTest {
   private static final SourceText SOURCE = SourceText.of("Brake.py", "class Brake: pass\n");
 

@@ -162,7 +162,7 @@ class PythonEnvironmentTest {
     }
   }
 
-  /** A wheel with nothing in it, for any Python. */
+  /** Writes an empty wheel for any Python. */
   private static void writeEmptyWheel(Path wheels, String name, String version) throws IOException {
     String folder = name + "-" + version;
     String metadata = "Metadata-Version: 2.1\nName: " + name + "\nVersion: " + version + "\n";

@@ -18,7 +18,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The numbers of system calls that are refused are those of the kernel's headers. */
+/** The numbers of refused system calls agree with the kernel's headers. */
 class SystemCallNumbersTest {
 
   private static final String FOLDER = "src/main/resources/dev/eventchain/sandbox";

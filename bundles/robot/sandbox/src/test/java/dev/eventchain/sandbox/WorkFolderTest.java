@@ -28,7 +28,7 @@ class WorkFolderTest {
       "import fcntl, sys; file = open(sys.argv[1], 'w'); fcntl.lockf(file, fcntl.LOCK_EX);"
           + "print('held', flush=True); sys.stdin.read()";
 
-  /** Sweeps as another process of ours does, over and over. */
+  /** Program that sweeps repeatedly, as another of our processes would. */
   private static final String SWEEP =
       """
       import fcntl, os, shutil, sys

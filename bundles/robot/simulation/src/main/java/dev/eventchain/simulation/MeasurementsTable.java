@@ -12,7 +12,7 @@ import java.util.Optional;
 
 /**
  * Writes {@code measurements.csv} (RFC 4180): a row for each number of {@code measurements.json}
- * that was measured in simulated time, but for series. Numbers of nodes are over all scenarios.
+ * that was measured in simulated time, except series. Numbers of nodes cover all scenarios.
  */
 final class MeasurementsTable {
 
@@ -22,7 +22,7 @@ final class MeasurementsTable {
 
   private MeasurementsTable() {}
 
-  /** The file's content; the chain has the names of the latency constraints. */
+  /** Returns the content of the file; the chain provides the names of the latency constraints. */
   static byte[] write(SimulationResult result, EventChain chain) {
     MeasurementsTable table = new MeasurementsTable();
     table.cells(
@@ -110,7 +110,7 @@ final class MeasurementsTable {
     rows(subject, "executionTime", node.executionTime());
   }
 
-  /** What a row is about. */
+  /** Subject of a row. */
   private record Subject(String scenario, String kind, String name) {}
 
   private void rows(Subject subject, String name, Optional<Measurements.Statistics> values) {
@@ -130,7 +130,10 @@ final class MeasurementsTable {
     cells(of.scenario(), of.kind(), of.name(), name, statistic, number(value), unit, time);
   }
 
-  /** Four decimals, as in the other file; what is not a number is nothing. */
+  /**
+   * Formats a number with four decimals, as in the JSON file; NaN and infinity become an empty
+   * cell.
+   */
   private static String number(double value) {
     if (!Double.isFinite(value)) {
       return "";

@@ -15,7 +15,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
 
-/** Writes {@code measurements.json}. Numbers are rounded to what they are worth. */
+/** Writes {@code measurements.json}, with numbers rounded to their precision. */
 final class MeasurementsWriter {
 
   private final JsonGenerator json;
@@ -221,7 +221,7 @@ final class MeasurementsWriter {
     }
   }
 
-  /** What differs from run to run stands apart. */
+  /** Writes the values that differ from run to run, apart from the others. */
   private void host(SimulationResult result) throws IOException {
     SimulationResult.Host host = result.host();
     json.writeObjectFieldStart("host");
@@ -265,7 +265,7 @@ final class MeasurementsWriter {
     json.writeNumberField("count", values.count());
   }
 
-  /** The parts of the slowest time sum up to the maximum. */
+  /** Writes a latency; the parts of the slowest time add up to the maximum. */
   private void latency(Optional<ScenarioVerdict.Latency> latency) throws IOException {
     if (latency.isEmpty()) {
       json.writeNull();
@@ -294,7 +294,7 @@ final class MeasurementsWriter {
     number(value);
   }
 
-  /** Four decimals; what is not a number becomes null. */
+  /** Writes a number with four decimals; NaN and infinity become null. */
   private void number(double value) throws IOException {
     if (Double.isFinite(value)) {
       json.writeNumber(rounded(value));

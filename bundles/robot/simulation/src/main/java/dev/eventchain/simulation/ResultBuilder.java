@@ -31,7 +31,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import java.util.zip.CRC32;
 
-/** Judges what happened, and makes figures of it. */
+/** Judges the runs and computes the figures of the result. */
 final class ResultBuilder {
 
   private static final double MILLISECOND = 1e6;
@@ -81,7 +81,7 @@ final class ResultBuilder {
     return faultRuns.stream().map(run -> judge.verdict(run, without(run.fault()))).toList();
   }
 
-  /** The run of a fault's scenario without it. */
+  /** Returns the run of a fault's scenario without the fault. */
   private ScenarioRun without(Fault fault) {
     return runs.stream()
         .filter(run -> run.scenario().name().equals(fault.scenario().name()))
@@ -89,7 +89,7 @@ final class ResultBuilder {
         .orElseThrow(() -> new IllegalStateException("a fault in another scenario"));
   }
 
-  /** Components that did not work, as far as they can be seen. */
+  /** Returns findings on components that did not work, as far as this is visible. */
   private List<Diagnostic> silent() {
     return chain.isAttached()
         ? AttachedFindings.neverHeard(runs, chain)
@@ -104,7 +104,7 @@ final class ResultBuilder {
     return Stream.of(silent, silentIn(run)).flatMap(List::stream).allMatch(request.accepted());
   }
 
-  /** Nothing is measured of nodes that others run. */
+  /** Measures the nodes; nothing is measured of nodes that run elsewhere. */
   private Measurements measurements(List<ScenarioVerdict> verdicts) {
     if (chain.isAttached()) {
       return new Measurements(
@@ -119,7 +119,7 @@ final class ResultBuilder {
         MessageFlows.of(runs, chain));
   }
 
-  /** What has to be known of nodes that others run. */
+  /** Returns findings on the limits of a result with nodes that run elsewhere. */
   private List<Diagnostic> attached() {
     return chain.isAttached()
         ? Stream.concat(
@@ -161,7 +161,9 @@ final class ResultBuilder {
         Measurements.Statistics.of(hostTimes.build().toArray()));
   }
 
-  /** What the software told the vehicle and the simulated one does not do was not tested. */
+  /**
+   * Returns findings on commands that the simulated vehicle ignores, so that they were not tested.
+   */
   private List<Diagnostic> ignored() {
     return runs.stream()
         .filter(run -> !run.trace().ignored().isEmpty())
@@ -178,12 +180,15 @@ final class ResultBuilder {
         .toList();
   }
 
-  /** Who commands the vehicle, if it is by one topic only. */
+  /** Returns the writer of the commands, if only one topic commands the vehicle. */
   private String onlyCommander() {
     return chain.commands().size() == 1 ? chain.writer(chain.exit()) : "";
   }
 
-  /** No impact of the ego's; it is said whatever the criteria of the scenario are. */
+  /**
+   * Returns findings on rear impacts, which do not count as impacts of the ego; reported for any
+   * criteria.
+   */
   private List<Diagnostic> fromBehind() {
     return runs.stream()
         .flatMap(run -> run.trace().fromBehind().stream().map(each -> fromBehind(run, each)))
@@ -215,7 +220,7 @@ final class ResultBuilder {
     return InputAges.in(runs, chain);
   }
 
-  /** Connections that the nodes wanted but that were not made: the same in every scenario. */
+  /** Returns findings on requested connections that were not made; the same in every scenario. */
   private List<Diagnostic> warnings() {
     Map<String, Diagnostic> warnings = new LinkedHashMap<>();
     for (ScenarioRun run : runs) {
@@ -229,7 +234,7 @@ final class ResultBuilder {
     return Stream.concat(chain.leftOut().stream(), warnings.values().stream()).toList();
   }
 
-  /** A digest of everything that was measured in simulated time. */
+  /** Returns a digest of everything measured in simulated time. */
   private static String runId(List<ScenarioVerdict> verdicts, List<Measurements.Node> nodes) {
     CRC32 digest = new CRC32();
     for (ScenarioVerdict verdict : verdicts) {

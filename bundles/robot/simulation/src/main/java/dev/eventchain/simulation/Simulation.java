@@ -27,9 +27,9 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 
 /**
- * Simulates the generated nodes of a chain in a closed loop with a vehicle on a road, in lock-step
- * or on DDS in simulated time: the world waits for the nodes and the nodes for the world, so that
- * the result depends on the nodes and the scenarios alone. In real time, nothing waits.
+ * Simulates the generated nodes of a chain in a closed loop with a vehicle on a road. In lock-step
+ * and on DDS in simulated time, world and nodes wait for each other, so the result depends only on
+ * the nodes and the scenarios. In real time, nothing waits.
  */
 public final class Simulation {
 
@@ -57,21 +57,21 @@ public final class Simulation {
    * Simulates all scenarios and judges them.
    *
    * @param python the Python that runs the nodes
-   * @param progress gets the name of each scenario when it has been simulated, and those of faults
-   *     with theirs, one at a time, from threads of the simulation; the order may differ from that
-   *     of the request
+   * @param progress receives the name of each simulated scenario, and of each fault with its
+   *     scenario, one at a time, from threads of the simulation; the order may differ from that of
+   *     the request
    * @throws DiagnosticException (INPUT) if the messages of the vehicle are not defined ({@code
    *     message.unknown}, {@code message.field.missing}), or the manifest is not that of the chain
    *     ({@code simulation.manifest}), or there are faults that the driver cannot inject ({@code
    *     fault.driver}); (FINDINGS) if the nodes cannot be driven through a scenario: one raises,
-   *     hangs, ends its process, or returns something else than its signature says ({@code
+   *     hangs, ends its process, or returns a value that contradicts its signature ({@code
    *     component.*}, {@code node.*}), or the process that runs the nodes hangs ({@code
    *     simulation.step.timeout}), ends ({@code simulation.process.ended}), writes or publishes
    *     without end ({@code simulation.limit}) or breaks the protocol ({@code
    *     simulation.protocol}); on DDS also if a node is stopped, lost or vanishes ({@code
-   *     simulation.node.lost}), finds others not ({@code simulation.wire.unmatched}), or makes ends
-   *     while it runs ({@code node.endpoint.late}); (UNAVAILABLE) if the process cannot be started,
-   *     or no domain of DDS is free ({@code dds.domain.none})
+   *     simulation.node.lost}), does not discover its peers ({@code simulation.wire.unmatched}), or
+   *     creates end points while it runs ({@code node.endpoint.late}); (UNAVAILABLE) if the process
+   *     cannot be started, or no DDS domain is free ({@code dds.domain.none})
    * @throws InterruptedException if the calling thread was interrupted; the processes are ended
    */
   public static SimulationResult run(
@@ -106,7 +106,10 @@ public final class Simulation {
         .build(describeConfinement(), processes, wallSeconds);
   }
 
-  /** In real time two scenarios would take each other's time. */
+  /**
+   * Returns the number of processes; in real time one, since parallel scenarios would slow each
+   * other.
+   */
   private int processes() {
     return isInRealTime() ? 1 : Math.min(request.processes(), runsInAll());
   }
@@ -127,7 +130,7 @@ public final class Simulation {
     throw (RuntimeException) failure;
   }
 
-  /** Ends the processes, so that the threads that wait for their answers end. */
+  /** Ends the processes, which also ends the threads that wait for their answers. */
   private void stop(List<Thread> workers) throws InterruptedException {
     stopped.set(true);
     synchronized (open) {
@@ -169,7 +172,7 @@ public final class Simulation {
         .withHint("Leave out --real-time and --attach: in simulated time, all faults can.");
   }
 
-  /** Takes run after run until none is left, in new processes after one that did not survive. */
+  /** Simulates runs until none is left, with new processes after a run that ended its process. */
   private void work(int turn) {
     int[] taken = {-1};
     try {
@@ -177,16 +180,16 @@ public final class Simulation {
       while (more) {
         more = workInOneProcess(turn, taken);
       }
-    } catch (RuntimeException | Error e) { // rethrown by run(): a thread must not end unnoticed
+    } catch (RuntimeException | Error e) { // rethrown by run(), so that no thread ends unnoticed
       failed(taken[0], e);
     }
   }
 
   /**
-   * Takes run after run.
+   * Simulates runs until none is left or a fault has ended the process.
    *
-   * @param taken gets the number of each
-   * @return whether there may be more, but not for this process, which a fault has ended
+   * @param taken receives the number of each run
+   * @return true if runs may be left but the process was ended by a fault
    */
   private boolean workInOneProcess(int turn, int[] taken) {
     try (NodeHosts process = start(turn)) {

@@ -1,18 +1,18 @@
 package dev.eventchain.simulation;
 
-/** What brings messages from one to another, and lets time pass. */
+/** Driver of the nodes: transports messages and advances time. */
 public enum SimulationDriver {
   /** All nodes in one process, messages in memory. */
   LOCKSTEP("lock-step"),
   /**
    * Each node in its own process on Cyclone DDS, in simulated time. Faults that kill or stop a node
-   * act within its host, at an instant of simulated time, so that they do the same as in lock-step;
-   * the host itself continues.
+   * act within its host, at an instant of simulated time, with the same effect as in lock-step; the
+   * host itself continues.
    */
   DDS("Cyclone DDS in simulated time"),
-  /** The same in real time: one scenario after the other, and no node waits for another. */
+  /** Cyclone DDS in real time: scenarios run one after the other, and no node waits for another. */
   DDS_IN_REAL_TIME("Cyclone DDS in real time"),
-  /** No node is started here: others run them, in real time. */
+  /** Nodes that run elsewhere, in real time; no node is started here. */
   DDS_ATTACHED("Cyclone DDS, attached");
 
   private final String words;
@@ -21,7 +21,7 @@ public enum SimulationDriver {
     this.words = words;
   }
 
-  /** For people: what it is. */
+  /** Returns a description for users. */
   public String words() {
     return words;
   }

@@ -19,29 +19,27 @@ import java.util.Set;
 import java.util.function.Predicate;
 
 /**
- * What to simulate.
+ * Request for a simulation.
  *
  * @param chain the chain whose nodes were generated
  * @param packageFolder the folder that holds the manifest and the generated Python package
- * @param manifest what was generated
+ * @param manifest the generated nodes
  * @param messageFolders folders with the user's message definitions, {@code <package>/msg/*.msg}
- * @param bench how the world and the nodes are connected
+ * @param bench the connection of the world with the nodes
  * @param scenarios at least one
- * @param processes how many scenarios are simulated at the same time, at least 1; the result does
- *     not depend on it
- * @param generated names of the components that were generated and have to keep to the rules of
- *     such; the others are people's own
- * @param limits what the nodes and their components may use
- * @param accepted whether people have decided to live with a finding: a component that did not work
- *     keeps criteria from being judged only if they have not
+ * @param processes number of scenarios simulated in parallel, at least 1; the result does not
+ *     depend on it
+ * @param generated names of the generated components, which must follow the rules for generated
+ *     code; the others are handwritten
+ * @param limits the resources that the nodes and their components may use
+ * @param accepted predicate of accepted findings: a component that did not work keeps criteria from
+ *     being judged unless its finding is accepted
  * @param recordings an existing folder that gets the messages of each scenario, in {@code
  *     NAME.mcap} once the scenario has ended, also by a failure of a node; empty: nothing is
  *     recorded
- * @param driver how the nodes are run
- * @param faults what else is simulated: each fault in one more run of its scenario, which is one of
- *     the scenarios
- * @param attachment where to find the nodes that are run elsewhere; there with {@link
- *     SimulationDriver#DDS_ATTACHED} only
+ * @param driver the driver of the nodes
+ * @param faults the faults to inject, each in an additional run of one of the scenarios
+ * @param attachment the DDS domain of the nodes; with {@link SimulationDriver#DDS_ATTACHED} only
  */
 public record SimulationRequest(
     EventChain chain,
@@ -72,7 +70,9 @@ public record SimulationRequest(
     }
   }
 
-  /** With two processes and the default limits; no component counts as generated. */
+  /**
+   * Returns a request with two processes and the default limits; no component counts as generated.
+   */
   public static SimulationRequest of(
       EventChain chain,
       Path packageFolder,
@@ -97,44 +97,44 @@ public record SimulationRequest(
         Optional.empty());
   }
 
-  /** The same on another number of processes. */
+  /** Returns a copy with another number of processes. */
   public SimulationRequest withProcesses(int number) {
     return with(number, generated, limits, accepted, recordings, driver, faults, attachment);
   }
 
-  /** The same with other components that count as generated. */
+  /** Returns a copy with other components that count as generated. */
   public SimulationRequest withGenerated(Set<String> names) {
     return with(processes, names, limits, accepted, recordings, driver, faults, attachment);
   }
 
-  /** The same with other limits. */
+  /** Returns a copy with other limits. */
   public SimulationRequest withLimits(NodeLimits other) {
     return with(processes, generated, other, accepted, recordings, driver, faults, attachment);
   }
 
-  /** The same with other findings that people accept. */
+  /** Returns a copy with other accepted findings. */
   public SimulationRequest withAccepted(Predicate<Diagnostic> other) {
     return with(processes, generated, limits, other, recordings, driver, faults, attachment);
   }
 
-  /** The same with recordings in a folder, which exists. */
+  /** Returns a copy with recordings in an existing folder. */
   public SimulationRequest withRecordings(Path folder) {
     return with(
         processes, generated, limits, accepted, Optional.of(folder), driver, faults, attachment);
   }
 
-  /** The same with another driver, which starts the nodes. */
+  /** Returns a copy with another driver, which starts the nodes. */
   public SimulationRequest withDriver(SimulationDriver other) {
     return with(
         processes, generated, limits, accepted, recordings, other, faults, Optional.empty());
   }
 
-  /** The same with faults, each in a scenario of this request. */
+  /** Returns a copy with faults, each in a scenario of this request. */
   public SimulationRequest withFaults(FaultPlan other) {
     return with(processes, generated, limits, accepted, recordings, driver, other, attachment);
   }
 
-  /** The same with nodes that are run elsewhere. */
+  /** Returns a copy with nodes that run elsewhere. */
   public SimulationRequest withAttachment(DdsAttachment where) {
     return with(
         1,
@@ -147,23 +147,23 @@ public record SimulationRequest(
         Optional.of(where));
   }
 
-  /** For people: what brings messages from one node to another. */
+  /** Returns the description of the driver for users. */
   String driverWords() {
     return driver.words() + attachment.map(it -> " to domain " + it.domain()).orElse("");
   }
 
-  /** Whether the nodes are run elsewhere, so that what happens inside is not visible. */
+  /** Returns whether the nodes run elsewhere, so that their activations are not visible. */
   boolean isAttached() {
     return driver == SimulationDriver.DDS_ATTACHED;
   }
 
-  /** The files that the user's code is in. */
+  /** Returns the files with the user's code. */
   UserFiles userFiles() {
     return new UserFiles(packageFolder);
   }
 
   /**
-   * The generated nodes, with the user's message definitions in a file.
+   * Returns the generated nodes, with the user's message definitions in a file.
    *
    * @throws dev.eventchain.diagnostics.DiagnosticException a definition is wrong, or the file
    *     cannot be written ({@code python.unavailable})
@@ -174,7 +174,7 @@ public record SimulationRequest(
   }
 
   /**
-   * What of the chain is simulated.
+   * Returns the simulated part of the chain.
    *
    * @throws dev.eventchain.diagnostics.DiagnosticException (INPUT) if the manifest is not that of
    *     the chain ({@code simulation.manifest})

@@ -13,11 +13,11 @@ import java.util.List;
  * same in every run with the same nodes and scenarios.
  *
  * @param verdicts one for each scenario, in the order of the request
- * @param measurements what was measured of the nodes
+ * @param measurements the measurements of the nodes
  * @param diagnostics findings that do not belong to a criterion, such as connections that were not
  *     made ({@code topic.type.mismatch}, {@code qos.incompatible})
- * @param faults what came of each fault, in the order of the request
- * @param host how the simulation itself ran
+ * @param faults the verdicts of the faults, in the order of the request
+ * @param host the execution of the simulation itself
  */
 public record SimulationResult(
     List<ScenarioVerdict> verdicts,
@@ -34,16 +34,16 @@ public record SimulationResult(
   }
 
   /**
-   * How the simulation ran on this machine.
+   * Execution of the simulation on this machine.
    *
-   * @param driver what brought messages from one node to another, for people
-   * @param attached whether others ran the nodes
-   * @param confinement what kept the nodes from harming this machine
+   * @param driver the name of the driver, for users
+   * @param attached true if the nodes ran elsewhere
+   * @param confinement the confinement of the nodes' processes
    * @param python the version of the Python that ran the nodes
-   * @param processes how many simulated at the same time
+   * @param processes number of processes that simulated in parallel
    * @param simulatedSeconds simulated time of all scenarios together
    * @param wallSeconds time that the simulation took, with the start of the processes
-   * @param steppingSeconds time in which the processes simulated, summed up over them
+   * @param steppingSeconds time in which the processes simulated, summed over all of them
    */
   public record Host(
       String driver,
@@ -55,37 +55,37 @@ public record SimulationResult(
       double wallSeconds,
       double steppingSeconds) {
 
-    /** How many times faster than real time one process simulated, without its start. */
+    /** Returns the speed of one process relative to real time, without its start. */
     public double realTimeFactor() {
       return steppingSeconds > 0 ? simulatedSeconds / steppingSeconds : 0;
     }
   }
 
-  /** Whether every scenario passed. */
+  /** Returns whether every scenario passed. */
   public boolean passed() {
     return verdicts.stream().allMatch(ScenarioVerdict::passed);
   }
 
   /**
-   * A copy of a chain that holds what was measured. What had been measured before is replaced; host
-   * times are left out, so that equal runs make equal models.
+   * Returns a copy of a chain with the measurements. Earlier measurements are replaced; host times
+   * are left out, so that equal runs produce equal models.
    *
-   * @param chain the chain that was simulated; stays as it is
+   * @param chain the simulated chain; not modified
    */
   public EventChain measuredModel(EventChain chain) {
     return MeasuredModel.of(chain, measurements, verdicts);
   }
 
-  /** The content of {@code measurements.json}: UTF-8, LF, the members in a fixed order. */
+  /** Returns the content of {@code measurements.json}: UTF-8, LF, members in a fixed order. */
   public byte[] toJson() {
     return MeasurementsWriter.write(this);
   }
 
   /**
-   * The content of {@code measurements.csv}: RFC 4180 in UTF-8, a row for each number that was
-   * measured in simulated time, so that equal runs make equal files.
+   * Returns the content of {@code measurements.csv}: RFC 4180 in UTF-8, a row for each number
+   * measured in simulated time, so that equal runs produce equal files.
    *
-   * @param chain the chain that was simulated
+   * @param chain the simulated chain
    */
   public byte[] toCsv(EventChain chain) {
     return MeasurementsTable.write(this, chain);

@@ -32,8 +32,8 @@ import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EPackage;
 
 /**
- * The AEB example with nodes generated for it and hand-written components in the place of those
- * that a language model writes, in a folder where tests can change components.
+ * The AEB example with generated nodes, and hand-written components in place of those by a language
+ * model, in a folder where tests can change components.
  */
 public final class AebProject {
 
@@ -81,7 +81,7 @@ public final class AebProject {
     return EXAMPLE.resolve("software-base/msg");
   }
 
-  /** The topics that formulas of the example's scenarios read, with their units. */
+  /** Returns the topics that formulas of the example's scenarios read, with their units. */
   private static List<Signal> declared() {
     List<Signal> signals = new ArrayList<>();
     SourceText text = SourceText.read(EXAMPLE.resolve("software-base/signals.json"));
@@ -109,7 +109,7 @@ public final class AebProject {
     return signals;
   }
 
-  /** The project with the nodes of another chain of the same components. */
+  /** Returns the project with the nodes of another chain of the same components. */
   public static AebProject of(Path folder, Consumer<EventChain> change) throws IOException {
     EventChain chain = load();
     change.accept(chain);
@@ -131,7 +131,7 @@ public final class AebProject {
         store.load(RESOURCES.resolve("aeb/chain.xmi")).resource().getContents().get(0);
   }
 
-  /** The nodes are generated once: a template is compiled in a second. */
+  /** Nodes generated once for all tests, since compiling a template takes a second. */
   private static final class Generated {
     private static final TemplateModule MODULE =
         TemplateModule.compile(
@@ -139,7 +139,7 @@ public final class AebProject {
             List.of(EventchainPackage.eINSTANCE, messages()));
     private static final Map<String, byte[]> FILES = filesOf(load());
 
-    /** The metamodel of message definitions, which the templates name. */
+    /** Returns the metamodel of message definitions, which the templates name. */
     private static EPackage messages() {
       Path folder = Path.of("../../../metamodel");
       return EventChainMetamodel.store(folder)
@@ -152,12 +152,12 @@ public final class AebProject {
     }
   }
 
-  /** The chain; tests may change it. */
+  /** Returns the chain; tests may change it. */
   public EventChain chain() {
     return chain;
   }
 
-  /** Where the file of a component is. */
+  /** Returns the file of a component. */
   public Path component(String name) {
     return folder.resolve("aeb/aeb/components").resolve(name + ".py");
   }
@@ -168,7 +168,7 @@ public final class AebProject {
     return this;
   }
 
-  /** Some of the example's: enough for what is tested here, and not too many to be simulated. */
+  /** Returns some of the example's scenarios: enough for these tests, and fast to simulate. */
   public static List<Scenario> scenarios() {
     return Scenario.readFolder(EXAMPLE.resolve("scenarios"), BENCH, warning -> {}).stream()
         .filter(each -> SCENARIOS.contains(each.name()))

@@ -43,7 +43,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The world among nodes of others, which are participants of this process here. */
+/** Tests the world with nodes that run elsewhere, here participants of this process. */
 class AttachedTest {
 
   private static final QosSettings QOS = QosSettings.named("default").orElseThrow();
@@ -83,7 +83,7 @@ class AttachedTest {
     return MESSAGES.find(name).orElseThrow();
   }
 
-  /** Short scenarios, but for one that has to be long enough for what happens in it. */
+  /** Returns a request with short scenarios, except one that its events need to be longer. */
   private SimulationRequest request(String... names) throws IOException {
     List<Scenario> scenarios = new ArrayList<>();
     for (String name : names) {
@@ -118,7 +118,7 @@ class AttachedTest {
     others.reader(topic, type(type), QOS.withHistory(QosSettings.History.KEEP_ALL), listener);
   }
 
-  /** A node that answers each scan with this demand on the brake. */
+  /** Returns a node that answers each scan with this demand on the brake. */
   private DdsWriter brakes(double demand) {
     others.announce("brakes");
     DdsWriter control = others.writer(CONTROL, type(CONTROL_TYPE), QOS);

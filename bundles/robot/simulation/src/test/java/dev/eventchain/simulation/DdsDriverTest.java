@@ -25,7 +25,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Nodes as their own processes, with Cyclone DDS between them. */
+/** Tests nodes as separate processes, connected by Cyclone DDS. */
 class DdsDriverTest {
 
   private static final ObjectMapper JSON = new ObjectMapper();
@@ -50,7 +50,7 @@ class DdsDriverTest {
     assertEquals(measured(lockstep), measured(dds));
   }
 
-  /** All that does not depend on the machine. */
+  /** Returns all measurements that do not depend on the machine. */
   private static String measured(SimulationResult result) throws IOException {
     ObjectNode json = (ObjectNode) JSON.readTree(result.toJson());
     return json.without("host").toPrettyString().replaceAll("\"host[^\\n]*", "");
@@ -105,7 +105,7 @@ class DdsDriverTest {
     assertTrue(found.location().line() > 0);
   }
 
-  /** At its twentieth activation the node says so, and waits for what will happen to it. */
+  /** Node code that creates a file at its twentieth activation, and waits for a signal. */
   private static final String MARKED =
       """
 
@@ -171,7 +171,10 @@ class DdsDriverTest {
         .filter(it -> it.info().commandLine().orElse("").contains("eventchain_ros2.node_host"));
   }
 
-  /** The process with the node has the threads of DDS; its parent and its component do not. */
+  /**
+   * Returns whether a process hosts the node: it has the threads of DDS, unlike its parent and its
+   * component.
+   */
   private static boolean isMarked(ProcessHandle handle) {
     Path process = Path.of("/proc", Long.toString(handle.pid()));
     try (Stream<Path> threads = Files.list(process.resolve("task"))) {

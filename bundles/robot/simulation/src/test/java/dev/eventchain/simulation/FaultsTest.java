@@ -27,7 +27,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Faults in a drive towards a stopped vehicle, all in one simulation: each run costs some time. */
+/**
+ * Tests faults in a drive towards a stopped vehicle, all in one simulation, since each run is slow.
+ */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class FaultsTest {
 
@@ -245,7 +247,9 @@ class FaultsTest {
     assertEquals(List.of("simulation.fault.failed"), ids(dead.diagnostics()), "too late");
   }
 
-  /** More is published than a scenario holds: the process ends, and the next fault has another. */
+  /**
+   * The flood exceeds the limit of a scenario: the process ends, and the next fault gets another.
+   */
   @Test
   void aRunThatCannotGoOnIsPartOfTheResult() throws Exception {
     AebProject fast =
@@ -307,7 +311,7 @@ class FaultsTest {
     }
   }
 
-  /** All but where it stands in the file. */
+  /** Returns everything except the location in the file. */
   private static String measured(FaultVerdict fault) {
     return List.of(
             fault.name(),

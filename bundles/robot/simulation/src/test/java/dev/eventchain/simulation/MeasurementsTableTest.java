@@ -19,10 +19,10 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The table says what the JSON file says. */
+/** Tests that the table agrees with the JSON file. */
 class MeasurementsTableTest {
 
-  /** A cell, quoted or not, and what ends it. */
+  /** A cell, quoted or not, with its delimiter. */
   private static final Pattern CELL =
       Pattern.compile("(?:\"((?:[^\"]|\"\")*)\"|([^\",\r\n]*))(,|\r\n)");
 
@@ -195,7 +195,7 @@ class MeasurementsTableTest {
     return number.decimalValue().signum() == 0 ? "0" : plain;
   }
 
-  /** RFC 4180. */
+  /** Parses CSV by RFC 4180. */
   private static List<List<String>> rows(String text) {
     List<List<String>> rows = new ArrayList<>();
     List<String> row = new ArrayList<>();

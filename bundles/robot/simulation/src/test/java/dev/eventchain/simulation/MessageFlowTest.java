@@ -24,7 +24,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** How messages went through the example, of which two scans are lost in one scenario. */
+/** Tests the message flow of the example, in which one scenario loses two scans. */
 class MessageFlowTest {
 
   private static final Path RULES = Path.of("src/test/resources/hops.ocl");
@@ -131,7 +131,7 @@ class MessageFlowTest {
         "the scan before a lost one is used twice");
   }
 
-  /** The parts of the slowest time are no longer than what was measured of their hops. */
+  /** The parts of the slowest time are no longer than the measurements of their hops. */
   @Test
   void latenciesConsistOfHops() {
     for (ScenarioVerdict verdict : result.verdicts()) {
@@ -198,7 +198,7 @@ class MessageFlowTest {
     assertEquals(hop.samples().orElseThrow().published() - 1, late.of());
     MessageFlow.Exceeded tooOld = hop.tooOld().orElseThrow();
     assertEquals(250, tooOld.limit());
-    // Of 700 ms, an activation every 50 ms: those after 250 ms are too old.
+    // Of 700 ms with an activation every 50 ms, those after 250 ms are too old.
     assertEquals(9.0 / 14, tooOld.times() / (double) tooOld.of(), 0.06);
     assertTrue(
         slow.diagnostics().stream()

@@ -28,7 +28,7 @@ import org.junit.jupiter.params.provider.CsvFileSource;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Real nodes in a real confined process, driven through the AEB example's scenarios. */
+/** Tests real nodes in a real confined process in the AEB example's scenarios. */
 class SimulationTest {
 
   @TempDir Path folder;

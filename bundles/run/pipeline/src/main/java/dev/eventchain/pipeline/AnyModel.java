@@ -29,17 +29,17 @@ import org.eclipse.emf.ecore.EPackage;
 public final class AnyModel {
 
   /**
-   * A template that is in no project, and what it needs.
+   * A template outside of projects, with its dependencies.
    *
    * @param main the main module
-   * @param sources the source roots of its modules; folders that it is in need not be named
+   * @param sources the source roots of its modules; its own folders need not be named
    * @param services JARs and folders of classes whose methods the templates may call
-   * @param properties files of properties; where several have a key, the first one counts
+   * @param properties properties files; the first one with a key takes precedence
    */
   public record Template(
       Path main, List<Path> sources, List<Path> services, List<Path> properties) {
 
-    /** Keeps the lists from changing. */
+    /** Copies the lists. */
     public Template {
       sources = List.copyOf(sources);
       services = List.copyOf(services);
@@ -48,14 +48,14 @@ public final class AnyModel {
   }
 
   /**
-   * Where the text goes.
+   * The target of generated text.
    *
-   * @param folder where the files go; without one, a block that writes a file is an error, and what
-   *     others print is all there is
-   * @param overwrite whether files that a person has edited are replaced
-   * @param trace whether {@code trace.json} is written, too, which says where each line comes from
-   * @param producer what tells this generation from others into the same folder: files that it
-   *     wrote when it last ran, and no longer writes, are removed. Without it, they stay
+   * @param folder the output folder; without one, a block that writes a file is an error, and only
+   *     printed text is returned
+   * @param overwrite true to replace files that a person has edited
+   * @param trace true to write {@code trace.json}, too, which gives the origin of each line
+   * @param producer the identifier of this generation among others into the same folder; files that
+   *     its previous run wrote, and this one does not, are removed. Without it, they stay
    */
   public record Target(
       Optional<Path> folder, boolean overwrite, boolean trace, Optional<String> producer) {}
@@ -65,16 +65,16 @@ public final class AnyModel {
   /**
    * Generates text from models.
    *
-   * @param map the folders that beginnings of references stand for: {@code platform:/resource/}
+   * @param map the folders by URI prefix of references, such as {@code platform:/resource/}
    * @param template with its modules, services and properties
-   * @param models the template runs on the elements of each of them, and sees those that they refer
-   *     to in other files
-   * @param target where the files go
-   * @param lenient whether what Acceleo continues after without failing is a warning
-   * @param suppressions what is wrong with the models and is not to count
+   * @param models models whose elements the template runs on; it also sees elements that they
+   *     reference in other files
+   * @param target the output
+   * @param lenient true to report errors after which Acceleo continues as warnings
+   * @param suppressions the suppressed findings about the models
    * @param timeLimit the processor time that the patterns of a data type may take
-   * @return what was found, and nothing written if one of it is an error, other than that values
-   *     are undefined: also where a model is not an instance of its metamodel
+   * @return the findings; nothing is written if one of them is an error other than an undefined
+   *     value, for example if a model is not an instance of its metamodel
    * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
    */
   public static WrittenFiles generate(
@@ -112,7 +112,8 @@ public final class AnyModel {
   }
 
   /**
-   * Templates may be written for definitions of messages, too: without a project there are none.
+   * Returns the packages for templates, which may use message definitions: without a project there
+   * are none.
    */
   private static List<EPackage> templatePackages(ModelValidation any) {
     List<EPackage> all = new ArrayList<>(any.packages());

@@ -14,28 +14,29 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 
-/** Finds out whether this machine has what runs need. */
+/** Checks this machine for the prerequisites of runs. */
 public final class Doctor {
 
   /**
-   * One thing that runs need.
+   * A check of a prerequisite of runs.
    *
-   * @param name what it is
-   * @param fine whether it is there
-   * @param needed whether the project's runs end without it
-   * @param words what was found, or what to do
+   * @param name the name of the prerequisite
+   * @param fine true if it is available
+   * @param needed true if the project's runs fail without it
+   * @param words the finding or the hint
    */
   public record Check(String name, boolean fine, boolean needed, String words) {}
 
   private Doctor() {}
 
   /**
-   * Looks at this machine, for a few seconds, or a minute where Python packages have to be fetched
-   * to see whether they can be. Nothing is installed.
+   * Checks this machine, in a few seconds, or a minute if Python packages have to be downloaded for
+   * the check. Nothing is installed.
    *
-   * @param project whose models are to be asked; empty: all services that need no configuration
+   * @param project the project with the models to check; empty for all services that need no
+   *     configuration
    * @param environment the value of an environment variable, null if it is not set
-   * @param progress gets lines for people while Python is looked at
+   * @param progress receives lines for people while Python is checked
    */
   public static List<Check> look(
       Optional<Project> project, UnaryOperator<String> environment, Consumer<String> progress) {
@@ -64,7 +65,7 @@ public final class Doctor {
     }
   }
 
-  /** Only {@code --driver dds} needs it. */
+  /** Checks Cyclone DDS, which only {@code --driver dds} needs. */
   private static Check cycloneDds(Consumer<String> progress) {
     String name = "Cyclone DDS";
     try {

@@ -3,29 +3,29 @@ package dev.eventchain.pipeline;
 import dev.eventchain.diagnostics.DiagnosticException;
 
 /**
- * What the process's exit code means. Scripts rely on the numbers. A signal ends it with 128 and
- * the signal's number, as Java does by itself: 129 for SIGHUP, 130 for SIGINT, 143 for SIGTERM.
+ * Exit codes of the process. Scripts rely on the numbers. A signal ends it with 128 plus the
+ * signal's number, Java's default: 129 for SIGHUP, 130 for SIGINT, 143 for SIGTERM.
  */
 public final class ExitCode {
 
-  /** Everything was done, and nothing is wrong. */
+  /** Success without errors. */
   public static final int FINE = 0;
 
-  /** A finding is an error, or a verdict is negative. */
+  /** An error among the findings, or a negative verdict. */
   public static final int FINDINGS = 1;
 
-  /** The command was used wrongly, or its input cannot be read. */
+  /** Wrong usage of the command, or unreadable input. */
   public static final int INPUT = 2;
 
-  /** This machine lacks something that the command needs. */
+  /** A missing prerequisite of the command on this machine. */
   public static final int UNAVAILABLE = 3;
 
-  /** An answer is awaited; the same command continues when it is there. */
+  /** A missing answer; the same command continues when it exists. */
   public static final int WAITING = 4;
 
   private ExitCode() {}
 
-  /** The code of a command that could not go on. */
+  /** Returns the exit code of a command that could not continue. */
   public static int of(DiagnosticException.Reason reason) {
     return switch (reason) {
       case FINDINGS -> FINDINGS;

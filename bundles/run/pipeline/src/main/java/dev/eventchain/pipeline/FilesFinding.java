@@ -7,12 +7,12 @@ import java.io.IOException;
 import java.nio.file.FileSystemException;
 import java.util.Optional;
 
-/** The system refuses a file where the program relies on it, which is not a defect. */
+/** Findings about files that the system refuses, which is no defect of the program. */
 final class FilesFinding {
 
   private FilesFinding() {}
 
-  /** The finding, if it is this that went wrong. */
+  /** Returns the finding, if it applies to the failure. */
   static Optional<Diagnostic> in(Throwable problem) {
     for (Throwable cause = problem; cause != null; cause = cause.getCause()) {
       if (cause instanceof IOException refused) {

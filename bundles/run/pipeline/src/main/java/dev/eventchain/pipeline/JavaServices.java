@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.zip.ZipFile;
 
-/** The Java classes that a user lets templates call, until closed. */
+/** The Java classes that templates may call, until closed. */
 final class JavaServices implements AutoCloseable {
 
   private final Optional<URLClassLoader> loader;
@@ -24,7 +24,8 @@ final class JavaServices implements AutoCloseable {
   }
 
   /**
-   * Opens JARs and folders of classes; they see the program's own libraries, such as EMF.
+   * Opens JARs and folders of classes; the program's own libraries, such as EMF, are visible to
+   * them.
    *
    * @throws DiagnosticException INPUT for one that is missing ({@code file.missing}) or no JAR
    *     ({@code file.unreadable})
@@ -59,7 +60,7 @@ final class JavaServices implements AutoCloseable {
         DiagnosticException.Reason.INPUT, Diagnostic.error(id, message, SourceLocation.of(place)));
   }
 
-  /** Has the classes; none if there are no places. */
+  /** Returns the class loader; empty if there are no places. */
   Optional<ClassLoader> loader() {
     return loader.map(ClassLoader.class::cast);
   }

@@ -4,14 +4,14 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.Optional;
 
-/** The input needs more memory than the launcher grants, which is not a defect. */
+/** Findings about input that needs more memory than the launcher grants, which is no defect. */
 final class MemoryFinding {
 
   private static final long MEBIBYTE = 1L << 20;
 
   private MemoryFinding() {}
 
-  /** The finding, if it is this that went wrong, in whatever thread. */
+  /** Returns the finding, if an out-of-memory error caused the failure. */
   static Optional<Diagnostic> in(Throwable problem) {
     for (Throwable cause = problem; cause != null; cause = cause.getCause()) {
       if (cause instanceof OutOfMemoryError) {

@@ -16,11 +16,11 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * How a command ended.
+ * The outcome of a command.
  *
- * @param failed whether it could not do its work, and the findings say why
+ * @param failed true if the command could not do its work; the findings say why
  * @param run the run of the project's stages, when there was one
- * @param written what was written without a project, for people; may be empty
+ * @param written the files written without a project, as readable text; may be empty
  */
 public record Outcome(
     int exitCode,
@@ -31,13 +31,13 @@ public record Outcome(
     Optional<RunResult> run,
     String written) {
 
-  /** Of a command that did its work. */
+  /** Returns the outcome of a command that did its work. */
   public static Outcome of(Coverage coverage, List<Diagnostic> found, List<Suppressed> suppressed) {
     int code = Diagnostic.anyError(found) ? ExitCode.FINDINGS : ExitCode.FINE;
     return new Outcome(code, false, coverage, found, suppressed, Optional.empty(), "");
   }
 
-  /** Of a run of stages. */
+  /** Returns the outcome of a run of stages. */
   public static Outcome of(RunResult run) {
     boolean wanting =
         run.verdict() == RunResult.Verdict.FAILED || Diagnostic.anyError(run.diagnostics());
@@ -47,9 +47,10 @@ public record Outcome(
   }
 
   /**
-   * Of a command whose findings do not decide how it ended, such as an evaluation.
+   * Returns the outcome of a command whose findings do not determine its exit code, such as an
+   * evaluation.
    *
-   * @param failure why it is not whole, if it is not
+   * @param failure the reason why the result is incomplete, if it is
    */
   public static Outcome of(Optional<DiagnosticException.Reason> failure, List<Diagnostic> found) {
     return new Outcome(
@@ -62,7 +63,10 @@ public record Outcome(
         "");
   }
 
-  /** Every failure is a finding; one that is not is a defect of this program, and says so. */
+  /**
+   * Turns a failure into a finding; unknown failures are defects of this program and reported as
+   * such.
+   */
   public static Outcome of(Throwable failure) {
     if (failure instanceof DiagnosticException known) {
       return failed(ExitCode.of(known.reason()), known.diagnostics());
@@ -74,7 +78,10 @@ public record Outcome(
     return failed(ExitCode.UNAVAILABLE, List.of(finding));
   }
 
-  /** Says that this program itself is wrong, with the place in its code, and what it was at. */
+  /**
+   * Returns the finding about a defect of this program, with the position in its code and in the
+   * input.
+   */
   private static Diagnostic defect(Throwable failure) {
     StackTraceElement[] stack = failure.getStackTrace();
     String place = stack.length == 0 ? "" : " at " + stack[0];
@@ -89,7 +96,7 @@ public record Outcome(
     return new Outcome(exitCode, true, Coverage.NONE, diagnostics, List.of(), Optional.empty(), "");
   }
 
-  /** The same with what came up while the reports were written, which makes the command fail. */
+  /** Returns the outcome with the failures of writing reports, which make the command fail. */
   public Outcome unreported(List<Diagnostic> problems) {
     if (problems.isEmpty()) {
       return this;
@@ -99,7 +106,7 @@ public record Outcome(
     return new Outcome(ExitCode.INPUT, failed, coverage, all, suppressed, run, written);
   }
 
-  /** What both came to: the worse of their codes, and everything that was found. */
+  /** Returns the combination of two outcomes: the worse exit code, and the findings of both. */
   public Outcome and(Outcome other) {
     return new Outcome(
         Math.max(exitCode, other.exitCode),
@@ -116,16 +123,17 @@ public record Outcome(
   }
 
   /**
-   * What the outcome says, for every format.
+   * Returns the report of the outcome, for every format.
    *
-   * @param version that of the program
+   * @param version the version of the program
    */
   public Report report(String version) {
     return new Report(version, exitCode, coverage, diagnostics, suppressed);
   }
 
   /**
-   * Findings without a project, parted by what its people have decided, and warnings about that.
+   * Returns the outcome for findings without a project, with suppressions applied, and warnings
+   * about these.
    */
   public static Outcome of(Coverage coverage, List<Diagnostic> found, Suppressions suppressions) {
     Suppressions.Parted parted = suppressions.part(found);
@@ -134,7 +142,7 @@ public record Outcome(
     return of(coverage, remaining, parted.suppressed());
   }
 
-  /** Of a command that wrote files without a project. */
+  /** Returns the outcome of a command that wrote files without a project. */
   public static Outcome of(WrittenFiles files, Suppressions suppressions) {
     Outcome judged = of(Coverage.NONE, files.diagnostics(), suppressions);
     return new Outcome(

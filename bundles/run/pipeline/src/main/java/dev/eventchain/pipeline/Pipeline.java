@@ -10,7 +10,7 @@ import dev.eventchain.pipeline.run.RunResult;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/** Runs the stages of a project in order, as far as they are asked for and can go. */
+/** Runs the requested stages of a project in order, as far as possible. */
 public final class Pipeline {
 
   private Pipeline() {}
@@ -18,7 +18,7 @@ public final class Pipeline {
   /**
    * Runs stages of a project.
    *
-   * @return how the run ended, with everything that was found; also when a stage could not continue
+   * @return the result of the run with all findings, also if a stage could not continue
    * @throws DiagnosticException INPUT if the output folder cannot be written or is in use
    */
   public static RunResult run(Project project, RunOptions options, Progress progress) {
@@ -26,9 +26,8 @@ public final class Pipeline {
   }
 
   /**
-   * Withdraws the verdict that an earlier run has left in an output folder, for a run that was to
-   * reach one and could not even be begun. Nothing happens where there is not a verdict, or another
-   * run is at work.
+   * Withdraws the verdict of an earlier run from an output folder, for a run with a verdict that
+   * could not begin. Does nothing if there is no verdict or another run is in progress.
    */
   public static void withdrawVerdict(Path output) {
     StandingResults.withdrawVerdict(output);

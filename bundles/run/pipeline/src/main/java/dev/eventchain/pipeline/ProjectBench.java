@@ -19,10 +19,10 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What the simulated world provides and takes, and how a project is connected with it.
+ * The simulated world's inputs and outputs, and their connections with a project.
  *
  * @param text the listing, for people
- * @param diagnostics what is not connected; nothing is said of a chain that there is not yet
+ * @param diagnostics the findings about missing connections; none while there is no chain
  */
 public record ProjectBench(String text, List<Diagnostic> diagnostics) {
 
@@ -34,7 +34,7 @@ public record ProjectBench(String text, List<Diagnostic> diagnostics) {
   /**
    * Describes the bench of a project.
    *
-   * @param output the folder of the project's results, where its model may be
+   * @param output the folder of the project's results, which may contain its model
    * @throws DiagnosticException INPUT if the bench, the software base or the model cannot be read
    */
   public static ProjectBench of(Project project, Path output) {
@@ -59,7 +59,7 @@ public record ProjectBench(String text, List<Diagnostic> diagnostics) {
   }
 
   /**
-   * The text of {@code bench.yaml} for signals that a software base declares.
+   * Returns the text of {@code bench.yaml} for signals that a software base declares.
    *
    * @param messages the definitions of their types
    */
@@ -67,17 +67,17 @@ public record ProjectBench(String text, List<Diagnostic> diagnostics) {
     return Bench.proposal(signals, messages);
   }
 
-  /** The JSON Schema of {@code bench.yaml}. */
+  /** Returns the JSON Schema of {@code bench.yaml}. */
   public static String schema() {
     return Bench.schema();
   }
 
-  /** The JSON Schema of a scenario. */
+  /** Returns the JSON Schema of a scenario. */
   public static String scenarioSchema() {
     return Scenario.schema();
   }
 
-  /** The JSON Schema of files with faults. */
+  /** Returns the JSON Schema of files with faults. */
   public static String faultsSchema() {
     return FaultPlan.schema();
   }

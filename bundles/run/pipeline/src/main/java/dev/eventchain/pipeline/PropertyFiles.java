@@ -14,16 +14,16 @@ import java.util.Map;
 import java.util.Properties;
 import java.util.TreeMap;
 
-/** Files of properties as Java has them, in ISO 8859-1 with escapes. */
+/** Java properties files, in ISO 8859-1 with escapes. */
 final class PropertyFiles {
 
   private PropertyFiles() {}
 
   /**
-   * The properties of files by their names without folders, in the order of the files.
+   * Returns the properties of files by their names without folders, in the order of the files.
    *
-   * @throws DiagnosticException INPUT for one that is missing, cannot be read or has a broken
-   *     escape, and for a second one of the same name, since templates could not tell them apart
+   * @throws DiagnosticException INPUT for a file that is missing, cannot be read or has a broken
+   *     escape, and for a second one of the same name, since templates could not distinguish them
    */
   static Map<String, Map<String, String>> read(List<Path> files) {
     Map<String, Map<String, String>> all = new LinkedHashMap<>();

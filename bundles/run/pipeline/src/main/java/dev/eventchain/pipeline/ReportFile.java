@@ -21,7 +21,7 @@ public final class ReportFile {
   /**
    * Writes a report.
    *
-   * @return why it could not ({@code report.unwritable})
+   * @return the finding {@code report.unwritable} if it could not be written
    */
   public static Optional<Diagnostic> write(Report report, DiagnosticFormat format, Path file) {
     byte[] content = format.render(report).getBytes(StandardCharsets.UTF_8);
@@ -47,7 +47,10 @@ public final class ReportFile {
     }
   }
 
-  /** A device or a pipe, also under the names of this process's own, stays what it is. */
+  /**
+   * Returns whether a file is a device or a pipe, which is not replaced, also under the names of
+   * this process.
+   */
   private static boolean isStream(Path file) {
     Path absolute = file.toAbsolutePath().normalize();
     return (absolute.startsWith("/dev") && !absolute.startsWith("/dev/shm"))
@@ -56,7 +59,7 @@ public final class ReportFile {
   }
 
   private static void replace(Path file, byte[] content) throws IOException {
-    // Not a temporary file of Java's, which only its owner may read.
+    // Not one of Java's temporary files, which only their owner may read.
     Path part = file.resolveSibling("." + file.getFileName() + "." + ProcessHandle.current().pid());
     try {
       Files.write(part, content);

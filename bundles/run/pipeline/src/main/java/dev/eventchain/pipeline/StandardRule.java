@@ -9,17 +9,17 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** What there is to say about a constraint that holds for all event chains. */
+/** Explanation of a standard constraint, which holds for all event chains. */
 public final class StandardRule {
 
   private StandardRule() {}
 
-  /** The qualified names of all of them, in the order of the document. */
+  /** Returns the qualified names of all standard constraints, in the order of the document. */
   public static List<String> names() {
     return rules(EventChainMetamodel.constraints()).constraintNames();
   }
 
-  /** A page in Markdown about the constraint of this qualified name, if there is one. */
+  /** Returns the Markdown page about a constraint by its qualified name, if it exists. */
   public static Optional<String> page(String name) {
     SourceText document = EventChainMetamodel.constraints();
     return rules(document).constraint(name).map(constraint -> page(constraint, document));
@@ -48,7 +48,7 @@ public final class StandardRule {
         + "\n";
   }
 
-  /** The constraint as it is written, with the comments right above it. */
+  /** Returns the source text of the constraint with the preceding comments. */
   private static String source(OclConstraint constraint, SourceText document) {
     List<String> lines = document.text().lines().toList();
     int first = constraint.location().line() - 1;

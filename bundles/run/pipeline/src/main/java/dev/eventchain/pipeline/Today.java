@@ -7,8 +7,8 @@ import java.time.ZoneOffset;
 import java.util.Map;
 
 /**
- * The date for which suppressions are evaluated. It is an input: {@code SOURCE_DATE_EPOCH}, in
- * seconds, takes the place of the clock, as in other reproducible builds.
+ * The date for which suppressions are evaluated. {@code SOURCE_DATE_EPOCH}, in seconds, replaces
+ * the clock, as in other reproducible builds.
  */
 public final class Today {
 
@@ -21,18 +21,18 @@ public final class Today {
   }
 
   /**
-   * Reads the environment when the day is asked for.
+   * Returns an instance that reads the environment on demand.
    *
-   * @param environment may have {@code SOURCE_DATE_EPOCH}
+   * @param environment the environment, possibly with {@code SOURCE_DATE_EPOCH}
    */
   public static Today of(Map<String, String> environment, Clock clock) {
     return new Today(environment.getOrDefault("SOURCE_DATE_EPOCH", ""), clock);
   }
 
   /**
-   * The day, in UTC.
+   * Returns the day, in UTC.
    *
-   * @throws IllegalArgumentException if the environment does not give a number of seconds
+   * @throws IllegalArgumentException if the environment's value is not a number of seconds
    */
   public LocalDate date() {
     if (epoch.isEmpty()) {

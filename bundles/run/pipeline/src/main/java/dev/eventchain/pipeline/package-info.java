@@ -1,6 +1,6 @@
 /**
- * The doors that the command line and the Maven plug-in use: runs of a project, generation without
- * one, and how a command ended, with its exit code. What the stages do is in the packages below;
- * this one knows neither diagrams nor evaluations.
+ * The API of the command line and the Maven plug-in: runs of a project, generation without one, and
+ * outcomes of commands with their exit codes. The work of the stages is in the packages below; this
+ * one depends neither on diagrams nor on evaluations.
  */
 package dev.eventchain.pipeline;

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Generation from several models and with Java services. */
+/** Tests generation from several models and with Java services. */
 class AnyModelTest {
 
   private static final String ECORE =
@@ -145,7 +145,7 @@ class AnyModelTest {
     return Files.readString(folder.resolve("out").resolve(name));
   }
 
-  /** A folder with the compiled service. */
+  /** Returns a folder with the compiled service. */
   private Path classes() throws IOException {
     Path source = folder.resolve("src/demo/Words.java");
     Files.createDirectories(source.getParent());
@@ -218,7 +218,7 @@ class AnyModelTest {
     return found.stream().map(Diagnostic::id).toList();
   }
 
-  /** Makes the owner of a shop, and the name of a person, required. */
+  /** Requires the owner of a shop and the name of a person. */
   private void demand() throws IOException {
     String demanding =
         ECORE

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Which methods templates can call, and what is said of those that fail. */
+/** Tests which methods templates can call, and the findings about those that fail. */
 class JavaServicesTest {
 
   private static final String ECORE =
@@ -57,10 +57,10 @@ class JavaServicesTest {
       [/template]
       """;
 
-  /** Which class has been initialised, as far as the test can tell. */
+  /** The last initialised class that the test can observe. */
   private static final String INITIALISED = "dev.eventchain.test.initialised";
 
-  /** A class of this program that templates must not wake up. */
+  /** A class of this program that templates must not initialise. */
   static final class Sleeper {
     static {
       System.setProperty(INITIALISED, "Sleeper");
@@ -88,7 +88,7 @@ class JavaServicesTest {
     System.clearProperty(INITIALISED);
   }
 
-  /** Compiles public classes of the package demo, which are all named and follow one another. */
+  /** Compiles public classes of the package demo, given as names each followed by its source. */
   private void compile(String... sources) throws IOException {
     Path place = Files.createDirectories(folder.resolve("src/demo"));
     List<String> arguments =
@@ -106,7 +106,7 @@ class JavaServicesTest {
     assertEquals(0, failed);
   }
 
-  /** The JAR that a class is in. */
+  /** Returns the JAR that a class is in. */
   private static Path library(Class<?> type) {
     return Path.of(URI.create(type.getProtectionDomain().getCodeSource().getLocation().toString()));
   }
@@ -134,7 +134,7 @@ class JavaServicesTest {
     return "[invoke('" + className + "', '" + signature + "', Sequence{})/]";
   }
 
-  /** The reason in the one finding of a body. */
+  /** Returns the reason in the one finding of a body. */
   private String refused(String body) throws IOException {
     List<Diagnostic> found = generate(body);
     assertEquals(List.of("m2t.service"), found.stream().map(Diagnostic::id).toList());

@@ -42,8 +42,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
- * The standard rules in OCL, the code that reads descriptions, the indexes and the runtime of the
- * nodes agree on what a name is and which names mean the same, for random names.
+ * Tests that the standard OCL rules, the reader of descriptions, the indexes and the nodes' runtime
+ * agree on valid and equivalent names, for random names.
  */
 class NamesAgreeTest {
 
@@ -87,7 +87,7 @@ class NamesAgreeTest {
   private static final List<String> LEGAL =
       List.of("/a/Ab_2/x", "a/x", "~/x", "std_msgs/msg/Bool", "a_msgs/B2", "h.s_2.t", "_value");
 
-  /** What is named, how each of the parties judges it. */
+  /** Kinds of names, with the rules of each party. */
   private enum Kind {
     TOPIC("TopicNameIsLegal", "modeler.topic.illegal"),
     MESSAGE_TYPE("MessageTypeIsQualified", "modeler.type.illegal"),
@@ -112,7 +112,7 @@ class NamesAgreeTest {
     }
   }
 
-  /** Random names, and some that are nearly legal; none is blank. */
+  /** Returns random names, and some that are nearly valid; none is blank. */
   private static List<String> names(long seed) {
     Random random = new Random(seed);
     Set<String> names = new TreeSet<>();
@@ -168,7 +168,7 @@ class NamesAgreeTest {
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
-  /** The findings of the standard rules and others, with positions as elements. */
+  /** Returns the findings of the standard rules and others, with positions as elements. */
   private static List<Diagnostic> check(EventChain chain, String... others) {
     List<SourceText> documents = new ArrayList<>();
     documents.add(EventChainMetamodel.constraints());
@@ -312,7 +312,7 @@ class NamesAgreeTest {
     }
   }
 
-  /** Components write and read topics and fields of which many mean the same, or nearly. */
+  /** Components write and read topics and fields, many of them equivalent or nearly so. */
   @Test
   void rulesAndIndexSeeTheSameFlow() {
     Random random = new Random(7);

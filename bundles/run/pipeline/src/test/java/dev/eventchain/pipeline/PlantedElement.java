@@ -3,10 +3,10 @@ package dev.eventchain.pipeline;
 import java.util.ArrayList;
 import java.util.List;
 
-/** An element of a planted model, which starts on a line of its own. */
+/** An element of a planted model, which starts on its own line. */
 final class PlantedElement {
 
-  /** A reference to another element; {@code more} is text that is behind it. */
+  /** A reference to another element; {@code more} is the text after it. */
   private record Link(String feature, PlantedElement to, String more) {}
 
   private final PlantedMetamodel.Type type;
@@ -41,7 +41,7 @@ final class PlantedElement {
     return this;
   }
 
-  /** A value as its own element, as several in one attribute cannot be. */
+  /** Returns a value as its own element, as several in one attribute cannot be. */
   PlantedElement value(String feature, String value) {
     links.add(new Link(feature, null, value));
     return this;
@@ -53,7 +53,7 @@ final class PlantedElement {
     return this;
   }
 
-  /** A rule or an id of which a finding is expected here; empty for none. */
+  /** Returns the rule or identifier of an expected finding; empty if there is none. */
   PlantedElement expect(String finding) {
     if (!finding.isEmpty()) {
       expected.add(finding);
@@ -61,7 +61,7 @@ final class PlantedElement {
     return this;
   }
 
-  /** Gives this and its parts their place, which others need to refer to them. */
+  /** Locates this element and its parts, for references of others. */
   void place(String inFile, String prefix) {
     file = inFile;
     name = prefix;
@@ -70,7 +70,7 @@ final class PlantedElement {
     }
   }
 
-  /** Adds this to the lines of its file, and its findings, with their lines, to others. */
+  /** Adds this element to the lines of its file, and its findings to the expected ones. */
   void write(String feature, List<String> lines, List<String> findings) {
     int line = lines.size() + 1;
     expected.forEach(each -> findings.add(file + ":" + line + " " + each));

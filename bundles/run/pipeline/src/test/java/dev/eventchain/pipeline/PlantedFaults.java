@@ -6,7 +6,7 @@ import static dev.eventchain.pipeline.PlantedMetamodel.TARGET;
 import java.util.List;
 import java.util.Random;
 
-/** Models that are no instances of their metamodel, whatever constraints there are. */
+/** Models that violate their metamodel, whatever the constraints. */
 final class PlantedFaults {
 
   private final Plants plants;
@@ -19,7 +19,7 @@ final class PlantedFaults {
     this.random = random;
   }
 
-  /** What must be there, and is not. */
+  /** Plants missing required values. */
   void required() {
     PlantedMetamodel.Type above = metamodel.type(BASE, random.nextBoolean());
     PlantedMetamodel.Type type = metamodel.type(above, false);
@@ -42,7 +42,7 @@ final class PlantedFaults {
     }
   }
 
-  /** Too few and too many values, of attributes and of references of both kinds. */
+  /** Plants too few and too many values, of attributes and of both kinds of references. */
   void bounds() {
     PlantedMetamodel.Type type = metamodel.type(metamodel.type(BASE, true), false);
     int lower = random.nextInt(3);
@@ -70,7 +70,7 @@ final class PlantedFaults {
     }
   }
 
-  /** Values that stand again in a list, where each may stand once or where they may. */
+  /** Plants duplicate values in lists that are unique or not. */
   void twice() {
     PlantedMetamodel.Type type = metamodel.type(BASE, false);
     boolean inMap = random.nextBoolean();
@@ -93,7 +93,7 @@ final class PlantedFaults {
     plants.element(type).value("word", "a").value("word", "b").value("word", "a").expect(expected);
   }
 
-  /** References with two ends, of which some stand at one end only. */
+  /** Plants bidirectional references, some of them set at one end only. */
   void singleEnds() {
     PlantedMetamodel.Type left = metamodel.type(BASE, false);
     PlantedMetamodel.Type right = random.nextBoolean() ? left : metamodel.type(BASE, false);

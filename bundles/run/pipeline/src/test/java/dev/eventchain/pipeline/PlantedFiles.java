@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 
-/** A metamodel, constraints, models that refer to each other, and what is wrong with them. */
+/** A metamodel, constraints, models that refer to each other, and the expected findings. */
 final class PlantedFiles {
 
   private final Random random;
@@ -33,7 +33,7 @@ final class PlantedFiles {
     distribute(plants.elements());
   }
 
-  /** Puts elements into any of the files, and writes them. */
+  /** Distributes elements over the files, and writes these. */
   private void distribute(List<PlantedElement> elements) {
     for (int i = 0; i < elements.size(); i++) {
       int file = random.nextInt(models.size());
@@ -63,7 +63,7 @@ final class PlantedFiles {
     return text.append('>').toString();
   }
 
-  /** What is to be found: the file and the line with the rule, or the id where there is none. */
+  /** Returns the expected findings: file, line and rule, or the identifier if there is no rule. */
   List<String> expected() {
     return expected;
   }
@@ -94,7 +94,7 @@ final class PlantedFiles {
     }
   }
 
-  /** All files, for whoever has to find out what went wrong. */
+  /** Returns all files, for the analysis of failures. */
   @Override
   public String toString() {
     StringBuilder text = new StringBuilder(metamodel.document());

@@ -18,8 +18,8 @@ import net.jqwik.api.lifecycle.AfterProperty;
 import net.jqwik.api.lifecycle.BeforeProperty;
 
 /**
- * Of what was planted in random models in files (violations of constraints over references,
- * multiplicities, single ends), all is found, in its line, and nothing else.
+ * Tests that exactly the faults planted in random model files (violated constraints over
+ * references, multiplicities, single ends) are found, at their lines.
  */
 class PlantedFilesTest {
 
@@ -40,12 +40,12 @@ class PlantedFilesTest {
     Files.delete(folder);
   }
 
-  /** As the metamodel changes with the seed, one of a neighbour is no simpler. */
+  /** The metamodel changes with the seed, so a neighbouring seed is no simpler case. */
   @Property(shrinking = ShrinkingMode.OFF)
   void allThatWasPlantedIsFoundAndNothingElse(@ForAll long seed) {
     PlantedFiles planted = new PlantedFiles(seed);
     List<Diagnostic> found = validate(planted);
-    // Whether a rule is about a model at all is left to chance.
+    // Whether a rule concerns a model at all is random.
     List<String> findings =
         found.stream()
             .filter(each -> !each.id().equals("ocl.model-unconstrained"))

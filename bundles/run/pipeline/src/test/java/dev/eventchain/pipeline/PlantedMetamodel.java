@@ -7,8 +7,8 @@ import java.util.Random;
 import java.util.TreeMap;
 
 /**
- * A metamodel of three packages in two files that refer to each other: {@code a} with {@code
- * a::sub} in it, and {@code b}. Constraints and bodies stand in the metamodel or in a document.
+ * A metamodel of three packages in two files that refer to each other: {@code a}, {@code a::sub}
+ * and {@code b}. Constraints and bodies are in the metamodel or in a document.
  */
 final class PlantedMetamodel {
 
@@ -69,7 +69,7 @@ final class PlantedMetamodel {
     return "eSuperTypes=\"" + above.from(type.inPackage()) + "\"";
   }
 
-  /** A new class in any of the packages. */
+  /** Returns a new class in any of the packages. */
   Type type(Type above, boolean isAbstract) {
     String inPackage = PACKAGES.get(random.nextInt(PACKAGES.size()));
     Type type = new Type(inPackage, "E" + heads.size());
@@ -81,7 +81,7 @@ final class PlantedMetamodel {
     return "eType=\"ecore:EDataType " + ECORE + "#//" + name + "\"";
   }
 
-  /** What a text attribute, as of XML, may hold. */
+  /** Returns the text escaped for a text attribute of XML. */
   static String escaped(String text) {
     return text.replace("&", "&amp;").replace("<", "&lt;").replace("\"", "&quot;");
   }
@@ -115,12 +115,12 @@ final class PlantedMetamodel {
     return "eType=\"ecore:EClass " + to.from(owner.inPackage()) + "\" ";
   }
 
-  /** The end of a reference with two. */
+  /** Returns the end of a bidirectional reference. */
   static String opposite(Type owner, Type to, String name) {
     return "eOpposite=\"" + to.from(owner.inPackage()) + "/" + name + "\" ";
   }
 
-  /** A feature map, and the members of it that another call adds. */
+  /** Adds a feature map, whose members another call adds. */
   void featureMap(Type owner, String name) {
     String more = data("EFeatureMapEntry") + " upperBound=\"-1\"";
     add(owner, "EAttribute", name, more, extended("kind", "group", "name", name + ":0"));
@@ -140,7 +140,7 @@ final class PlantedMetamodel {
     return annotation("http:///org/eclipse/emf/ecore/util/ExtendedMetaData", details);
   }
 
-  /** A feature whose value is computed; {@code to} is null for an Integer. */
+  /** Adds a derived feature; {@code to} is null for an Integer. */
   void derived(Type owner, String name, Type to, String more, String expression) {
     boolean inDocument = random.nextBoolean();
     if (inDocument) {
@@ -157,7 +157,7 @@ final class PlantedMetamodel {
         inDocument ? "" : ocl("derivation", expression));
   }
 
-  /** An operation without parameters that gives an Integer. */
+  /** Adds an operation without parameters that returns an Integer. */
   void operation(Type owner, String name, String expression) {
     boolean inDocument = random.nextBoolean();
     if (inDocument) {
@@ -178,7 +178,7 @@ final class PlantedMetamodel {
         .append(more + ">" + annotations + "</eStructuralFeatures>\n");
   }
 
-  /** Adds an invariant, in the metamodel or in the document, and gives its name in findings. */
+  /** Adds an invariant, in the metamodel or in the document, and returns its name in findings. */
   String rule(Type context, String expression) {
     rules++;
     String name = "P" + rules;
@@ -194,7 +194,7 @@ final class PlantedMetamodel {
     return document.toString();
   }
 
-  /** The text of each file, by its name. */
+  /** Returns the text of each file, by its name. */
   Map<String, String> files() {
     Map<String, String> files = new TreeMap<>();
     files.put("a.ecore", file("a", openPackage("a::sub") + enumeration() + "</eSubpackages>\n"));

@@ -4,14 +4,13 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * A rule about a feature {@code $} that holds Targets, and Targets with which it is satisfied or
- * violated or has no value: the marks of those that are held, or none for {@code -}; several cases
- * stand next to each other, between bars. A mark of ten or more is that of a Special; the colour of
- * a Target goes by its mark.
+ * A rule about a feature {@code $} that contains Targets, and Targets that satisfy it, violate it
+ * or give no value: their marks, or {@code -} for none; cases are separated by bars. A mark of ten
+ * or more is that of a Special; the colour of a Target depends on its mark.
  */
 record PlantedRule(String text, String satisfying, String violating, String undefined) {
 
-  /** Rules about one Target or none. */
+  /** Rules about at most one Target. */
   static final List<PlantedRule> OF_ONE =
       List.of(
           rule("$.mark > 5", "6|9", "1|5", "-"),
@@ -31,7 +30,7 @@ record PlantedRule(String text, String satisfying, String violating, String unde
           rule("let m : Integer = $.mark in m * 2 > 10", "6", "5", "-"),
           rule("a::Target.allInstances()->exists(t | t = self.$)", "1|11", "-"));
 
-  /** Rules about any number of Targets, in whatever order. */
+  /** Rules about any number of unordered Targets. */
   static final List<PlantedRule> OF_MANY =
       List.of(
           rule("$->forAll(mark > 5)", "-|6 7|9", "6 1|2"),
@@ -56,7 +55,7 @@ record PlantedRule(String text, String satisfying, String violating, String unde
           rule("$.mark->asSequence()->max() < 6", "5|1 2", "6|1 7", "-"),
           rule("$->asSet()->closure(t | $)->size() = 3", "1 2 3", "-|1 2"));
 
-  /** Rules about any number of Targets in their order. */
+  /** Rules about any number of ordered Targets. */
   static final List<PlantedRule> OF_SEVERAL =
       List.of(
           rule("$->at(1).mark > 5", "6|7 1", "1 6|3", "-"),
@@ -79,7 +78,7 @@ record PlantedRule(String text, String satisfying, String violating, String unde
     return text.replace("$", feature);
   }
 
-  /** The marks of the Targets in each case. */
+  /** Returns the marks of the Targets in each case. */
   static List<List<Integer>> cases(String text) {
     return text.isEmpty()
         ? List.of()

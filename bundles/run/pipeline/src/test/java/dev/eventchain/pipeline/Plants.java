@@ -13,15 +13,15 @@ import java.util.Random;
 import java.util.Set;
 
 /**
- * What can be planted: each plant has classes of its own and a few elements of them, and says what
- * is to be found there.
+ * The faults that can be planted: each has its own classes with a few elements, and the expected
+ * findings.
  */
 final class Plants {
 
   static final String MANY = "upperBound=\"-1\" ";
   static final String CONTAINED = "containment=\"true\" ";
 
-  /** Makes an element hold Targets in the feature that a rule is about. */
+  /** Adds Targets to an element, in the feature of a rule. */
   private interface Holder {
     void hold(PlantedElement owner, List<PlantedElement> targets);
   }
@@ -37,7 +37,7 @@ final class Plants {
     this.faults = new PlantedFaults(this, metamodel, random);
   }
 
-  /** The elements that stand alone; others are their parts. */
+  /** Returns the root elements; others are their parts. */
   List<PlantedElement> elements() {
     return elements;
   }
@@ -74,7 +74,7 @@ final class Plants {
     return metamodel.type(BASE, false);
   }
 
-  /** The class itself, or one below it, in whatever package. */
+  /** Returns the class or a subclass in any package. */
   private PlantedMetamodel.Type below(PlantedMetamodel.Type type) {
     return random.nextBoolean() ? type : metamodel.type(type, false);
   }
@@ -85,7 +85,7 @@ final class Plants {
         .with("colour", COLOURS.get(mark % 3));
   }
 
-  /** Elements for a rule, of which some satisfy it, some violate it, and some give it no value. */
+  /** Plants elements for a rule, some of which satisfy it, violate it, or give it no value. */
   private void cases(
       PlantedMetamodel.Type context,
       PlantedMetamodel.Type of,
@@ -164,7 +164,7 @@ final class Plants {
         });
   }
 
-  /** The Targets are of a class of their own, which refers back to what holds them. */
+  /** Plants Targets of a separate class with a reference back to their holder. */
   private void inverse() {
     PlantedMetamodel.Type context = type();
     PlantedMetamodel.Type held = metamodel.type(TARGET, false);
@@ -229,7 +229,7 @@ final class Plants {
         });
   }
 
-  /** An operation with several bodies: the nearest above an element is its. */
+  /** Plants an operation with several bodies: the nearest inherited one applies to an element. */
   private void overriding() {
     PlantedMetamodel.Type above = metamodel.type(BASE, random.nextBoolean());
     PlantedMetamodel.Type middle = metamodel.type(above, false);
@@ -250,7 +250,7 @@ final class Plants {
     }
   }
 
-  /** Keys that several elements may have, also those of subclasses and in other files. */
+  /** Plants keys shared by several elements, also of subclasses and in other files. */
   private void unique() {
     PlantedMetamodel.Type above = metamodel.type(BASE, true);
     PlantedMetamodel.Type of = metamodel.type(above, false);
@@ -273,7 +273,7 @@ final class Plants {
     }
   }
 
-  /** Parts of parts, which look at what they are in, and at all that is below them. */
+  /** Plants nested parts that refer to their containers and to all their contents. */
   private void parts() {
     PlantedMetamodel.Type part = type();
     metamodel.attribute(part, "size", "EInt", "");

@@ -19,7 +19,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A run reads the model and the description of the chain once for each state of their files. */
+/**
+ * Tests that a run reads the model and the description of the chain once per state of their files.
+ */
 class ReadOnceTest {
 
   @TempDir Path folder;

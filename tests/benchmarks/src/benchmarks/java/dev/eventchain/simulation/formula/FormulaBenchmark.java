@@ -19,8 +19,9 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Formulas on a run of 10,000 s, which is a million samples. It stands in the package of what it
- * times, since formulas are no public API. By hand only the verdict is computed, not what decides.
+ * Formulas on a run of 10,000 s, which is a million samples. It is in the package of the formulas,
+ * since these are no public API. Handwritten Java computes only the verdict, not the decisive
+ * comparison.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.SingleShotTime)
@@ -35,7 +36,7 @@ public class FormulaBenchmark {
   private static final int SECOND = 100;
   private static final double FULL = 0.89;
 
-  /** What is judged. */
+  /** The judged cases. */
   public enum Case {
     /** A comparison at each sample. */
     INVARIANT("always gap > 1 m"),
@@ -53,13 +54,13 @@ public class FormulaBenchmark {
     }
   }
 
-  /** What is judged. */
+  /** The judged case. */
   @Param public Case judged;
 
   private Trace trace;
   private Formula formula;
 
-  /** Makes the run, and compares the verdicts. */
+  /** Creates the run and compares the verdicts. */
   @Setup
   public void prepare() {
     trace = new Trace();
@@ -82,7 +83,7 @@ public class FormulaBenchmark {
     }
   }
 
-  /** This project: the verdict, the comparison that decides, its margin and its time. */
+  /** Computes the verdict, the decisive comparison, its margin and its time with this project. */
   @Benchmark
   public boolean eventchain() {
     Outcome outcome = formula.judge(trace);
@@ -92,7 +93,7 @@ public class FormulaBenchmark {
     return outcome.passed();
   }
 
-  /** By hand: the verdict. */
+  /** Computes the verdict with handwritten Java. */
   @Benchmark
   public boolean javaByHand() {
     List<Trace.State> states = trace.states();

@@ -5,8 +5,8 @@ import org.osgi.framework.BundleActivator;
 import org.osgi.framework.BundleContext;
 
 /**
- * Registers the validator as soon as anything of this bundle is used: who had the metamodel's
- * classes before would get round EMF's registry, and so round {@link RegisteredPackage}.
+ * Registers the validator on the first use of this bundle. Code that loaded the metamodel's classes
+ * earlier would bypass EMF's registry, and so {@link RegisteredPackage}.
  */
 public final class Activator implements BundleActivator {
 

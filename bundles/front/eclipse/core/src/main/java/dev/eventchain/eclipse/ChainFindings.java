@@ -14,10 +14,10 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
- * What the checks find about a chain that is in memory, with the elements that it is about.
+ * Findings about a chain in memory, with the elements concerned.
  *
  * @param found the findings, in the order of the checks
- * @param evaluations how often a constraint, a contract or a rule of the metamodel was evaluated; 0
+ * @param evaluations number of evaluations of constraints, contracts and rules of the metamodel; 0
  *     means that nothing was checked
  */
 public record ChainFindings(List<Found> found, long evaluations) {
@@ -25,14 +25,14 @@ public record ChainFindings(List<Found> found, long evaluations) {
   /**
    * A finding and its element.
    *
-   * @param element nothing if it is about the whole chain or about another file
-   * @param feature the feature of the element, where the finding is about one
-   * @param diagnostic the finding, whose place has the path of the element
+   * @param element empty if the finding concerns the whole chain or another file
+   * @param feature the feature of the element, if the finding concerns one
+   * @param diagnostic the finding, whose location has the path of the element
    */
   public record Found(
       Optional<EObject> element, Optional<EStructuralFeature> feature, Diagnostic diagnostic) {}
 
-  /** Places that stand for elements, since a chain in memory has neither file nor lines. */
+  /** Locations of elements, since a chain in memory has neither file nor lines. */
   private static final class Places {
     private static final String MARK = "#";
 
@@ -80,9 +80,9 @@ public record ChainFindings(List<Found> found, long evaluations) {
   }
 
   /**
-   * Checks a chain. Nobody may change it meanwhile, so editors check a copy.
+   * Checks a chain. It must not change meanwhile, so editors check a copy.
    *
-   * @param checks those of the project that the chain is in, or of a chain that is in none
+   * @param checks the checks of the chain's project, or those for a chain outside projects
    */
   public static ChainFindings of(EventChain chain, ChainChecks checks) {
     Places places = new Places();

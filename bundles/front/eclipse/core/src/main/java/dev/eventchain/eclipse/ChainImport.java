@@ -14,10 +14,10 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * The description of an event chain, JSON as language models write it and people do, as a model.
+ * The model of an event chain that was described in JSON by a person or a language model.
  *
  * @param model the bytes of the {@code .xmi} file
- * @param diagnostics what is wrong with the description and did not prevent a model: warnings
+ * @param diagnostics warnings about the description
  */
 public record ChainImport(byte[] model, List<Diagnostic> diagnostics) {
 

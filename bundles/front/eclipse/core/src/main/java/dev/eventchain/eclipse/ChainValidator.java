@@ -21,13 +21,13 @@ import org.eclipse.emf.ecore.util.EObjectValidator;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
- * Our checks as EMF's validation knows them, so that Validate in any editor of EMF finds what the
- * builder finds: the rules of the project that the model is in, or the standard ones. What the
- * metamodel itself demands may be said twice, in EMF's words and in ours.
+ * Validator for EMF's validation, so that Validate in any EMF editor finds what the builder finds.
+ * It applies the rules of the model's project, or the standard ones. Violations of the metamodel
+ * itself may be reported twice, by EMF and by this validator.
  */
 public final class ChainValidator extends EObjectValidator {
 
-  /** The key under which a validation remembers that the chain was checked. */
+  /** Key under which a validation records that the chain was checked. */
   private static final Object DONE = ChainValidator.class;
 
   @Override
@@ -35,14 +35,14 @@ public final class ChainValidator extends EObjectValidator {
       EClass type, EObject element, DiagnosticChain diagnostics, Map<Object, Object> context) {
     boolean good = super.validate(type, element, diagnostics, context);
     if (diagnostics == null || context == null || context.put(DONE, element) != null) {
-      return good; // part of a validation that has been through here with its first element
+      return good; // part of a validation that has already checked its first element
     }
     return EcoreUtil.getRootContainer(element) instanceof EventChain chain
         ? check(chain, element, diagnostics) && good
         : good;
   }
 
-  /** Checks the whole chain, and says what is about the element and what it contains. */
+  /** Checks the whole chain, and reports the findings about the element and its contents. */
   private static boolean check(EventChain chain, EObject element, DiagnosticChain diagnostics) {
     ChainFindings findings;
     try {

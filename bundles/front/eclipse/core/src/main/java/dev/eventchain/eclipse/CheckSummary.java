@@ -8,13 +8,13 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * What a validation did, for people.
+ * A summary of a validation, for people.
  *
- * @param units how many models, projects, documents and templates there were to check
- * @param unchecked how many of them were not checked; each has a finding that says why
- * @param errors how many findings are errors
- * @param warnings how many findings are warnings
- * @param constraints how often a constraint, a contract or a rule of a metamodel was evaluated
+ * @param units number of models, projects, documents and templates to check
+ * @param unchecked number of them that were not checked; each has a finding with the reason
+ * @param errors number of errors
+ * @param warnings number of warnings
+ * @param constraints number of evaluations of constraints, contracts and rules of a metamodel
  */
 public record CheckSummary(
     int units, long unchecked, long errors, long warnings, long constraints) {
@@ -29,7 +29,7 @@ public record CheckSummary(
         evaluated);
   }
 
-  /** How often anything was evaluated. */
+  /** Returns the total number of evaluations. */
   static long evaluations(Coverage coverage) {
     return Arrays.stream(Coverage.Kind.values()).mapToLong(coverage::evaluations).sum();
   }
@@ -42,12 +42,12 @@ public record CheckSummary(
         .count();
   }
 
-  /** Whether nothing at all was checked, so that no errors means nothing. */
+  /** Returns whether nothing was checked, so that the absence of errors proves nothing. */
   public boolean isEmpty() {
     return unchecked == units;
   }
 
-  /** A sentence for people; that something was not checked is said first. */
+  /** Returns the summary as a sentence for people; unchecked units come first. */
   public String words() {
     if (units == 0) {
       return "There is nothing here that could be checked: no model, no rules and no template.";

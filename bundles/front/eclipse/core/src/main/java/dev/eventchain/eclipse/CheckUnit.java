@@ -11,17 +11,16 @@ import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IResource;
 
 /**
- * What is checked together, because a finding about one of its files may come from a change of
- * another one: a project of Eventchain, a model with its metamodels, a document of rules, a
- * template.
+ * A unit of files that are checked together, because a change of one may cause a finding in
+ * another: an Eventchain project, a model with its metamodels, a rules document, or a template.
  */
 interface CheckUnit {
 
-  /** The file or folder that the unit is about: findings that are about no file are set there. */
+  /** Returns the file or folder of the unit, which gets the findings about no file. */
   IResource subject();
 
   /**
-   * Whether the unit is to be checked again when a file has changed, which may be gone.
+   * Returns whether the unit must be checked again after a file was changed or deleted.
    *
    * @param file a file of the same Eclipse project
    */
@@ -35,8 +34,8 @@ interface CheckUnit {
   Validation check();
 
   /**
-   * As {@link #check}, where everything that goes wrong is a finding: a defect of ours, too, since
-   * a unit that was not checked must not look like a good one.
+   * Checks a unit like {@link #check} and turns every failure into a finding, including defects of
+   * the program: an unchecked unit must not look valid.
    */
   static Validation attempt(CheckUnit unit) {
     try {
@@ -48,7 +47,7 @@ interface CheckUnit {
     }
   }
 
-  /** The finding that a check broke, at what it was about when it did. */
+  /** Returns the finding about a failed check. */
   static Diagnostic failed(Throwable failure) {
     return Diagnostic.error(
             "eclipse.check.failed",
@@ -57,7 +56,7 @@ interface CheckUnit {
         .withHint("'eventchain validate' on the command line may say more; please report it.");
   }
 
-  /** Adds a finding about the unit's own file, where all others are about files that it needs. */
+  /** Adds a finding about the unit's own file if all others concern files that it needs. */
   private static List<Diagnostic> withSubject(CheckUnit unit, List<Diagnostic> found) {
     String file = unit.subject().getLocation().toString();
     if (found.stream().anyMatch(each -> each.location().file().equals(file))) {

@@ -16,13 +16,13 @@ import org.eclipse.core.resources.IResourceVisitor;
 import org.eclipse.core.runtime.CoreException;
 import org.eclipse.core.runtime.IPath;
 
-/** The files of an Eclipse project that are checked, by what they are. */
+/** Checked files of an Eclipse project, by kind. */
 final class CheckedFiles {
 
-  /** The file that makes a folder a project of Eventchain. */
+  /** File that marks a folder as an Eventchain project. */
   static final String CONFIGURATION = "eventchain.yaml";
 
-  /** Where such a project has its results. */
+  /** Output folder of such a project. */
   static final String OUTPUT = "out";
 
   private final List<IContainer> folders = new ArrayList<>();
@@ -31,12 +31,12 @@ final class CheckedFiles {
   private final List<IFile> rules = new ArrayList<>();
   private final List<IFile> templates = new ArrayList<>();
 
-  /** Models of the project's metamodels may be among them. */
+  /** Other files, which may include models of the project's metamodels. */
   private final List<IFile> others = new ArrayList<>();
 
   private CheckedFiles() {}
 
-  /** Looks through a project, but not through what is derived, and not through results. */
+  /** Collects the files of a project, without derived files and results. */
   static CheckedFiles of(IProject project) throws CoreException {
     CheckedFiles files = new CheckedFiles();
     project.accept((IResourceVisitor) files::take);
@@ -71,7 +71,7 @@ final class CheckedFiles {
   }
 
   /**
-   * The units that these files make, in the order of their names.
+   * Returns the units of these files, in the order of their names.
    *
    * @param validations gives the validation of a project's folder
    */
@@ -104,7 +104,7 @@ final class CheckedFiles {
     return units;
   }
 
-  /** The documents that belong to no project of Eventchain. */
+  /** Returns the documents outside of Eventchain projects. */
   private List<IFile> freeRules() {
     return rules.stream()
         .filter(
@@ -120,7 +120,7 @@ final class CheckedFiles {
     return files.stream().flatMap(file -> pathOf(file).stream()).toList();
   }
 
-  /** Where a resource is on this machine's disk; nowhere if it is on another one's. */
+  /** Returns the local path of a resource; empty if it is on another machine. */
   static Optional<Path> pathOf(IResource resource) {
     return Optional.ofNullable(resource.getLocation()).map(IPath::toPath);
   }

@@ -13,10 +13,10 @@ import org.eclipse.core.runtime.IProgressMonitor;
 import org.eclipse.core.runtime.SubMonitor;
 import org.eclipse.core.runtime.jobs.ISchedulingRule;
 
-/** Checks what was saved since the last build, in the build's own job, and sets markers. */
+/** Checks the files saved since the last build, in the build's own job, and sets markers. */
 public final class EventchainBuilder extends IncrementalProjectBuilder {
 
-  /** Other projects are not looked at, so none has to be built with this one. */
+  /** Other projects are not read, so none has to be built with this one. */
   private static final IProject[] NO_OTHERS = new IProject[0];
 
   @Override
@@ -33,13 +33,13 @@ public final class EventchainBuilder extends IncrementalProjectBuilder {
     return NO_OTHERS;
   }
 
-  /** Nothing outside the project is changed, so that others need not wait for a long check. */
+  /** Returns a rule for the project only, so that other jobs need not wait for a long check. */
   @Override
   public ISchedulingRule getRule(int kind, Map<String, String> arguments) {
     return getProject();
   }
 
-  /** The files whose content is another one, or that came or went. */
+  /** Returns the files that were changed, added or removed. */
   private static List<IFile> changed(IResourceDelta delta) throws CoreException {
     List<IFile> files = new ArrayList<>();
     delta.accept(

@@ -10,10 +10,13 @@ import org.eclipse.core.runtime.IProgressMonitor;
 import org.eclipse.core.runtime.IStatus;
 import org.eclipse.core.runtime.Status;
 
-/** What the platform knows this bundle's contributions by, and how projects get and lose them. */
+/**
+ * Identifiers of this bundle's contributions to the platform; adds them to and removes them from
+ * projects.
+ */
 public final class EventchainCore {
 
-  /** This bundle. */
+  /** Identifier of this bundle. */
   public static final String ID = "dev.eventchain.eclipse";
 
   /** The nature of projects whose models, rules and templates are checked as they are saved. */
@@ -22,7 +25,7 @@ public final class EventchainCore {
   /** The builder that checks them. */
   public static final String BUILDER = ID + ".builder";
 
-  /** The type of the markers that findings become; {@link FindingMarker} has their attributes. */
+  /** Type of the markers of findings; {@link FindingMarker} has their attributes. */
   public static final String PROBLEM = ID + ".problem";
 
   /** The content type of files that hold an event chain. */
@@ -31,7 +34,7 @@ public final class EventchainCore {
   private EventchainCore() {}
 
   /**
-   * Whether a project has the nature; not if it is closed or gone.
+   * Returns whether a project has the nature; false if it is closed or deleted.
    *
    * @param project any project
    */
@@ -39,7 +42,7 @@ public final class EventchainCore {
     try {
       return project.isAccessible() && project.hasNature(NATURE);
     } catch (CoreException e) {
-      return false; // closed since the question was asked
+      return false; // closed in the meantime
     }
   }
 
@@ -64,7 +67,7 @@ public final class EventchainCore {
     project.setDescription(description, monitor);
   }
 
-  /** A failure that people are told of, as the platform's own dialogs show it. */
+  /** Returns the status of a failure, for the platform's dialogs. */
   static IStatus failure(String message, Throwable cause) {
     return new Status(IStatus.ERROR, ID, message, cause);
   }

@@ -14,12 +14,12 @@ public final class EventchainFolders {
   private EventchainFolders() {}
 
   /**
-   * The checks for the chain in a file: with the rules, signals and requirements of the project of
-   * Eventchain whose folder the file is in, else the standard ones.
+   * Returns the checks for the chain in a file: with the rules, signals and requirements of the
+   * surrounding Eventchain project, else the standard ones.
    *
    * @param file need not exist
-   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT with what is wrong with any file
-   *     of that project
+   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT with the problems of any file of
+   *     that project
    */
   public static ChainChecks checksFor(IFile file) {
     Optional<Path> folder = around(file).flatMap(CheckedFiles::pathOf);
@@ -30,7 +30,7 @@ public final class EventchainFolders {
     return ChainChecks.of(project, project.defaultOutput(), Preferences.timeLimit());
   }
 
-  /** The innermost folder around a resource, or it itself, that is a project of Eventchain. */
+  /** Returns the innermost Eventchain project folder that is or contains a resource. */
   public static Optional<IContainer> around(IResource resource) {
     IContainer folder = resource instanceof IContainer container ? container : resource.getParent();
     while (folder != null && folder.getType() != IResource.ROOT) {

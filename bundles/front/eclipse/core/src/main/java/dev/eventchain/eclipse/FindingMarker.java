@@ -13,39 +13,39 @@ import org.eclipse.core.resources.IResource;
 import org.eclipse.core.resources.ResourcesPlugin;
 
 /**
- * A finding as a marker: on its file with its line and characters, or on what was checked if it is
- * about no file of the workspace.
+ * The marker of a finding: on its file, with line and character range, or on the checked resource
+ * if the finding concerns no file of the workspace.
  *
- * @param resource where the marker is set
+ * @param resource the resource of the marker
  * @param attributes those of {@link IMarker}, and the ones named here, as texts
  */
 public record FindingMarker(IResource resource, Map<String, Object> attributes) {
 
-  /** The finding's id. */
+  /** Identifier of the finding. */
   public static final String ID = "id";
 
-  /** The user's rule that found it; empty if there is none. */
+  /** User's rule that the finding is about; empty if there is none. */
   public static final String RULE = "rule";
 
   /** The path of the model element, or the JSON pointer; empty if there is none. */
   public static final String ELEMENT = "element";
 
-  /** What to do about it; empty if there is nothing to say. */
+  /** The hint of the finding; empty if there is none. */
   public static final String HINT = "hint";
 
-  /** Other places that it is about, a line each. */
+  /** Related locations, one per line. */
   public static final String RELATED = "related";
 
   /** The column, from 1; 0 if unknown. */
   public static final String COLUMN = "column";
 
-  /** The platform refuses texts of more than 65,535 bytes. */
+  /** Largest length of a text: the platform rejects texts of more than 65,535 bytes. */
   private static final int MOST_CHARACTERS = 16_000;
 
   /**
-   * The marker of a finding.
+   * Returns the marker of a finding.
    *
-   * @param subject what was checked
+   * @param subject the resource that was checked
    * @param texts the texts of the files, read once
    */
   static FindingMarker of(Diagnostic finding, IResource subject, MarkerTexts texts) {
@@ -101,14 +101,16 @@ public record FindingMarker(IResource resource, Map<String, Object> attributes) 
     return text.length() <= MOST_CHARACTERS ? text : text.substring(0, MOST_CHARACTERS) + " ...";
   }
 
-  /** The file in the project of what was checked: others have their own markers builds only. */
+  /**
+   * Returns the file in the checked project: others get their markers from their own builds only.
+   */
   private static IResource fileOf(SourceLocation place, IResource subject) {
     if (place.file().isEmpty()) {
       return null;
     }
     Path path = Path.of(place.file());
     if (!path.isAbsolute()) {
-      return null; // a document that ships with us: those of the workspace have whole names
+      return null; // a document that ships with the program: those of the workspace have full paths
     }
     URI uri = path.toUri();
     IFile[] found = ResourcesPlugin.getWorkspace().getRoot().findFilesForLocationURI(uri);

@@ -12,12 +12,12 @@ import java.util.Optional;
 import org.eclipse.core.resources.IMarker;
 import org.eclipse.core.resources.IResource;
 
-/** Turns lines and columns into the offsets of characters that text editors underline. */
+/** Converts lines and columns to character offsets for text editors. */
 final class MarkerTexts {
 
   private final Map<IResource, Optional<Lines>> read = new HashMap<>();
 
-  /** A text with the offsets at which its lines begin, and where the last one ends. */
+  /** A text with the offsets of its lines and of its end. */
   private record Lines(String text, List<Integer> starts) {
 
     static Lines of(String text) {
@@ -32,7 +32,7 @@ final class MarkerTexts {
       return new Lines(text, starts);
     }
 
-    /** The offset of a column of characters, at most the end of the line. */
+    /** Returns the offset of a column in characters, at most the end of the line. */
     int offset(int line, int column) {
       int start = starts.get(line - 1);
       int end = end(line);
@@ -43,7 +43,7 @@ final class MarkerTexts {
       return Math.min(offset, end);
     }
 
-    /** The offset after the last character of a line that is not a line break. */
+    /** Returns the offset after the last character of a line that is not a line break. */
     int end(int line) {
       int end = line < starts.size() ? starts.get(line) : text.length();
       while (end > starts.get(line - 1) && "\r\n".indexOf(text.charAt(end - 1)) >= 0) {
@@ -52,7 +52,7 @@ final class MarkerTexts {
       return end;
     }
 
-    /** The end of the name, start tag or text that begins at an offset. */
+    /** Returns the end of the name, start tag or text at an offset. */
     int endOfToken(int from, int endOfLine) {
       int end = from;
       if (end < endOfLine && text.charAt(end) == '<') {
@@ -69,7 +69,7 @@ final class MarkerTexts {
     }
   }
 
-  /** Adds where the characters of a place are, if the file still has that line. */
+  /** Adds the character range of a location, if the file still has that line. */
   void addRange(IResource file, SourceLocation place, Map<String, Object> attributes) {
     Optional<Lines> lines = read.computeIfAbsent(file, MarkerTexts::read);
     if (lines.isEmpty() || place.line() > lines.get().starts().size()) {
@@ -90,7 +90,7 @@ final class MarkerTexts {
               try {
                 return Optional.of(Lines.of(Files.readString(path, StandardCharsets.UTF_8)));
               } catch (IOException e) {
-                return Optional.empty(); // gone or no text: the line alone has to do
+                return Optional.empty(); // deleted or not text: the line alone is used
               }
             });
   }

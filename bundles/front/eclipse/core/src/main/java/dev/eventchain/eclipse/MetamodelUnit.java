@@ -8,7 +8,7 @@ import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IResource;
 
 /**
- * An Ecore metamodel, which has to be sound before models and rules can be about it.
+ * An Ecore metamodel, which has to be valid before models and rules can use it.
  *
  * @param all the metamodels of the project, which must not contradict each other
  */

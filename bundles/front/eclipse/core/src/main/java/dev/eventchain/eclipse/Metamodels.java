@@ -12,14 +12,14 @@ import java.util.Set;
 import java.util.function.BiConsumer;
 import org.eclipse.emf.ecore.EPackage;
 
-/** The metamodels that rules and templates of a project may be about. */
+/** Metamodels for the rules and templates of a project. */
 final class Metamodels {
 
   private Metamodels() {}
 
   /**
-   * Those of files, and those of event chains and of message definitions unless a file has their
-   * namespace. A file that is not a valid metamodel is left out: it has findings of its own.
+   * Returns the packages of the files, and those of event chains and of message definitions unless
+   * a file has their namespace. Invalid metamodels are left out: they have their own findings.
    */
   static List<EPackage> of(List<Path> ecores) {
     List<EPackage> packages = new ArrayList<>();
@@ -32,7 +32,7 @@ final class Metamodels {
     return packages;
   }
 
-  /** The files that are sound metamodels, which do not contradict each other. */
+  /** Returns the files with valid metamodels that do not contradict each other. */
   static List<Path> sound(List<Path> ecores) {
     List<Path> sound = new ArrayList<>();
     load(ecores, (file, loaded) -> sound.add(file));
@@ -40,9 +40,9 @@ final class Metamodels {
   }
 
   /**
-   * Loads a metamodel after all others, so that what contradicts them is found at each of them.
+   * Loads a metamodel after all others, so that conflicts are reported at each of them.
    *
-   * @throws DiagnosticException INPUT with what is wrong with it
+   * @throws DiagnosticException INPUT with its errors
    */
   static void loadLast(Path ecore, List<Path> all) {
     List<Path> others = all.stream().filter(each -> !each.equals(ecore)).toList();
@@ -61,13 +61,13 @@ final class Metamodels {
       try {
         sound.accept(ecore, store.loadMetamodel(ecore));
       } catch (DiagnosticException e) {
-        continue; // why not is said by its MetamodelUnit, which loads it by itself
+        continue; // its MetamodelUnit loads it separately and reports the reason
       }
     }
     return store;
   }
 
-  /** The file names' endings that models of these metamodels have by EMF's custom. */
+  /** Returns the usual file name extensions of models of these metamodels in EMF. */
   static Set<String> extensions(List<Path> ecores) {
     Set<String> extensions = new HashSet<>();
     load(

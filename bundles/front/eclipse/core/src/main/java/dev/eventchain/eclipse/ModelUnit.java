@@ -16,16 +16,17 @@ import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IResource;
 
 /**
- * A model that stands for itself.
+ * A model outside of Eventchain projects.
  *
- * @param metamodels those of the Eclipse project, which it is checked with if it is not an event
- *     chain
- * @param rules the documents that are evaluated on it, too, if it is in no folder of ours
+ * @param metamodels the metamodels of the Eclipse project, for models that are not event chains
+ * @param rules the additional documents that are evaluated on it, if it is in no Eventchain project
  */
 record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
     implements CheckUnit {
 
-  /** The beginning of our namespaces: a model of another version is an event chain all the same. */
+  /**
+   * Common prefix of the event chain namespaces: a model of another version is also an event chain.
+   */
   private static final String OURS = "http://eventchain.dev/";
 
   private static final Set<String> RELEVANT = Set.of("xmi", "eventchain", "ecore", "ocl");
@@ -35,7 +36,7 @@ record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
     return file;
   }
 
-  /** Models may refer to others, and are what metamodels and rules say. */
+  /** Models may refer to others, and depend on metamodels and rules. */
   @Override
   public boolean dependsOn(IFile changed) {
     String extension = String.valueOf(changed.getFileExtension());
@@ -57,7 +58,10 @@ record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
         : validate(sound, rules);
   }
 
-  /** An event chain with the rules and messages of the folder it is in, if it is in one of ours. */
+  /**
+   * Checks an event chain with the rules and messages of the Eventchain project that contains it,
+   * if any.
+   */
   private Validation validateChain() {
     Optional<ProjectFolder> folder =
         EventchainFolders.around(file).flatMap(CheckedFiles::pathOf).map(ProjectFolder::new);
@@ -68,7 +72,7 @@ record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
         List.of(), Map.of(), documents, List.of(path), messages, Preferences.timeLimit());
   }
 
-  /** The documents that are about event chains; the others are about other metamodels. */
+  /** Returns the documents with constraints on event chains; the others use other metamodels. */
   private static List<Path> aboutChains(List<Path> documents) {
     return documents.stream().filter(RulesUnit::isAboutChains).toList();
   }

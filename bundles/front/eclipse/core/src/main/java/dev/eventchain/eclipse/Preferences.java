@@ -6,13 +6,13 @@ import org.eclipse.core.runtime.preferences.AbstractPreferenceInitializer;
 import org.eclipse.core.runtime.preferences.DefaultScope;
 import org.eclipse.core.runtime.preferences.IPreferencesService;
 
-/** What people have set, and what holds until they do. */
+/** The preferences of the plug-in and their defaults. */
 public final class Preferences extends AbstractPreferenceInitializer {
 
   /** The processor time that a constraint may take on a model, in seconds. */
   public static final String TIME_LIMIT = "timeLimit";
 
-  /** The program {@code eventchain}; empty: the one on the path. */
+  /** Path of the program {@code eventchain}; empty for the one on the search path. */
   public static final String PROGRAM = "program";
 
   private static final int TIME_LIMIT_DEFAULT = 30;
@@ -29,7 +29,7 @@ public final class Preferences extends AbstractPreferenceInitializer {
     return Duration.ofSeconds(Math.max(1, seconds));
   }
 
-  /** The program as it was set; empty if it was not. */
+  /** Returns the configured path of the program; empty if there is none. */
   static String program() {
     return Platform.getPreferencesService().getString(EventchainCore.ID, PROGRAM, "", null).strip();
   }

@@ -18,23 +18,23 @@ import org.eclipse.core.runtime.IProgressMonitor;
 import org.eclipse.core.runtime.OperationCanceledException;
 
 /**
- * The program {@code eventchain} as its own process: what runs Python, asks language models and
- * simulates stays out of the workbench.
+ * The program {@code eventchain} in a separate process, so that Python, language models and
+ * simulations do not run in the workbench.
  *
  * @param file the launcher
  */
 public record Program(Path file) {
 
-  /** How long a cancelled run may take to leave its files complete before it is killed. */
+  /** Time in seconds that a cancelled run has to complete its files before it is killed. */
   private static final int SECONDS_TO_END = 10;
 
   private static final int MILLISECONDS_BETWEEN_LOOKS = 100;
   private static final int MILLISECONDS_TO_READ = 1000;
 
   /**
-   * Finds the program: as people have set it, else on the path.
+   * Finds the program: the configured one, else that on the search path.
    *
-   * @throws CoreException saying what to do if there is none
+   * @throws CoreException with a hint if there is none
    */
   public static Program find() throws CoreException {
     String set = Preferences.program();
@@ -56,7 +56,8 @@ public record Program(Path file) {
   private static Optional<Path> onPath() {
     String path = System.getenv("PATH");
     return Arrays.stream(path == null ? new String[0] : path.split(File.pathSeparator))
-        .filter(folder -> folder.startsWith(File.separator)) // "." would be another one elsewhere
+        .filter(
+            folder -> folder.startsWith(File.separator)) // "." would mean another folder elsewhere
         .map(folder -> Path.of(folder, "eventchain"))
         .filter(file -> Files.isRegularFile(file) && Files.isExecutable(file))
         .findFirst();
@@ -66,12 +67,12 @@ public record Program(Path file) {
    * Runs a command to its end.
    *
    * @param arguments the command and its arguments
-   * @param folder where it runs
-   * @param output is given what it prints, in pieces, from threads of its own
-   * @param monitor a cancelled run is asked to end, and gets ten seconds for it
+   * @param folder its working folder
+   * @param output receives its output in pieces, on separate threads
+   * @param monitor its cancellation asks the run to end within ten seconds
    * @return the exit code
    * @throws CoreException if it cannot be started
-   * @throws OperationCanceledException if people cancelled it
+   * @throws OperationCanceledException if it was cancelled
    */
   public int run(
       List<String> arguments, Path folder, Consumer<String> output, IProgressMonitor monitor)
@@ -79,7 +80,7 @@ public record Program(Path file) {
     List<String> command = new ArrayList<>(List.of(file.toString()));
     command.addAll(arguments);
     Process process = start(command, folder);
-    // If the workbench is ended from outside, nothing is left that could end the run.
+    // If the workbench is killed, nothing else can end the run.
     Thread end = new Thread(process::destroy);
     Runtime.getRuntime().addShutdownHook(end);
     try {
@@ -93,7 +94,7 @@ public record Program(Path file) {
     try {
       Runtime.getRuntime().removeShutdownHook(hook);
     } catch (IllegalStateException e) {
-      return; // it is being run
+      return; // the process is being run
     }
   }
 
@@ -105,11 +106,11 @@ public record Program(Path file) {
       while (!process.waitFor(MILLISECONDS_BETWEEN_LOOKS, TimeUnit.MILLISECONDS)) {
         if (monitor.isCanceled()) {
           end(process);
-          reader.join(MILLISECONDS_TO_READ); // what it said last
+          reader.join(MILLISECONDS_TO_READ); // its last output
           throw new OperationCanceledException();
         }
       }
-      while (reader.isAlive()) { // as long as a helper that it left behind may write
+      while (reader.isAlive()) { // while a helper process may still write
         reader.join(MILLISECONDS_BETWEEN_LOOKS);
         if (monitor.isCanceled()) {
           throw new OperationCanceledException();
@@ -129,7 +130,7 @@ public record Program(Path file) {
       builder.directory(folder.toFile()).redirectErrorStream(true);
       builder.environment().put("NO_COLOR", "1");
       Process process = builder.start();
-      process.getOutputStream().close(); // nobody is there to answer
+      process.getOutputStream().close(); // prompts cannot be answered
       return process;
     } catch (IOException e) {
       throw new CoreException(
@@ -137,7 +138,7 @@ public record Program(Path file) {
     }
   }
 
-  /** SIGTERM leaves every file as it was or complete. */
+  /** Ends a process by SIGTERM, which leaves every file unchanged or complete. */
   private static void end(Process process) throws InterruptedException {
     process.destroy();
     if (!process.waitFor(SECONDS_TO_END, TimeUnit.SECONDS)) {

@@ -29,20 +29,22 @@ import org.eclipse.core.runtime.QualifiedName;
 import org.eclipse.core.runtime.SubMonitor;
 
 /**
- * What was found in an Eclipse project so far, and the markers that say so. The builder and the
- * command Validate share it, so that they never leave markers of each other behind. Whoever calls
- * it holds the project as scheduling rule.
+ * Findings in an Eclipse project so far, and their markers. The builder and the command Validate
+ * share it, so that neither leaves stale markers of the other. Callers hold the project as
+ * scheduling rule.
  */
 public final class ProjectChecks {
 
-  /** So many findings of one unit become markers; one more says how many there are besides. */
+  /**
+   * Largest number of markers per unit; a further marker states the number of remaining findings.
+   */
   static final int MOST_MARKERS = 1000;
 
   private static final QualifiedName KEY = new QualifiedName(EventchainCore.ID, "checks");
 
   private final IProject project;
 
-  /** What came of each unit, in the order of the units. */
+  /** Results of the units, in the order of the units. */
   private Map<CheckUnit, Validation> results = new LinkedHashMap<>();
 
   /** The validations of the folders in the project, each with the time limit it has. */
@@ -57,7 +59,7 @@ public final class ProjectChecks {
   }
 
   /**
-   * The checks of a project, which last as long as it is open.
+   * Returns the checks of a project, which last as long as it is open.
    *
    * @throws CoreException if it is closed or gone
    */
@@ -73,7 +75,7 @@ public final class ProjectChecks {
     }
   }
 
-  /** Whether everything was checked since the project was opened. */
+  /** Returns whether everything has been checked since the project was opened. */
   boolean isComplete() {
     return complete;
   }
@@ -112,7 +114,7 @@ public final class ProjectChecks {
     return check(units(), Set.of(), monitor);
   }
 
-  /** Checks what depends on files that have changed, come or gone. */
+  /** Checks the units that depend on changed, added or removed files. */
   CheckSummary checkChanged(Collection<IFile> changed, IProgressMonitor monitor)
       throws CoreException {
     List<CheckUnit> units = units();
@@ -122,7 +124,7 @@ public final class ProjectChecks {
   }
 
   /**
-   * Checks what people have selected, whether it has changed or not.
+   * Checks the selected resources, whether they have changed or not.
    *
    * @param selected files and folders of the project
    */
@@ -141,16 +143,16 @@ public final class ProjectChecks {
     return contains || part;
   }
 
-  /** Checks units but for some, whose earlier results stand, if there are any. */
+  /** Checks units except some, which keep earlier results if there are any. */
   private CheckSummary check(List<CheckUnit> units, Set<CheckUnit> spared, IProgressMonitor monitor)
       throws CoreException {
     SubMonitor progress = SubMonitor.convert(monitor, units.size() + 1);
     boolean known = complete;
-    complete = false; // until this is done
+    complete = false; // until all checks are done
     Map<CheckUnit, Validation> now = new LinkedHashMap<>();
     List<CheckUnit> checked = new ArrayList<>();
     for (CheckUnit unit : units) {
-      progress.split(1); // throws if it was cancelled
+      progress.split(1); // throws if cancelled
       if (!spared.contains(unit) || !results.containsKey(unit)) {
         progress.subTask(unit.subject().getFullPath().toString());
         now.put(unit, CheckUnit.attempt(unit));
@@ -165,7 +167,7 @@ public final class ProjectChecks {
     return CheckSummary.of(checked.stream().map(now::get).toList());
   }
 
-  /** Makes the markers those of the results; equal ones stay, so that views do not flicker. */
+  /** Updates the markers to the results; equal ones are kept, so that views do not flicker. */
   private void publish(IProgressMonitor monitor) throws CoreException {
     MarkerTexts texts = new MarkerTexts();
     Set<FindingMarker> wanted = new HashSet<>();

@@ -19,14 +19,14 @@ import org.eclipse.core.resources.IResource;
 import org.eclipse.core.runtime.IPath;
 
 /**
- * A folder with an {@code eventchain.yaml}: what {@code eventchain validate} finds about it.
+ * A folder with an {@code eventchain.yaml}: the unit that {@code eventchain validate} checks.
  *
- * @param validation is kept from build to build, since it reads only what has changed
+ * @param validation the validation, kept between builds because it rereads only changed files
  */
 record ProjectUnit(IContainer folder, Path path, ProjectValidation validation)
     implements CheckUnit {
 
-  /** Of the results only these are checked; all else there is made of them. */
+  /** Results that are checked; all others are derived from them. */
   private static final Set<String> CHECKED_RESULTS =
       Set.of(ProjectFolder.MODEL, ProjectFolder.DESCRIPTION, ProjectFolder.GENERATED);
 
@@ -38,7 +38,7 @@ record ProjectUnit(IContainer folder, Path path, ProjectValidation validation)
   @Override
   public boolean dependsOn(IFile file) {
     if (!folder.getFullPath().isPrefixOf(file.getFullPath())) {
-      return "ocl".equals(file.getFileExtension()); // documents may import some from elsewhere
+      return "ocl".equals(file.getFileExtension()); // documents may import others from elsewhere
     }
     IPath name = file.getFullPath().makeRelativeTo(folder.getFullPath());
     return name.segment(0).equals(CheckedFiles.OUTPUT)
@@ -46,12 +46,12 @@ record ProjectUnit(IContainer folder, Path path, ProjectValidation validation)
         : !name.segment(0).startsWith(".");
   }
 
-  /** Whether a model is the one that people edit in this folder. */
+  /** Returns whether a model is the editable model of this folder. */
   boolean hasChain(IFile model) {
     return new ProjectFolder(path).editedModel().equals(CheckedFiles.pathOf(model));
   }
 
-  /** Whether a document is this folder's own. */
+  /** Returns whether a document contains the rules of this folder. */
   boolean hasRules(IFile document) {
     return document.equals(folder.getFile(IPath.fromOSString("constraints.ocl")));
   }
@@ -66,7 +66,7 @@ record ProjectUnit(IContainer folder, Path path, ProjectValidation validation)
             .orElse(Suppressions.NONE);
     Validation all = validation.validate();
     if (all.coverage().equals(Coverage.NONE)) {
-      return all; // why nothing was checked cannot be suppressed
+      return all; // the reason why nothing was checked cannot be suppressed
     }
     List<Diagnostic> found = new ArrayList<>(suppressions.part(all.diagnostics()).remaining());
     found.addAll(suppressions.warnings(all.diagnostics(), all.coverage(), false));

@@ -5,8 +5,8 @@ import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EValidator;
 
 /**
- * The metamodel of event chains as EMF's registry gets it: whoever reads a model of its namespace
- * has {@link ChainValidator} with it.
+ * The event chain metamodel for EMF's registry. Readers of its models get {@link ChainValidator},
+ * too.
  */
 public final class RegisteredPackage {
 

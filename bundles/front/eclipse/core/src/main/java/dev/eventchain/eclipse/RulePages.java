@@ -9,7 +9,7 @@ import java.util.Optional;
 import org.eclipse.core.runtime.Platform;
 import org.osgi.framework.Bundle;
 
-/** The pages about findings, which each bundle has for its own. */
+/** Pages about findings, of which each bundle contains its own. */
 public final class RulePages {
 
   private static final List<String> BUNDLES =
@@ -32,9 +32,9 @@ public final class RulePages {
   private RulePages() {}
 
   /**
-   * The page about a finding, in Markdown.
+   * Returns the page about a finding, in Markdown.
    *
-   * @param id that of the finding
+   * @param id the identifier of the finding
    */
   public static Optional<String> of(String id) {
     if (!id.matches("[a-z0-9.-]+")) {
@@ -56,7 +56,7 @@ public final class RulePages {
     try (InputStream stream = page.openStream()) {
       return Optional.of(new String(stream.readAllBytes(), StandardCharsets.UTF_8));
     } catch (IOException e) {
-      return Optional.empty(); // the bundle was taken away since it was asked
+      return Optional.empty(); // the bundle was uninstalled meanwhile
     }
   }
 }

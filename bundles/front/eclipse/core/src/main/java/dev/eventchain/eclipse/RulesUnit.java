@@ -15,12 +15,14 @@ import java.util.Set;
 import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IResource;
 
-/** A document of Complete OCL: whether it can be understood, on the metamodels of the project. */
+/**
+ * A Complete OCL document; checks that it can be parsed and analysed with the project's metamodels.
+ */
 record RulesUnit(IFile file, Path path, List<Path> metamodels) implements CheckUnit {
 
   private static final Set<String> RELEVANT = Set.of("ocl", "ecore");
 
-  /** Whether a document can be understood with nothing but the metamodel of event chains. */
+  /** Returns whether a document needs no other metamodel than that of event chains. */
   static boolean isAboutChains(Path document) {
     try {
       List<SourceText> documents =
@@ -28,7 +30,7 @@ record RulesUnit(IFile file, Path path, List<Path> metamodels) implements CheckU
       return !Diagnostic.anyError(
           OclRules.parse(documents, List.of(EventchainPackage.eINSTANCE)).diagnostics());
     } catch (DiagnosticException e) {
-      return false; // its own unit says why
+      return false; // the metamodel's own unit reports it
     }
   }
 
@@ -37,7 +39,7 @@ record RulesUnit(IFile file, Path path, List<Path> metamodels) implements CheckU
     return file;
   }
 
-  /** Documents import others, and are about metamodels. */
+  /** Documents import others and use metamodels. */
   @Override
   public boolean dependsOn(IFile changed) {
     return RELEVANT.contains(String.valueOf(changed.getFileExtension()));

@@ -11,7 +11,7 @@ import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IResource;
 import org.eclipse.emf.ecore.EPackage;
 
-/** A template with the modules that it imports: whether it compiles. */
+/** A template and the modules that it imports; checks that they compile. */
 record TemplateUnit(IFile file, Path path, List<Path> metamodels) implements CheckUnit {
 
   private static final Set<String> RELEVANT = Set.of("mtl", "ecore");
@@ -21,7 +21,7 @@ record TemplateUnit(IFile file, Path path, List<Path> metamodels) implements Che
     return file;
   }
 
-  /** Templates import others, and are about metamodels. */
+  /** Templates import others and use metamodels. */
   @Override
   public boolean dependsOn(IFile changed) {
     return RELEVANT.contains(String.valueOf(changed.getFileExtension()));
@@ -30,7 +30,7 @@ record TemplateUnit(IFile file, Path path, List<Path> metamodels) implements Che
   @Override
   public Validation check() {
     List<EPackage> packages = Metamodels.of(metamodels);
-    // Templates of a project may import those that ship; others have nothing but their folder.
+    // Templates of a project may import shipped ones; others may import from their own folder only.
     TemplateModule module =
         EventchainFolders.around(file).isPresent()
             ? TemplateModule.compile(

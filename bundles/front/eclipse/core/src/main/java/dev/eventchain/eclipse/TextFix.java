@@ -11,36 +11,36 @@ import java.util.regex.Pattern;
 /**
  * A change of a file's text that fixes a finding.
  *
- * @param start the offset of the first character that goes
+ * @param start the offset of the first character to replace
  * @param end the offset after the last one
- * @param by what comes in its place
+ * @param by the replacement
  */
 public record TextFix(int start, int end, String by) {
 
-  /** What all hints ask that know a name that is like an unknown one. */
+  /** The question by which hints propose a name similar to an unknown one. */
   private static final Pattern MEANT = Pattern.compile("Did you mean `([^`]+)`\\?");
 
   private static final Pattern QUOTED = Pattern.compile("[`']([^`']+)[`']");
 
-  /** A name in a message, which not all messages quote: topics stand by themselves. */
+  /** Name in a message, quoted or not: topics are not quoted. */
   private static final Pattern NAME = Pattern.compile("[\\w/][\\w/.:-]*[\\w]");
 
   private static final Set<String> XML = Set.of("xmi", "eventchain", "ecore");
 
-  /** The name that a hint asks for, if it does. */
+  /** Returns the name that a hint proposes, if any. */
   public static Optional<String> meant(String hint) {
     Matcher question = MEANT.matcher(hint);
     return question.find() ? Optional.of(question.group(1)) : Optional.empty();
   }
 
   /**
-   * Puts the name that a hint asks for in the place of the one in the message that is like it.
+   * Replaces the unknown name in the message by the similar name that the hint proposes.
    *
    * @param text the file's text
-   * @param offset where the finding is
+   * @param offset the offset of the finding
    * @param extension that of the file
-   * @return nothing if it is not certain what is to be replaced: the text has changed, or says the
-   *     same name twice there
+   * @return empty if the replacement is ambiguous: the text has changed, or contains the name twice
+   *     there
    */
   public static Optional<TextFix> nearestName(
       String text, int offset, String extension, String message, String hint) {
@@ -64,9 +64,9 @@ public record TextFix(int start, int end, String by) {
   }
 
   /**
-   * Removes the reference to an element that there is not, from the start tag at an offset.
+   * Removes the reference to a missing element from the start tag at an offset.
    *
-   * @param message quotes the reference as the file has it
+   * @param message the message, which quotes the reference as in the file
    */
   public static Optional<TextFix> withoutReference(String text, int offset, String message) {
     Matcher quoted = QUOTED.matcher(message);
@@ -83,7 +83,7 @@ public record TextFix(int start, int end, String by) {
         : Optional.empty();
   }
 
-  /** The text after the change. */
+  /** Returns the text after the change. */
   public String apply(String text) {
     return text.substring(0, start) + by + text.substring(end);
   }
@@ -95,7 +95,7 @@ public record TextFix(int start, int end, String by) {
     }
   }
 
-  /** The only place of a name between two offsets; none if there are several. */
+  /** Returns the only offset of a name between two offsets; empty if there are several. */
   private static Optional<Integer> find(String text, int from, int to, String name) {
     Matcher place =
         Pattern.compile("(?<![\\w/])" + Pattern.quote(name) + "(?!\\w)")
@@ -108,7 +108,7 @@ public record TextFix(int start, int end, String by) {
     return place.find() ? Optional.empty() : Optional.of(first);
   }
 
-  /** Where the start tag, or else the line, begins. */
+  /** Returns the offset of the start tag, or else of the line. */
   private static int begin(String text, int offset, String extension) {
     return XML.contains(extension)
         ? Math.max(0, text.lastIndexOf('<', Math.min(offset, text.length() - 1)))

@@ -8,7 +8,7 @@ import java.util.List;
 import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IResource;
 
-/** What would be checked if it were on a disk of this machine. */
+/** A resource that cannot be checked because it is not on a local disk. */
 record UnreachableUnit(IResource subject) implements CheckUnit {
 
   @Override

@@ -1,11 +1,11 @@
 package dev.eventchain.maven.samples;
 
-/** What the template of the sample {@code generate} calls. */
+/** Java services of the template in the sample {@code generate}. */
 public final class Headings {
 
   private Headings() {}
 
-  /** A heading as a sentence. */
+  /** Returns a heading as a sentence. */
   public static String sentence(String heading) {
     return heading + ".";
   }

@@ -13,11 +13,11 @@ import org.eclipse.emf.ecore.EcorePackage;
 import org.eclipse.ocl.types.AnyType;
 
 /**
- * OCL as the templates of Acceleo 3 use it: with calls of templates, queries and Java services,
- * with the operations of its library, and with types that are looked at when a value is there.
+ * Dialect of OCL in Acceleo 3 templates: calls of templates, queries and Java services, the Acceleo
+ * library, and dynamic types.
  */
 record AcceleoDialect(List<OperationLibrary> libraries) implements Dialect {
-  /** The name that OCL's own library has for the type of the elements of a collection. */
+  /** Name of the element type of collections in the OCL library. */
   private static final String ELEMENT_TYPE = "T";
 
   static AcceleoDialect of(CallLibrary calls, Services services) {
@@ -29,7 +29,7 @@ record AcceleoDialect(List<OperationLibrary> libraries) implements Dialect {
     return true;
   }
 
-  /** Whatever is not known better may be a model element. */
+  /** Returns the assumed type: values of unknown type may be model elements. */
   @Override
   public Optional<EClassifier> assumed(EClassifier type) {
     return type instanceof AnyType<?>

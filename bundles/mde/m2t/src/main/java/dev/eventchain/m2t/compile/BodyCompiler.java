@@ -18,7 +18,7 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import org.eclipse.emf.ecore.EClassifier;
 
-/** Turns the syntax tree of a template into steps, checking its expressions. */
+/** Compiler of the syntax tree of a template into steps, which checks its expressions. */
 final class BodyCompiler {
   private static final Step NOTHING = run -> {};
 
@@ -118,9 +118,9 @@ final class BodyCompiler {
   }
 
   /**
-   * The decoration; empty if one of its expressions is wrong.
+   * Compiles a decoration; empty if one of its expressions is invalid.
    *
-   * @param inside what the text between two items sees, which may say something of the second
+   * @param inside the scope of the separator, which may refer to the item after it
    */
   private Optional<Steps.Decoration> decoration(
       Syntax.Decoration decoration, Scope scope, Scope inside) {
@@ -243,7 +243,7 @@ final class BodyCompiler {
     return id.isEmpty() ? NOTHING : new Steps.Protected(id.get(), start, end, body);
   }
 
-  /** Parses variables into a list and returns the scope that sees them all. */
+  /** Parses variables into a list and returns the scope with all of them. */
   Scope variables(List<Syntax.Variable> declared, Scope scope, List<Step.Variable> into) {
     Scope inside = scope;
     for (Syntax.Variable variable : declared) {
@@ -271,7 +271,7 @@ final class BodyCompiler {
     return expressions.instancesOf(type);
   }
 
-  /** Optional expressions of one tag, and whether all that are there are right. */
+  /** Optional expressions of a tag, with a flag that is true if all of them are valid. */
   private static final class Decorations {
     private static final Steps.Decoration NONE =
         new Steps.Decoration(Optional.empty(), Optional.empty(), Optional.empty());

@@ -11,16 +11,16 @@ import java.util.Map;
 import java.util.Set;
 import org.eclipse.emf.ecore.EClassifier;
 
-/** Finds callables of a module that no call could tell apart. */
+/** Check for callables of a module that no call can distinguish. */
 record Duplicates(Problems problems) {
 
   private static final String ID = "m2t.name.duplicate";
 
   /**
-   * Reports them.
+   * Reports duplicates.
    *
-   * @param callables of the module, in the order of the text
-   * @param templates those that are templates, by their declarations
+   * @param callables the callables of the module, in the order of the text
+   * @param templates the templates among them, by their declarations
    */
   void report(Collection<Callable> callables, Map<Syntax.Template, Template> templates) {
     Set<String> queries = new HashSet<>();
@@ -31,7 +31,8 @@ record Duplicates(Problems problems) {
     Set<String> unguarded = new HashSet<>();
     templates.forEach(
         (declaration, template) -> {
-          // One with a guard is asked before those without, and each main template is run.
+          // A callable with a guard takes precedence over those without; all main templates are
+          // run.
           boolean isAlike =
               declaration.guard().isEmpty()
                   && declaration.overrides().isEmpty()
@@ -64,7 +65,7 @@ record Duplicates(Problems problems) {
     return callable.name() + callable.parameters().stream().map(p -> name(p.type())).toList();
   }
 
-  /** Classes of several metamodels may have the same name. */
+  /** Returns the name of a type, unique across metamodels with equal class names. */
   private static String name(EClassifier type) {
     String owner = type.getEPackage() == null ? "" : type.getEPackage().getNsURI() + "#";
     return owner + type.getName();

@@ -16,18 +16,18 @@ import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
 import org.eclipse.ocl.types.AnyType;
 import org.eclipse.ocl.types.TupleType;
 
-/** Parses and checks the expressions and types of one module. */
+/** Parser and checker of the expressions and types of one module. */
 record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage usage) {
 
-  /** The instances of a class. */
+  /** Test for instances of a class. */
   private static final class Instances implements Predicate<Object> {
     private record Refused(EClass type, Class<?> javaClass) {}
 
     private final EClass type;
 
     /**
-     * The latest that was refused, for which Java looks through all interfaces; threads may
-     * overwrite each other's.
+     * Cache of the latest refused class, because a negative test in Java searches all interfaces. A
+     * race between threads is harmless.
      */
     private Refused latest = new Refused(null, null);
 
@@ -56,7 +56,7 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
     }
   }
 
-  /** An expression; empty if it is wrong, which has been reported. */
+  /** Parses an expression; empty, after a report, if it is invalid. */
   Optional<Expression> parse(SourceRange span, Scope scope) {
     SourceRange inside = span.strip();
     if (inside.isEmpty()) {
@@ -93,7 +93,7 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
     }
   }
 
-  /** An expression that can be true or false. */
+  /** Parses an expression that must be Boolean. */
   Optional<Expression> condition(SourceRange span, Scope scope) {
     Optional<Expression> parsed = parse(span, scope);
     if (parsed.isPresent()
@@ -109,12 +109,12 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
     return parsed;
   }
 
-  /** A type; empty if there is none of this name, which has been reported. */
+  /** Parses a type; empty, after a report, if it is unknown. */
   Optional<EClassifier> type(SourceRange span) {
     return language.type(span, problems.found());
   }
 
-  /** The test of whether a value is an instance of a type. */
+  /** Returns the test for instances of a type. */
   Predicate<Object> instancesOf(EClassifier type) {
     if (type instanceof AnyType) {
       return value -> true;
@@ -131,8 +131,8 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
   }
 
   /**
-   * The test of whether a value is of a type; of a collection, whether its elements are. A large
-   * number is an Integer, too.
+   * Returns the test for values of a type; for collections, of its elements. Large numbers are
+   * Integers, too.
    */
   Predicate<Object> valuesOf(EClassifier type) {
     Optional<EClassifier> elementType = language.elementType(type);

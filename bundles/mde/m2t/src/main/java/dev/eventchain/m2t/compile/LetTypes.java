@@ -14,17 +14,17 @@ import org.eclipse.ocl.types.PrimitiveType;
 import org.eclipse.ocl.util.Bag;
 
 /**
- * Which values a {@code [let name : Type = ...]} is entered with. As in Acceleo, nothing is
- * converted on the way: an ordered set is a set, but no sequence; an Integer is not a Real; and no
- * value is of the type Collection itself.
+ * Types of values that {@code [let name : Type = ...]} accepts. As in Acceleo, no value is
+ * converted: an ordered set is a set, but no sequence; an Integer is not a Real; and no value is of
+ * the type Collection itself.
  */
 record LetTypes(ExpressionCompiler expressions) {
 
   /**
-   * The test of whether a value is of a declared type. Warns if none can be.
+   * Returns the test for values of a declared type. Warns if no value can pass.
    *
-   * @param declared where the type is declared
-   * @param valueType what is known of the value before it is there
+   * @param declared the source range of the declared type
+   * @param valueType the static type of the value
    */
   Predicate<Object> accepts(SourceRange declared, EClassifier type, EClassifier valueType) {
     if (type instanceof CollectionType<?, ?> wanted) {
@@ -46,7 +46,7 @@ record LetTypes(ExpressionCompiler expressions) {
         : instances;
   }
 
-  /** Whether no value is of both types. Of two classes a third one may inherit. */
+  /** Returns whether no value is of both types. Two classes may have a common subclass. */
   private boolean isOther(EClassifier type, EClassifier valueType) {
     boolean primitive = type instanceof PrimitiveType<?> || valueType instanceof PrimitiveType<?>;
     return primitive && !new Signatures(expressions.language()).mayFit(valueType, type);

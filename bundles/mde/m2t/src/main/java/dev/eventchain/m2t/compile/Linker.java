@@ -37,11 +37,13 @@ import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EcorePackage;
 
 /**
- * Connects modules: first all signatures, then who sees whom and who overrides whom, then the
- * bodies, which can call all that their module sees.
+ * Linker of modules: first all signatures, then visibility and overriding, then the bodies, which
+ * can call everything visible in their module.
  */
 public final class Linker {
-  /** A module on its way: what it declares, what it sees, and its language. */
+  /**
+   * A module being linked: its declarations, the visible callables, and its expression language.
+   */
   private record Unit(
       ModuleLoader.Loaded loaded,
       CallLibrary calls,
@@ -56,7 +58,7 @@ public final class Linker {
   private final Collection<EPackage> packages;
   private final Map<String, Unit> units = new LinkedHashMap<>();
 
-  /** How many queries there are so far. */
+  /** Number of queries so far. */
   private int queries;
 
   private final Services services;
@@ -67,7 +69,7 @@ public final class Linker {
     this.services = services;
   }
 
-  /** The templates of the main module, which is the first. */
+  /** Returns the templates of the main module, which is the first. */
   public static List<Template> link(
       Map<String, ModuleLoader.Loaded> modules, Collection<EPackage> packages, Services services) {
     Linker linker = new Linker(packages, services);
@@ -108,7 +110,7 @@ public final class Linker {
                       "There is no metamodel '" + bare + "'.",
                       known()));
     }
-    // An error says so already; with some types at hand the rest can be checked all the same.
+    // The error is reported; with all packages the rest can still be checked.
     return found.isEmpty() ? List.copyOf(packages) : found;
   }
 
@@ -173,7 +175,10 @@ public final class Linker {
     return parameters.size() == declared.size() ? Optional.of(parameters) : Optional.empty();
   }
 
-  /** A module sees its own, then what it extends, then the public part of what it imports. */
+  /**
+   * Makes callables visible to a module: its own, then those of extended modules, then the public
+   * ones of imports.
+   */
   private void connect(Unit unit) {
     unit.callables().forEach(unit.calls()::add);
     inherit(unit, unit, new HashSet<>());
@@ -192,7 +197,9 @@ public final class Linker {
     }
   }
 
-  /** The module that another one means by a name; null if there is none, which is an error. */
+  /**
+   * Returns the module that a name refers to in another one; null, with an error, if there is none.
+   */
   private Unit named(Syntax.Name name, Unit by) {
     return units.get(by.loaded().names().get(name.text()));
   }
@@ -317,7 +324,7 @@ public final class Linker {
     template.define(new Template.Definition(guard, post, List.copyOf(variables), body));
   }
 
-  /** Warnings make no sense while there are errors. */
+  /** Reports lint warnings, unless there are errors. */
   private void lint() {
     String main = units.keySet().iterator().next();
     if (Diagnostic.anyError(units.get(main).loaded().problems().found())) {
@@ -342,7 +349,7 @@ public final class Linker {
     Lints.check(subjects, usage);
   }
 
-  /** The parameters, and the first of them as self. */
+  /** Returns a scope with the parameters, the first of which is also self. */
   private static Scope scope(Callable callable, Unit unit) {
     Scope scope = unit.expressions().language().root();
     if (!callable.parameters().isEmpty()) {

@@ -24,16 +24,16 @@ import org.eclipse.ocl.types.BagType;
 import org.eclipse.ocl.types.OrderedSetType;
 import org.eclipse.ocl.types.SetType;
 
-/** Warnings about modules without errors whose output may still not be what was meant. */
+/** Lint warnings about valid modules whose output may be unintended. */
 public final class Lints {
-  /** How the ids of these warnings begin. */
+  /** Prefix of the ids of these warnings. */
   public static final String PREFIX = "m2t.lint.";
 
   /**
    * A template or query.
    *
-   * @param parameters its parameters as they are in the file
-   * @param inMain whether it is in the main module, which nobody imports
+   * @param parameters the parameters as written in the file
+   * @param inMain true if it is in the main module, which nothing imports
    */
   record Subject(
       Callable callable, List<Syntax.Variable> parameters, boolean inMain, Problems problems) {
@@ -54,7 +54,7 @@ public final class Lints {
     this.usage = usage;
   }
 
-  /** Warns of what is never called, and of parameters that are never used. */
+  /** Warns of callables that are never called, and of parameters that are never used. */
   static void check(List<Subject> subjects, Usage usage) {
     Lints lints = new Lints(subjects, usage);
     Set<Callable> called = lints.called();
@@ -67,7 +67,7 @@ public final class Lints {
     }
   }
 
-  /** Warns if the order of a set or bag is that of the output. */
+  /** Warns if the output depends on the order of a set or bag. */
   static void order(Optional<Expression> expression, String what, Problems problems, int start) {
     boolean warned =
         expression.isPresent()
@@ -78,7 +78,7 @@ public final class Lints {
     }
   }
 
-  /** Warns of features whose values only Java code computes, which nobody loads. */
+  /** Warns of features whose values are computed by Java code that is not loaded. */
   static void computedInJava(Expression expression, Problems problems, int start) {
     for (EStructuralFeature feature : expression.computedInJava()) {
       problems.warning(
@@ -90,7 +90,7 @@ public final class Lints {
     }
   }
 
-  /** Warns if separators go between the elements of a set or bag. */
+  /** Warns of separators between the elements of a set or bag. */
   static void separators(Expression expression, Problems problems, int start) {
     for (Expression.LibraryCall call : expression.libraryCalls()) {
       if (call.implementation() instanceof OperationTable.RowCall row
@@ -178,7 +178,7 @@ public final class Lints {
     usage.of(subject.callable()).forEach(each -> used.addAll(each.variableNames()));
     for (int i = 0; i < subject.parameters().size(); i++) {
       Callable.Parameter parameter = subject.callable().parameters().get(i);
-      // What a call is about is before its dot, and may only be there for that.
+      // The parameter may only serve as the receiver of calls.
       boolean receiver = i == 0 && (used.contains("self") || canBeElement(parameter.type()));
       if (!receiver && !used.contains(parameter.name())) {
         subject
@@ -200,7 +200,7 @@ public final class Lints {
     return type instanceof EClass || type instanceof AnyType<?>;
   }
 
-  /** Whether others that are called in the same way decide on the parameters. */
+  /** Returns whether overloads or overriding templates fix the parameters. */
   private boolean hasFixedParameters(Callable callable) {
     return subjects.stream()
         .map(Subject::callable)

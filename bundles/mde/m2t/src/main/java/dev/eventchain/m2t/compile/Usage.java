@@ -7,12 +7,12 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The expressions of each callable, noted while they are parsed, for the {@link Lints}. */
+/** Expressions of each callable, recorded during parsing for the {@link Lints}. */
 final class Usage {
   private final Map<Callable, List<Expression>> expressions = new HashMap<>();
   private List<Expression> current = new ArrayList<>();
 
-  /** From now on, expressions belong to this callable. */
+  /** Assigns the following expressions to a callable. */
   void enter(Callable callable) {
     current = expressions.computeIfAbsent(callable, key -> new ArrayList<>());
   }

@@ -1,5 +1,5 @@
 /**
- * The compiler of modules: links them, checks expressions, makes steps, and warns of doubtful
- * templates. Runs nothing.
+ * Compiler of modules: linking, checks of expressions, creation of steps, and lint warnings. It
+ * does not run templates.
  */
 package dev.eventchain.m2t.compile;

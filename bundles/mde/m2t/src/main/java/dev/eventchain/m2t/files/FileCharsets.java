@@ -13,13 +13,13 @@ import java.nio.charset.UnsupportedCharsetException;
 import java.util.Arrays;
 import java.util.Optional;
 
-/** Turns texts into the bytes of files, and back; reports what a charset cannot do. */
+/** Conversion between texts and bytes of files, with findings about charsets. */
 final class FileCharsets {
   static final String ID = "m2t.charset";
 
   private FileCharsets() {}
 
-  /** The charset of a name; nothing if no file can be written in it, of which is warned. */
+  /** Returns the charset of a name; empty, with a warning, if no file can be written in it. */
   static Optional<Charset> named(String name, SourceLocation place, RunReport report) {
     String problem;
     try {
@@ -35,13 +35,13 @@ final class FileCharsets {
     return Optional.empty();
   }
 
-  /** Whether the marks of protected areas are the same bytes as in ASCII. */
+  /** Returns whether the marks of protected areas have the same bytes as in ASCII. */
   static boolean agreesWithAscii(Charset charset) {
     String marks = ProtectedAreas.START + ProtectedAreas.END + "\r\n";
     return Arrays.equals(marks.getBytes(charset), marks.getBytes(StandardCharsets.US_ASCII));
   }
 
-  /** The text of bytes; nothing if some of them are no characters. */
+  /** Returns the text of bytes; empty if they are malformed. */
   static Optional<String> decoded(byte[] bytes, Charset charset) {
     String text = new String(bytes, charset);
     if (text.indexOf('\uFFFD') < 0) {
@@ -54,13 +54,13 @@ final class FileCharsets {
     }
   }
 
-  /** The bytes of a text that starts a file or, without a byte order mark, continues with it. */
+  /** Returns the bytes of a text that starts a file or, without a byte order mark, continues it. */
   static byte[] bytes(
       String text, boolean starts, GeneratedFile file, SourceLocation place, RunReport report) {
     Charset charset = file.charset();
     if (charset.equals(StandardCharsets.UTF_8)) {
       byte[] bytes = text.getBytes(charset);
-      // A half of a surrogate pair becomes one byte too, so the length alone says nothing.
+      // An unpaired surrogate becomes one byte, too, so equal lengths do not suffice.
       if (bytes.length == text.length()
           && new String(bytes, StandardCharsets.ISO_8859_1).equals(text)) {
         return bytes;
@@ -93,7 +93,7 @@ final class FileCharsets {
             : "Write the file in UTF-8.");
   }
 
-  /** The bytes of a text that follows other text. */
+  /** Returns the bytes of a text that follows other text. */
   static byte[] continued(String text, Charset charset) {
     return withoutByteOrderMark(text.getBytes(charset), charset);
   }

@@ -1,6 +1,6 @@
 package dev.eventchain.m2t.files;
 
-/** How a file that is there already is treated. */
+/** Treatment of an existing file. */
 public enum FileMode {
   OVERWRITE,
   APPEND,

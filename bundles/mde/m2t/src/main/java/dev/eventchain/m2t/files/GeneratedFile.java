@@ -21,10 +21,10 @@ import java.util.Optional;
 import java.util.Set;
 import org.eclipse.emf.ecore.EObject;
 
-/** A file of a run, which one or more blocks write, and what people wrote into the earlier one. */
+/** A file of a run, written by one or more blocks, with the protected areas of the earlier file. */
 final class GeneratedFile {
 
-  /** An area of the earlier file. */
+  /** Protected area of the earlier file. */
   private static final class Earlier {
     private final String line;
     private final String content;
@@ -40,7 +40,7 @@ final class GeneratedFile {
       return line.strip();
     }
 
-    /** The area as it was in the file. */
+    /** Returns the area as it was in the file. */
     String text() {
       return ProtectedAreas.START + line + content + ProtectedAreas.END + "\n";
     }
@@ -52,17 +52,17 @@ final class GeneratedFile {
   private final List<Earlier> earlier = new ArrayList<>();
   private final Map<String, List<Earlier>> earlierById = new HashMap<>();
 
-  /** The ids of the areas that templates began, and where in the output of the run they did. */
+  /** Ids of the areas that templates began, with their offsets in the output of the run. */
   private final Map<String, Integer> begun = new HashMap<>();
 
-  /** The ids of the areas in the blocks that are complete. */
+  /** Ids of the areas in complete blocks. */
   private final Set<String> written = new HashSet<>();
 
   private boolean lossesNoted;
   private byte[] content;
   private SourceLocation block;
 
-  /** What the block that began the file was at work on; null if on nothing. */
+  /** Current element of the block that began the file; null if there is none. */
   private EObject element;
 
   private GeneratedFile(String path, Charset charset, boolean left) {
@@ -71,7 +71,7 @@ final class GeneratedFile {
     this.left = left;
   }
 
-  /** A file that takes the place of an earlier one, if there was one. */
+  /** Returns a file that replaces an earlier one, if there is one. */
   static GeneratedFile of(String path, Charset charset, Optional<String> earlierText) {
     GeneratedFile file = new GeneratedFile(path, charset, false);
     String text = earlierText.orElse("");
@@ -83,7 +83,7 @@ final class GeneratedFile {
     return file;
   }
 
-  /** A file that stays as it is. */
+  /** Returns a file that is left unchanged. */
   static GeneratedFile left(String path, Charset charset, byte[] content) {
     GeneratedFile file = new GeneratedFile(path, charset, true);
     file.content = content;
@@ -99,31 +99,31 @@ final class GeneratedFile {
   }
 
   /**
-   * Notes what begins the file.
+   * Notes the block that begins the file.
    *
-   * @param at the element at work; null if there is none
+   * @param at the current element; null if there is none
    */
   void begunBy(SourceLocation place, EObject at) {
     block = place;
     element = at;
   }
 
-  /** The block that began the file, and for what. */
+  /** Returns the location of the block that began the file, and its element. */
   String beginning(RunReport report) {
     return element == null ? block.toString() : block + " for " + report.nameOf(element);
   }
 
-  /** Whether the earlier file stays, so that nothing is written. */
+  /** Returns whether the earlier file is left unchanged. */
   boolean isLeft() {
     return left;
   }
 
-  /** What was written so far; null if no block is complete. */
+  /** Returns the content so far; null if no block is complete. */
   byte[] content() {
     return content;
   }
 
-  /** Goes on with what another block wrote. */
+  /** Appends the content of another block. */
   void add(byte[] more) {
     if (content == null) {
       content = more;
@@ -139,7 +139,7 @@ final class GeneratedFile {
     begun.put(id, output.mark().start());
   }
 
-  /** Whether the file has an area of this id, as far as it is written. */
+  /** Returns whether the file has an area of this id so far. */
   boolean has(String id, OutputBuffer output) {
     Integer start = begun.get(id);
     return written.contains(id)
@@ -147,10 +147,10 @@ final class GeneratedFile {
   }
 
   /**
-   * The text of a block with the content that people gave its areas, with which neither indentation
-   * nor any operation may meddle. It is given to the trace.
+   * Returns the text of a block with the earlier contents of its areas, which neither indentation
+   * nor operations may change. Adds the text to the trace.
    *
-   * @param place of the block
+   * @param place the location of the block
    */
   String merged(
       String text,
@@ -192,7 +192,7 @@ final class GeneratedFile {
     }
   }
 
-  /** Reports areas that variables or operations brought where no area can be. */
+  /** Reports invalid areas that come from variables or operations. */
   private void check(Area area, String text, SourceLocation place, RunReport report) {
     String id = idOf(area.line().strip());
     if (!written.add(id)) {
@@ -216,7 +216,7 @@ final class GeneratedFile {
         "Give each area of a file its own id.");
   }
 
-  /** The id that a line starts with, the longest there is; templates may write more after it. */
+  /** Returns the longest known id that a line starts with; templates may write more after it. */
   private String idOf(String line) {
     for (int end = line.length(); end > 0; end--) {
       String start = line.substring(0, end);
@@ -237,7 +237,7 @@ final class GeneratedFile {
     return earlierById.getOrDefault(id, List.of()).stream().filter(area -> !area.taken).findFirst();
   }
 
-  /** Prepares to warn, for the element at work, of the areas that the first block did not have. */
+  /** Prepares warnings, for the current element, about areas missing from the first block. */
   void noteLosses(String lostPath, RunReport report) {
     if (lossesNoted) {
       return;
@@ -259,17 +259,17 @@ final class GeneratedFile {
     }
   }
 
-  /** Whether there are areas that no block had. */
+  /** Returns whether there are areas that no block contains. */
   boolean losesAreas() {
     return earlier.stream().anyMatch(area -> !area.taken);
   }
 
-  /** The warnings of the areas that no block had. */
+  /** Returns the warnings about areas that no block contains. */
   List<Diagnostic> losses() {
     return earlier.stream().filter(area -> !area.taken).map(area -> area.loss).toList();
   }
 
-  /** The areas that no block had, each as it was in the file. */
+  /** Returns the areas that no block contains, each as it was in the file. */
   List<String> lost() {
     return earlier.stream().filter(area -> !area.taken).map(Earlier::text).toList();
   }

@@ -28,10 +28,10 @@ import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.eclipse.emf.ecore.EObject;
 
-/** The files that a run makes, with the protected areas of the earlier ones kept in them. */
+/** Files of a run, with the protected areas of earlier files. */
 public final class GeneratedFiles {
 
-  /** What a file tag says. */
+  /** Values of a {@code [file]} tag. */
   public record Tag(
       SourceLocation place,
       String name,
@@ -39,12 +39,12 @@ public final class GeneratedFiles {
       SourceLocation charsetPlace,
       Optional<String> charset) {}
 
-  /** A block that is being written. */
+  /** Block that is being written. */
   private static final class Block {
     private final GeneratedFile file;
     private final Tag tag;
 
-    /** The area that is being written; null if there is none. */
+    /** Id of the area that is being written; null if there is none. */
     private String area;
 
     Block(GeneratedFile file, Tag tag) {
@@ -53,10 +53,10 @@ public final class GeneratedFiles {
     }
   }
 
-  /** What a block wrote, and where it comes from if that is noted. */
+  /** Text of a block, with its origins if they are recorded. */
   private record Written(String text, Optional<OriginMarks> marks) {}
 
-  /** The name of no file: what a block of this name writes is printed. */
+  /** Name of blocks whose text is printed instead of written to a file. */
   private static final String CONSOLE = "stdout";
 
   private static final String OWN_NAMES =
@@ -67,12 +67,14 @@ public final class GeneratedFiles {
   private final Supplier<EObject> element;
   private final GenerationContext context;
 
-  /** By their names, in the order in which they were begun, which is nearly sorted most times. */
+  /** Files by their names, in the order of their first blocks, which is usually nearly sorted. */
   private final Map<String, GeneratedFile> files = new LinkedHashMap<>();
 
   private final Set<String> folders = new HashSet<>();
 
-  /** The names of files that may not be there, because what they would lose has a file's name. */
+  /**
+   * Names that no file may have, because their file for lost areas would collide with another file.
+   */
   private final Set<String> losers = new HashSet<>();
 
   private final Deque<Block> open = new ArrayDeque<>();
@@ -82,7 +84,7 @@ public final class GeneratedFiles {
   /**
    * Starts without files.
    *
-   * @param element the model element at work
+   * @param element returns the current model element
    */
   public GeneratedFiles(
       RunReport report, RunWriter writer, Supplier<EObject> element, GenerationContext context) {
@@ -92,7 +94,10 @@ public final class GeneratedFiles {
     this.context = context;
   }
 
-  /** The complete files, and next to them what they lost; of that it is warned now. */
+  /**
+   * Returns the complete files and the files of their lost areas. Reports the warnings about lost
+   * areas.
+   */
   public SortedMap<String, byte[]> contents() {
     SortedMap<String, byte[]> contents = new TreeMap<>(OutputFolder.WRITING_ORDER);
     for (GeneratedFile file : files.values()) {
@@ -110,17 +115,17 @@ public final class GeneratedFiles {
     return contents;
   }
 
-  /** What is to be printed. */
+  /** Returns the printed texts. */
   public List<Printed> printed() {
     return List.copyOf(printed);
   }
 
-  /** How many files and areas were begun, which says whether an evaluation began any. */
+  /** Returns the number of files and areas begun, which tells whether an evaluation began any. */
   public int begun() {
     return begun;
   }
 
-  /** Makes a file of what something writes. */
+  /** Writes a file from the text of a body. */
   public void write(Tag tag, Runnable body) {
     begun++;
     Optional<Charset> charset =
@@ -150,7 +155,7 @@ public final class GeneratedFiles {
     }
   }
 
-  /** What Acceleo takes for absolute is below the output folder, too. */
+  /** Returns the path of a name; as in Acceleo, absolute names are below the output folder. */
   private static OutputPath pathOf(String name) {
     int slashes = 0;
     while (slashes < name.length() - 1 && name.charAt(slashes) == '/') {
@@ -159,7 +164,7 @@ public final class GeneratedFiles {
     return OutputPath.of(name.substring(slashes));
   }
 
-  /** Adds what something writes to what is printed. */
+  /** Prints the text of a body. */
   private void print(Tag tag, Runnable body) {
     String text = textOutsideOfFiles(tag, body);
     if (!text.isEmpty()) {
@@ -167,7 +172,7 @@ public final class GeneratedFiles {
     }
   }
 
-  /** Reports a file that there is no folder for; blocks inside it may print all the same. */
+  /** Reports a file without an output folder; blocks inside it may still print. */
   private void refuse(Tag tag, Runnable body) {
     report.error(
         "m2t.file.no-folder",
@@ -182,7 +187,7 @@ public final class GeneratedFiles {
     return textOf(new Block(file, tag), body).text();
   }
 
-  /** The file of a name that is there, unless the block replaces it; null if there is none. */
+  /** Returns the existing file of a name, unless the block replaces it; null if there is none. */
   private GeneratedFile known(String path, Tag tag) {
     GeneratedFile known = files.get(path);
     if (known == null || !isReplaced(known, tag)) {
@@ -195,7 +200,7 @@ public final class GeneratedFiles {
     return null;
   }
 
-  /** Whether a complete file gives way to another of its name, as in Acceleo. */
+  /** Returns whether a complete file is replaced by another of its name, as in Acceleo. */
   private boolean isReplaced(GeneratedFile known, Tag tag) {
     return tag.mode() == FileMode.OVERWRITE
         && known.content() != null
@@ -207,7 +212,7 @@ public final class GeneratedFiles {
     return "The file '" + known.path() + "' was already written in this run, " + where + ".";
   }
 
-  /** Whether a file that a block wrote or writes continues with another one. */
+  /** Returns whether another block may continue an existing file. */
   private boolean goesOn(GeneratedFile known, Optional<Charset> charset, Tag tag) {
     if (tag.mode() == FileMode.OVERWRITE) {
       report.error("m2t.file.duplicate", tag.place(), writtenBefore(known), OWN_NAMES);
@@ -233,7 +238,7 @@ public final class GeneratedFiles {
     return true;
   }
 
-  /** Whether a name can be a file's next to the other files of the run. */
+  /** Returns whether a file name does not collide with the other files of the run. */
   private boolean hasRoom(String path, Tag tag) {
     String problem = "";
     if (folders.contains(path)) {
@@ -321,12 +326,12 @@ public final class GeneratedFiles {
     }
   }
 
-  /** Where the areas that a file has no longer are saved. */
+  /** Returns the path of the file for lost areas. */
   private String lostPath(GeneratedFile file) {
     return file.path() + ProtectedAreas.LOST;
   }
 
-  /** The areas that were lost before and those that are lost now. */
+  /** Returns the lost areas, earlier and new ones. */
   private byte[] lost(GeneratedFile file) {
     byte[] before = context.earlier().apply(lostPath(file)).orElse(new byte[0]);
     if (!file.losesAreas()) {
@@ -337,7 +342,7 @@ public final class GeneratedFiles {
     ByteArrayOutputStream lost = new ByteArrayOutputStream();
     lost.writeBytes(before);
     for (String area : file.lost()) {
-      // A file that a person keeps as it is loses the same area in each run.
+      // A file that a user keeps unchanged loses the same area in each run.
       if (!known.contains(area)) {
         lost.writeBytes(
             lost.size() == 0
@@ -348,7 +353,7 @@ public final class GeneratedFiles {
     return lost.toByteArray();
   }
 
-  /** Notes an area; false if there can be none of this id here, which has been reported. */
+  /** Begins an area; returns false, after a report, if no area of this id is possible here. */
   public boolean beginArea(SourceLocation place, String id) {
     begun++;
     Block block = open.peek();
@@ -388,13 +393,13 @@ public final class GeneratedFiles {
     return block.file.has(id, writer.output()) ? "has the same id as another area of the file" : "";
   }
 
-  /** Notes that the mark of the area that was begun comes next. */
+  /** Notes that the mark of the current area follows. */
   public void startArea() {
     Block block = open.element();
     block.file.begin(block.area, writer.output());
   }
 
-  /** Ends the area that was begun. */
+  /** Ends the current area. */
   public void endArea() {
     open.element().area = null;
   }

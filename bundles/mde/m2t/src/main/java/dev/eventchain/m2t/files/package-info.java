@@ -1,4 +1,4 @@
 /**
- * Files of a run: names, charsets, and protected areas kept from earlier files. Knows no template.
+ * Files of a run: names, charsets, and protected areas of earlier files. Independent of templates.
  */
 package dev.eventchain.m2t.files;

@@ -13,15 +13,14 @@ import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EObject;
 
 /**
- * What a generation knows in addition to the model.
+ * Input of a generation besides the model.
  *
- * @param locator where a model element is, for findings
- * @param earlier the content of a file of the output folder, usually {@link OutputFolder#read};
- *     needed for protected areas to survive
- * @param properties what {@code getProperty('key')} gives in a template
- * @param propertyFiles the properties of files by the files' names, which {@code
- *     getProperty('name', 'key')} tells apart, in order
- * @param traits what else is wanted of the generation
+ * @param locator returns the location of a model element, for findings
+ * @param earlier returns the content of an output file, usually {@link OutputFolder#read}; needed
+ *     to keep protected areas
+ * @param properties the properties for {@code getProperty('key')}
+ * @param propertyFiles the properties for {@code getProperty('name', 'key')} by file name, in order
+ * @param traits the options of the generation
  */
 public record GenerationContext(
     Function<EObject, SourceLocation> locator,
@@ -30,43 +29,43 @@ public record GenerationContext(
     Map<String, Map<String, String>> propertyFiles,
     Set<Trait> traits) {
 
-  /** How a generation goes, other than usually. */
+  /** Options of a generation. */
   public enum Trait {
-    /** The result says which template lines and elements made which lines. */
+    /** The result has a trace of generated lines to template lines and elements. */
     TRACED,
 
-    /** What Acceleo continues after without failing is a warning, not an error. */
+    /** Problems that Acceleo ignores are warnings, not errors. */
     LENIENT,
 
-    /** There is no output folder: blocks of files can print only, and any other is an error. */
+    /** There is no output folder: file blocks other than printing ones are errors. */
     PRINTED_ONLY
   }
 
-  /** Takes a copy of the traits. */
+  /** Copies the traits. */
   public GenerationContext {
     traits = Set.copyOf(traits);
   }
 
-  /** Nothing known but where elements are: an empty output folder, no properties. */
+  /** Returns a context with an empty output folder and no properties. */
   public static GenerationContext of(Function<EObject, SourceLocation> locator) {
     return new GenerationContext(locator, name -> Optional.empty(), Map.of(), Map.of(), Set.of());
   }
 
-  /** The same with the files of an output folder. */
+  /** Returns this context with the files of an output folder. */
   public GenerationContext withEarlier(Function<String, Optional<byte[]>> newEarlier) {
     return new GenerationContext(locator, newEarlier, properties, propertyFiles, traits);
   }
 
-  /** The same with other properties, which are in no file. */
+  /** Returns this context with other properties, which belong to no file. */
   public GenerationContext withProperties(Map<String, String> newProperties) {
     return new GenerationContext(
         locator, earlier, Map.copyOf(newProperties), propertyFiles, traits);
   }
 
   /**
-   * The same with other files of properties.
+   * Returns this context with other property files.
    *
-   * @param newFiles by the files' names, in the order in which they are asked for a key
+   * @param newFiles the properties by file name, in the order of lookup
    */
   public GenerationContext withPropertyFiles(Map<String, Map<String, String>> newFiles) {
     Map<String, Map<String, String>> files =
@@ -74,14 +73,14 @@ public record GenerationContext(
     return new GenerationContext(locator, earlier, properties, files, traits);
   }
 
-  /** The same with more traits. */
+  /** Returns this context with more traits. */
   public GenerationContext with(Set<Trait> others) {
     Set<Trait> more = new HashSet<>(traits);
     more.addAll(others);
     return new GenerationContext(locator, earlier, properties, propertyFiles, more);
   }
 
-  /** The same, and the result says which template lines and elements made which lines. */
+  /** Returns this context with tracing of lines to template lines and elements. */
   public GenerationContext withTrace() {
     return with(Set.of(Trait.TRACED));
   }
@@ -90,7 +89,10 @@ public record GenerationContext(
     return traits.contains(trait);
   }
 
-  /** What {@code getProperty('key')} gives: what is in no file, else the first file that has it. */
+  /**
+   * Returns the value of {@code getProperty('key')}: a property without a file, otherwise that of
+   * the first file with the key.
+   */
   public Optional<String> property(String key) {
     return Stream.concat(Stream.of(properties), propertyFiles.values().stream())
         .flatMap(each -> Optional.ofNullable(each.get(key)).stream())
@@ -98,9 +100,9 @@ public record GenerationContext(
   }
 
   /**
-   * What {@code getProperty('file', 'key')} gives.
+   * Returns the value of {@code getProperty('file', 'key')}.
    *
-   * @param file the name of a file, which may leave its ending out
+   * @param file the name of a file, with or without extension
    */
   public Optional<String> property(String file, String key) {
     return Stream.of(file, file + ".properties")

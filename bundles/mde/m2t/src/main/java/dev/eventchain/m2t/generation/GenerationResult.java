@@ -12,14 +12,14 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 
 /**
- * What a generation produced. Files are complete as far as the model allowed: each undefined value
- * is reported as an error.
+ * Result of a generation. Files are complete except for undefined values, each of which is reported
+ * as an error.
  *
- * @param files the content of each file, by its name relative to the output folder, in {@link
- *     OutputFolder#WRITING_ORDER}; every name is fit for {@link OutputFolder#write}
- * @param printed what blocks of the name {@code stdout} wrote, in order, if it is any text
- * @param diagnostics what was found on the way, in the order of generation
- * @param trace where the lines of the files come from, if the context asked for it
+ * @param files the contents by file name relative to the output folder, in {@link
+ *     OutputFolder#WRITING_ORDER}; every name is valid for {@link OutputFolder#write}
+ * @param printed the non-empty texts of blocks named {@code stdout}, in order
+ * @param diagnostics the findings, in the order of generation
+ * @param trace the origins of the lines of the files, if the context requests them
  */
 public record GenerationResult(
     SortedMap<String, byte[]> files,
@@ -27,16 +27,16 @@ public record GenerationResult(
     List<Diagnostic> diagnostics,
     GenerationTrace trace) {
 
-  /** What a block printed, and where it is. */
+  /** Text printed by a block, with the location of the block. */
   public record Printed(SourceLocation block, String text) {}
 
-  /** The id of the warning that a protected area of an earlier file is in no block. */
+  /** Id of the warning that a protected area of an earlier file is in no block. */
   public static final String LOST_AREA = "m2t.protected.lost";
 
-  /** What is found where a value is undefined, in a template or in a Java service. */
+  /** Ids of the findings about undefined values in templates and Java services. */
   private static final Set<String> UNDEFINED = Set.of("m2t.undefined", "m2t.service");
 
-  /** Takes copies. */
+  /** Copies the collections. */
   public GenerationResult {
     SortedMap<String, byte[]> ordered = new TreeMap<>(OutputFolder.WRITING_ORDER);
     ordered.putAll(files);
@@ -45,26 +45,23 @@ public record GenerationResult(
     diagnostics = List.copyOf(diagnostics);
   }
 
-  /** All that was printed, one after the other. */
+  /** Returns the concatenated printed texts. */
   public String printedText() {
     return printed.stream().map(Printed::text).collect(Collectors.joining());
   }
 
-  /**
-   * Whether the files are all that the templates write for the model: nothing is wrong but that
-   * values are undefined.
-   */
+  /** Returns whether the files are complete: there are no errors except undefined values. */
   public boolean isWhole() {
     return diagnostics.stream()
         .noneMatch(found -> found.severity() == Severity.ERROR && !UNDEFINED.contains(found.id()));
   }
 
-  /** What was found, for a caller that writes none of the files: no lost area was saved. */
+  /** Returns the findings for a caller that writes no files, so that no lost area is saved. */
   public List<Diagnostic> diagnosticsIfUnwritten() {
     return diagnostics.stream().filter(found -> !found.id().equals(LOST_AREA)).toList();
   }
 
-  /** The same with a warning, in place of an error, for each value that is undefined. */
+  /** Returns this result with warnings instead of errors for undefined values. */
   public GenerationResult lenient() {
     List<Diagnostic> milder =
         diagnostics.stream()

@@ -8,27 +8,27 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 /**
- * Which template lines and which model elements made which lines of the generated files. Immutable.
+ * Trace of the lines of generated files to template lines and model elements. Immutable.
  *
- * <p>A character's origin is the line of the template that its text is on, or that the tag is on
- * whose expression gave it; so a called template's lines count, and not the call's. What a {@code
- * post} expression gives keeps its origins if it is a part of the template's text, as after {@code
- * trim()}; otherwise all of it comes from the line of the {@code post} expression. The same holds
- * for a template whose text an expression works on, as in {@code x.name().toUpper()}: it comes from
- * the line of that tag. The element is the innermost {@code self} that is a model element.
- * Indentation that a call adds has no origin.
+ * <p>The origin of a character is the template line of its text, or of the tag whose expression
+ * produced it. Lines of a called template count, not the line of the call. If the result of a
+ * {@code post} expression is a part of the template's text, as after {@code trim()}, it keeps its
+ * origins; otherwise its origin is the line of the {@code post} expression. Likewise, if an
+ * expression processes the text of a template, as in {@code x.name().toUpper()}, the origin is the
+ * line of that tag. The element is the innermost {@code self} that is a model element. Indentation
+ * that a call adds has no origin.
  */
 public final class GenerationTrace {
 
-  /** The trace of a generation that noted nothing. */
+  /** Empty trace of a generation without tracing. */
   public static final GenerationTrace NONE = new GenerationTrace(Collections.emptySortedMap());
 
   /**
-   * What made some text.
+   * Origin of some text.
    *
-   * @param template the file of the template, and the line
-   * @param element the model element, as the generation's locator told where it is; {@link
-   *     SourceLocation#NONE} if there was none
+   * @param template the template file and the line
+   * @param element the location of the model element by the generation's locator; {@link
+   *     SourceLocation#NONE} if there is none
    */
   public record Origin(SourceLocation template, SourceLocation element)
       implements Comparable<Origin> {
@@ -46,11 +46,11 @@ public final class GenerationTrace {
    *
    * @param firstLine the first of them, from 1
    * @param lastLine the last of them
-   * @param origins sorted, each once, at least one
+   * @param origins the distinct origins, sorted; at least one
    */
   public record Segment(int firstLine, int lastLine, List<Origin> origins) {
 
-    /** Takes a copy. */
+    /** Copies the origins. */
     public Segment {
       origins = List.copyOf(origins);
     }
@@ -65,9 +65,9 @@ public final class GenerationTrace {
   }
 
   /**
-   * The lines of each file by its name relative to the output folder, in order; lines that the
-   * generation did not write, inside protected areas that were kept, are left out. Empty unless the
-   * generation was {@linkplain GenerationContext#withTrace() told} to trace.
+   * Returns the lines of each file by its name relative to the output folder, in order, without
+   * lines inside kept protected areas. Empty unless the generation was {@linkplain
+   * GenerationContext#withTrace() told} to trace.
    */
   public SortedMap<String, List<Segment>> files() {
     return files;

@@ -21,11 +21,11 @@ import java.util.Set;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.ocl.util.ObjectUtil;
 
-/** Operations on collections. Positions count from 1; one that is not found is -1. */
+/** Operations on collections. Positions count from 1; the position of a missing element is -1. */
 final class CollectionOperations {
   private static final ResultType SAME = Types::source;
 
-  /** The operation that takes elements of one type out. */
+  /** Name of the operation that selects elements of a type. */
   static final String FILTER = "filter";
 
   private CollectionOperations() {}
@@ -124,7 +124,10 @@ final class CollectionOperations {
     return new Row(name, source, List.of(arguments), result, body);
   }
 
-  /** A sequence of strings stays one with separators between; any other can hold anything. */
+  /**
+   * Returns the result type: a sequence of strings remains one with separators; others can hold
+   * anything.
+   */
   private static EClassifier textsOrAnything(Types types) {
     EClassifier elements = types.language().elementType(types.source()).orElseThrow();
     boolean texts = types.language().conforms(elements, types.text());
@@ -139,7 +142,7 @@ final class CollectionOperations {
     return ((Collection<?>) collection).size();
   }
 
-  /** How many elements to drop: at least none, at most all. */
+  /** Returns the number of elements to drop, limited to the size of the collection. */
   private static int count(Object collection, List<Object> arguments) {
     int wanted = ((Number) arguments.get(0)).intValue();
     return Math.max(0, Math.min(size(collection), wanted));
@@ -173,7 +176,7 @@ final class CollectionOperations {
     return result;
   }
 
-  /** What equal values of OCL have in common: 1 and 1.0 are equal. */
+  /** Returns a key that is the same for equal values of OCL, such as 1 and 1.0. */
   private static Object key(Object value) {
     return value instanceof Number number ? Double.valueOf(number.doubleValue() + 0.0) : value;
   }

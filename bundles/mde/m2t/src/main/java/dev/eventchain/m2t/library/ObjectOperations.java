@@ -65,7 +65,10 @@ final class ObjectOperations {
     addSelves(rows);
   }
 
-  /** Of one file or of all, and with a value for each {@code {0}}, {@code {1}} of its text. */
+  /**
+   * Adds lookups of properties, in one file or all, with values for {@code {0}}, {@code {1}} in
+   * their texts.
+   */
   private static void addProperties(List<Row> rows) {
     addProperty(rows, (a, run) -> run.property((String) a.get(0)), TEXT);
     addProperty(rows, (a, run) -> run.property((String) a.get(0), (String) a.get(1)), TEXT, TEXT);
@@ -110,7 +113,7 @@ final class ObjectOperations {
     return new MessageFormat(text, Locale.ROOT).format(values.stream().map(Texts::of).toArray());
   }
 
-  /** The values of self around an expression. */
+  /** Adds access to the values of self around an expression. */
   private static void addSelves(List<Row> rows) {
     rows.add(
         new Row(
@@ -134,7 +137,7 @@ final class ObjectOperations {
             (s, a, c) -> c.run().calls().selves().get(((Number) a.get(0)).intValue())));
   }
 
-  /** A way from an object to others: all of them, or those of a type. */
+  /** Adds a navigation from an object to others: to all of them, or those of a type. */
   private static void addWalk(
       List<Row> rows, String name, BiFunction<EObject, Call, Collection<EObject>> walk) {
     rows.add(

@@ -19,16 +19,16 @@ import org.eclipse.ocl.types.SequenceType;
 import org.eclipse.ocl.types.VoidType;
 
 /**
- * The non-standard operations of Acceleo templates, as a table: for each operation the kinds of its
- * source and arguments, the type of its result, and what it does. The rows stand in {@link
- * TextOperations}, {@link ObjectOperations} and {@link CollectionOperations}.
+ * Table of the non-standard operations of Acceleo templates: the kinds of source and arguments, the
+ * type of the result, and the implementation. The classes {@link TextOperations}, {@link
+ * ObjectOperations} and {@link CollectionOperations} contain the rows.
  */
 public final class OperationTable implements OperationLibrary {
 
-  /** What a source or an argument may be. */
+  /** Kind of a source or an argument. */
   enum Kind {
     TEXT,
-    /** A text, but not null alone, which is of every type. */
+    /** A text, excluding the type of null, which conforms to every type. */
     SURELY_TEXT,
     INTEGER,
     REAL,
@@ -41,7 +41,7 @@ public final class OperationTable implements OperationLibrary {
     ANY
   }
 
-  /** The types of a call, from which the type of its result follows. */
+  /** Types of a call, which determine the type of its result. */
   record Types(TypeSystem language, EClassifier source, List<EClassifier> arguments) {
     EClassifier text() {
       return language.type("String");
@@ -59,7 +59,7 @@ public final class OperationTable implements OperationLibrary {
       return language.sequenceOf(language.anyObject());
     }
 
-    /** The type that the first argument names. */
+    /** Returns the type that the first argument names. */
     EClassifier named() {
       return language.referredType(arguments.get(0)).orElse(language.any());
     }
@@ -69,19 +69,21 @@ public final class OperationTable implements OperationLibrary {
     }
   }
 
-  /** The type of a result. */
+  /** Function for the type of a result. */
   @FunctionalInterface
   interface ResultType {
     EClassifier of(Types types);
   }
 
-  /** What an operation does; a source or an argument that is null never gets here. */
+  /**
+   * Implementation of an operation; source and arguments are not null unless the row accepts null.
+   */
   @FunctionalInterface
   interface Body {
     Object call(Object source, List<Object> arguments, Call call);
   }
 
-  /** What an operation may need besides its source and arguments. */
+  /** Environment of an operation besides its source and arguments. */
   record Call(TypeSystem language, Evaluation evaluation) {
     GenerationRun run() {
       return evaluation.attachment(GenerationRun.class);
@@ -91,7 +93,7 @@ public final class OperationTable implements OperationLibrary {
       return language.isInstance(value, (EClassifier) type);
     }
 
-    /** As {@link #isInstance}, but an Integer is not a Real, and nothing is of OclAny itself. */
+    /** As {@link #isInstance}, but an Integer is no Real, and no value is of OclAny itself. */
     boolean isOfType(Object value, Object type) {
       if (Reals.isReal((EClassifier) type)) {
         return Reals.isRealNumber(value);
@@ -114,11 +116,12 @@ public final class OperationTable implements OperationLibrary {
   }
 
   /**
-   * A walk through the tokens of a text, which continues from call to call, and what is at work.
+   * Stateful operations: the tokenizer, which continues across calls, and the access to current
+   * elements.
    */
   private static final Set<String> STATEFUL = Set.of("strtok", "current");
 
-  /** By the name, in the order in which they were first named. */
+  /** Rows by name, in the order of first occurrence. */
   private static final Map<String, List<Row>> ROWS =
       Stream.of(TextOperations.rows(), ObjectOperations.rows(), CollectionOperations.rows())
           .flatMap(List::stream)
@@ -140,7 +143,7 @@ public final class OperationTable implements OperationLibrary {
     return Optional.empty();
   }
 
-  /** Those that are written like a name. */
+  /** Returns the names that are identifiers. */
   @Override
   public Collection<String> names() {
     return ROWS.keySet().stream().filter(name -> Character.isLetter(name.charAt(0))).toList();
@@ -158,7 +161,7 @@ public final class OperationTable implements OperationLibrary {
       return row.name().equals(CollectionOperations.FILTER);
     }
 
-    /** As {@code endOf} of the dialect. */
+    /** Returns an implementation as {@code endOf} of the dialect does. */
     public Optional<Implementation> endOnly(boolean first) {
       return TextOperations.endOnly(row.name(), row.arguments().size(), first)
           .map(

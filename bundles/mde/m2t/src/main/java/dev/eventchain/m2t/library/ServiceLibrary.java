@@ -44,7 +44,7 @@ public final class ServiceLibrary implements OperationLibrary {
     return language.elementType(type).isEmpty() && language.conforms(type, language.type("String"));
   }
 
-  /** A call of a service; what it gives is only known when it runs. */
+  /** Call of a service, whose result type is only known at run time. */
   public record Call(Services services) implements OperationLibrary.Implementation {
     @Override
     public Object call(Object source, List<Object> arguments, Evaluation run) {

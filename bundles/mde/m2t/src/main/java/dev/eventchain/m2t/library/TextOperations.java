@@ -22,7 +22,10 @@ import java.util.function.IntPredicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Operations on strings and numbers. Positions count from 1; one that is not found is -1. */
+/**
+ * Operations on strings and numbers. Positions count from 1; the position of a missing element is
+ * -1.
+ */
 final class TextOperations {
   private static final ResultType TO_TEXT = Types::text;
   private static final ResultType TO_TRUTH = Types::truth;
@@ -41,7 +44,7 @@ final class TextOperations {
     return rows;
   }
 
-  /** A text and anything else, in either order; of null the text is empty. */
+  /** Adds concatenations of a text and any value, in either order; null counts as empty text. */
   private static void addSums(List<Row> rows) {
     Body sum = (s, a, c) -> Texts.of(s) + Texts.of(a.get(0));
     for (Kind kind : List.of(ANY, COLLECTION)) {
@@ -69,7 +72,10 @@ final class TextOperations {
     addLaterPositions(rows);
   }
 
-  /** The second argument is where the search begins, or goes back from, counted from 0. */
+  /**
+   * Adds searches with a second argument: the start position of the forward or backward search,
+   * from 0.
+   */
   private static void addLaterPositions(List<Row> rows) {
     rows.add(
         row(
@@ -161,7 +167,7 @@ final class TextOperations {
     return new Row(name, TEXT, List.of(arguments), result, body);
   }
 
-  /** The regular expression that is the first argument, about to be applied to the text. */
+  /** Returns a matcher of the regular expression in the first argument on the text. */
   private static Matcher matcher(Object text, List<Object> arguments, OperationTable.Call call) {
     return call.run().pattern(text(arguments.get(0))).matcher(text(text));
   }
@@ -201,7 +207,10 @@ final class TextOperations {
         : Collections.list(new StringTokenizer(text(value), delimiters));
   }
 
-  /** The frequent case without a walk over each character. */
+  /**
+   * Splits a text at a single delimiter, which is the frequent case, without visiting each
+   * character.
+   */
   private static List<Object> tokens(String text, char delimiter) {
     List<Object> tokens = new ArrayList<>(4);
     int start = 0;
@@ -217,7 +226,7 @@ final class TextOperations {
     return tokens;
   }
 
-  /** What gives the first token only, or the last one. */
+  /** Returns an implementation for the first token only, or the last one. */
   static Optional<Body> endOnly(String operation, int arguments, boolean first) {
     return operation.equals("tokenize") && arguments == 1
         ? Optional.of((s, a, c) -> end(text(s), text(a.get(0)), first))

@@ -1,5 +1,4 @@
 /**
- * The operations that templates have besides those of OCL, and calls of Java services as one of
- * them. Knows no template.
+ * Operations of templates beyond OCL, including calls of Java services. Independent of templates.
  */
 package dev.eventchain.m2t.library;

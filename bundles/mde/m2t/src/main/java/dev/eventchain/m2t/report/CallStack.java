@@ -18,18 +18,18 @@ import java.util.stream.Collectors;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
 
-/** The calls and loops that a run is in, and the values of self around them. */
+/** Stack of the active calls and loops of a run, with their values of self. */
 public final class CallStack {
 
   private static final int CALLS_SHOWN = 8;
 
-  /** Enough to name all that call each other in turn. */
+  /** Number of innermost calls kept for findings, enough to name a cycle of calls. */
   private static final int CALLS_KEPT = 64;
 
-  /** How many characters take about as much memory as an element of a collection. */
+  /** Number of characters with about the memory of an element of a collection. */
   private static final int ELEMENT_WEIGHT = 8;
 
-  /** A call, and the expression it was made by; null for the first. */
+  /** A call with the calling expression, which is null for the first call. */
   private record Frame(Called called, List<Object> arguments, Expression caller, long weight) {}
 
   private final Evaluation evaluation;
@@ -39,8 +39,8 @@ public final class CallStack {
   private int selfCount;
 
   /**
-   * The calls at work, and the first element, when there was no more room; empty until then. How
-   * deep that is differs from run to run, so nothing that is said of it depends on which is last.
+   * The innermost calls at the time of a stack overflow; empty until then. The depth of an overflow
+   * differs between runs, so findings must not depend on the last call.
    */
   private List<Frame> kept = List.of();
 
@@ -51,7 +51,7 @@ public final class CallStack {
     this.evaluation = evaluation;
   }
 
-  /** How many calls there are, one in the other. */
+  /** Returns the depth of nested calls. */
   public int depth() {
     return frames.size();
   }
@@ -59,7 +59,7 @@ public final class CallStack {
   /**
    * Begins a call.
    *
-   * @param caller the expression that makes it; null if there is none
+   * @param caller the calling expression; null if there is none
    */
   public void enter(Called called, List<Object> arguments, Expression caller) {
     Frame frame = new Frame(called, arguments, caller, weightOf(arguments));
@@ -73,7 +73,7 @@ public final class CallStack {
     selfCount--;
   }
 
-  /** About how much memory the arguments of all calls take, in characters. */
+  /** Returns the approximate memory of the arguments of all calls, in characters. */
   public long weight() {
     return weight;
   }
@@ -92,8 +92,8 @@ public final class CallStack {
   }
 
   /**
-   * Remembers the calls at work, because there is no room to say here that they are too many. Only
-   * the first time counts: the calls that are left on the way out are those that led there.
+   * Keeps the active calls at a stack overflow, where there is no room to report it. Later calls of
+   * this method while the stack unwinds have no effect.
    */
   public void keep() {
     if (!kept.isEmpty()) {
@@ -111,26 +111,24 @@ public final class CallStack {
     kept = latest;
   }
 
-  /** How many calls there were when there was no more room; 0 if there always was. */
+  /** Returns the depth of calls at the stack overflow; 0 without one. */
   public int keptDepth() {
     return keptDepth;
   }
 
-  /** What calls itself until there was no more room; empty if there always was. */
+  /** Returns the callable whose recursion overflowed the stack; empty without an overflow. */
   public Optional<Called> tooDeep() {
     return kept.stream()
         .map(Frame::called)
         .min(Comparator.comparing(called -> called.place().location()));
   }
 
-  /** The arguments of the call at work. */
+  /** Returns the arguments of the current call. */
   public List<Object> arguments() {
     return frames.element().arguments();
   }
 
-  /**
-   * Makes room for the variables of a loop, and says where; {@link #nextItem} gives them values.
-   */
+  /** Allocates the variables of a loop and returns their position; {@link #nextItem} sets them. */
   public int enterLoop(Optional<String> variable) {
     int place = evaluation.bindings();
     evaluation.bind("self", null);
@@ -142,7 +140,7 @@ public final class CallStack {
     return place;
   }
 
-  /** Goes on with another item of a loop. */
+  /** Sets the variables of a loop to its next item. */
   public void nextItem(int place, Object item, int index, Optional<String> variable) {
     evaluation.rebind(place, item);
     evaluation.rebind(place + 1, index);
@@ -152,7 +150,7 @@ public final class CallStack {
     selves[selfCount - 1] = item == null ? "" : item;
   }
 
-  /** Passes over an item of a loop, of which no expression knows. */
+  /** Skips an item of a loop that no expression sees. */
   public void skipItem() {
     selves[selfCount - 1] = "";
   }
@@ -169,7 +167,7 @@ public final class CallStack {
     selves[selfCount++] = self;
   }
 
-  /** The values of self around the expression at work, from the innermost. */
+  /** Returns the values of self around the current expression, innermost first. */
   public List<Object> selves() {
     List<Object> found = new ArrayList<>(Arrays.asList(selves).subList(0, selfCount));
     Collections.reverse(found);
@@ -186,8 +184,8 @@ public final class CallStack {
   }
 
   /**
-   * The innermost self that is a model element, or the outermost where there was no more room; null
-   * if there is none.
+   * Returns the innermost self that is a model element, or the outermost after a stack overflow;
+   * null if there is none.
    */
   public EObject element() {
     if (!kept.isEmpty()) {
@@ -201,7 +199,7 @@ public final class CallStack {
     return null;
   }
 
-  /** Calls for people, each once: the latest from the innermost; empty if there are none. */
+  /** Returns the distinct innermost calls as text; empty if there are none. */
   String shown() {
     Set<String> calls = kept.isEmpty() ? new LinkedHashSet<>() : new TreeSet<>();
     for (Frame frame : kept.isEmpty() ? frames : kept) {

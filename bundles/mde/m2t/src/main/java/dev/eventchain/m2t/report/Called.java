@@ -2,12 +2,12 @@ package dev.eventchain.m2t.report;
 
 import dev.eventchain.m2t.syntax.Place;
 
-/** What a run calls, as findings name it. */
+/** A callable as named in findings. */
 public interface Called {
 
-  /** Its name. */
+  /** Returns the name. */
   String name();
 
-  /** Where it is declared. */
+  /** Returns the place of the declaration. */
   Place place();
 }

@@ -7,7 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Findings of a run. Of those that a loop repeats at one place only the first are kept. */
+/** Findings of a run. Of repeated findings at one location, only the first are kept. */
 final class Findings {
   private static final int KEPT = 20;
 

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.function.Function;
 import org.eclipse.emf.ecore.EObject;
 
-/** What a run finds, with the element at work and the calls on the way to it. */
+/** Report of a run: findings with the current element and the active calls. */
 public final class RunReport {
   private final Findings findings = new Findings();
   private final CallStack calls;
@@ -30,7 +30,7 @@ public final class RunReport {
     findings.add(finding);
   }
 
-  /** A warning for the element at work that may be added later. */
+  /** Returns a warning for the current element, which may be added later. */
   public Diagnostic warning(String id, SourceLocation location, String message, String hint) {
     return Diagnostic.warning(id, message, inModel(location)).withHint(withCalls(hint));
   }
@@ -46,7 +46,7 @@ public final class RunReport {
   /**
    * Reports that an expression has no value.
    *
-   * @param use what it was wanted for
+   * @param use the use of the value
    */
   public void undefined(Expression expression, Invalid invalid, Undefined use) {
     boolean placed = invalid.location().line() > 0;
@@ -70,7 +70,7 @@ public final class RunReport {
     return " for " + Texts.label(element) + (shown.isEmpty() ? "" : " (" + shown + ")");
   }
 
-  /** The path of an element in its file; empty if that is not known. */
+  /** Returns the path of an element in its file; empty if unknown. */
   public String nameOf(EObject element) {
     return locator.apply(element).element();
   }

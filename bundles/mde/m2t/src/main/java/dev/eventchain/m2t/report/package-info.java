@@ -1,4 +1,2 @@
-/**
- * Findings of a run, with the calls and the model element they belong to. Knows no step or file.
- */
+/** Findings of a run, with their calls and model element. Independent of steps and files. */
 package dev.eventchain.m2t.report;

@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 
-/** What a loop goes through: a collection's elements, a single value, or nothing for null. */
+/** Items of a loop: the elements of a collection, a single value, or nothing for null. */
 public final class Elements {
 
   private Elements() {}
 
-  /** The elements of a value, which may change meanwhile. */
+  /** Returns the elements of a value, which may change during iteration. */
   public static Collection<?> of(Object value) {
     if (value instanceof Collection<?> collection) {
       return new ArrayList<>(collection);
@@ -17,7 +17,7 @@ public final class Elements {
     return value == null ? List.of() : List.of(value);
   }
 
-  /** The same without a copy, for a walk through them at once. */
+  /** Returns the elements without a copy, for immediate iteration. */
   public static Collection<?> read(Object value) {
     return value instanceof Collection<?> collection ? collection : of(value);
   }

@@ -29,21 +29,26 @@ import java.util.SortedMap;
 import java.util.regex.Pattern;
 import org.eclipse.emf.ecore.EObject;
 
-/** The state of one generation: values, files, and what it is in. One thread. */
+/** State of one generation: values, files and active calls. For one thread. */
 public final class GenerationRun {
-  /** Calls that are fewer need no look at what they hold. */
+  /** Depth of calls from which their memory is checked. */
   private static final int MANY_CALLS = 1000;
 
-  /** The part of the memory that text and arguments of many calls may take, copies left out. */
+  /** Divisor of the heap size for the text and arguments of nested calls, without copies. */
   private static final int PART_OF_MEMORY = 16;
 
-  /** So many characters they may take at most; what has no end takes its time to get there. */
+  /**
+   * Limit for the text and arguments of nested calls in characters, because endless recursion needs
+   * long to fill more.
+   */
   private static final long MOST_HELD = 64L << 20;
 
-  /** More than that come from the model, and from there any number can come. */
+  /**
+   * Size of the pattern cache; more patterns come from the model, and their number is unbounded.
+   */
   private static final int MOST_PATTERNS = 256;
 
-  /** Generation cannot continue; the reason has been reported. */
+  /** Thrown if generation cannot continue, after the reason was reported. */
   public static final class StoppedException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
@@ -85,7 +90,7 @@ public final class GenerationRun {
     return evaluation;
   }
 
-  /** The calls and loops at work. */
+  /** Returns the active calls and loops. */
   public CallStack calls() {
     return calls;
   }
@@ -118,7 +123,7 @@ public final class GenerationRun {
     return context.property(file, key);
   }
 
-  /** The walk through the tokens of a text that {@code strtok} continues with. */
+  /** Returns the tokenizer of a text that {@code strtok} continues with. */
   public TokenWalk tokenWalk(String text, boolean restart) {
     if (restart) {
       tokenWalks.remove(text);
@@ -126,7 +131,7 @@ public final class GenerationRun {
     return tokenWalks.computeIfAbsent(text, TokenWalk::new);
   }
 
-  /** A regular expression, which is expensive to compile. */
+  /** Returns a compiled regular expression from a cache. */
   public Pattern pattern(String expression) {
     Pattern known = patterns.get(expression);
     if (known == null) {
@@ -139,7 +144,7 @@ public final class GenerationRun {
     return known;
   }
 
-  /** The instances of Java services whose methods are not static: one of each class. */
+  /** Returns the instances of Java services with non-static methods, one of each class. */
   public Map<Class<?>, Object> serviceInstances() {
     return serviceInstances;
   }
@@ -153,17 +158,17 @@ public final class GenerationRun {
     return context.has(Trait.LENIENT) ? result.lenient() : result;
   }
 
-  /** The value of an expression for some use; an invalid one has been reported. */
+  /** Evaluates an expression for some use; an invalid value has been reported. */
   public Object evaluate(Expression expression, Undefined use) {
     return evaluate(expression, use, null, false);
   }
 
-  /** {@link Expression#read}; where Java services may change the model, {@link #evaluate}. */
+  /** Does {@link Expression#read}, or {@link #evaluate} if Java services may change the model. */
   public Object read(Expression expression, Undefined use) {
     return evaluate(expression, use, null, !modelChanges);
   }
 
-  /** {@link Expression#evaluateCalls}; an invalid value has been reported. */
+  /** Does {@link Expression#evaluateCalls}; an invalid value has been reported. */
   public Object evaluateCalls(Expression expression, OperationLibrary.Implementation receiver) {
     return evaluate(expression, Undefined.TEXT, receiver, false);
   }
@@ -197,19 +202,19 @@ public final class GenerationRun {
     }
   }
 
-  /** Where the expression at work stands. */
+  /** Returns the location of the current expression. */
   public SourceLocation place() {
     return current == null ? SourceLocation.NONE : current.location();
   }
 
-  /** Whether a condition is true. */
+  /** Returns whether a condition is true. */
   public boolean holds(Expression condition) {
     return Boolean.TRUE.equals(condition(condition, Undefined.GUARD));
   }
 
   /**
-   * The value of a condition for some use: true, false, null, or an {@link Invalid}, which has been
-   * reported. What is none of them is reported, too, and counts as false.
+   * Evaluates a condition for some use to true, false, null, or an {@link Invalid}, which has been
+   * reported. Any other value is reported and counts as false.
    */
   public Object condition(Expression condition, Undefined use) {
     Object value = evaluate(condition, use);
@@ -224,12 +229,12 @@ public final class GenerationRun {
     return false;
   }
 
-  /** The values of queries. */
+  /** Returns the cached values of queries. */
   public KeptValues kept() {
     return kept;
   }
 
-  /** Begins a call, unless generation was stopped or what many calls hold grows too large. */
+  /** Begins a call, unless generation was stopped or nested calls take too much memory. */
   public void enter(Called called, List<Object> arguments) {
     if (stopped) {
       throw new StoppedException();
@@ -249,12 +254,12 @@ public final class GenerationRun {
     calls.leave();
   }
 
-  /** Appends what the expression at work gives, with some indentation after each line break. */
+  /** Appends a value of the current expression, with an indentation after each line break. */
   public void appendIndented(String text, String indentation) {
     writer.appendIndented(text, indentation, current);
   }
 
-  /** Reports why generation cannot continue; to be thrown. */
+  /** Reports why generation cannot continue, and returns the exception to throw. */
   public StoppedException stop(Invalid invalid) {
     if (calls.tooDeep().isPresent()) {
       return stopTooDeep();
@@ -269,8 +274,8 @@ public final class GenerationRun {
   }
 
   /**
-   * Reports that calls have been {@linkplain CallStack#keep kept}, so that generation cannot
-   * continue; to be thrown.
+   * Reports that generation cannot continue after calls were {@linkplain CallStack#keep kept}, and
+   * returns the exception to throw.
    */
   public StoppedException stopTooDeep() {
     Called called = calls.tooDeep().orElseThrow();
@@ -279,7 +284,7 @@ public final class GenerationRun {
         called.place().location());
   }
 
-  /** Whether calls are so many that a lack of memory is due to them. */
+  /** Returns whether calls are nested deeply enough to explain a lack of memory. */
   public boolean isTooDeep() {
     return calls.keptDepth() >= MANY_CALLS;
   }

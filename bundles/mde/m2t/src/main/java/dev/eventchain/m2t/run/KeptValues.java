@@ -10,15 +10,15 @@ import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
 
 /**
- * The values of queries in a run. Most queries are asked for a model element alone, and many of
- * them for the same one in succession; what is kept for an element is therefore in one place. A
- * table for each query would look in a different part of the memory for each of them.
+ * Cache of the values of queries in a run. Most queries have a model element as only argument, and
+ * many are called for the same element in succession. The values are therefore stored by element,
+ * which has better memory locality than a table for each query.
  */
 public final class KeptValues {
 
-  /** The places that a class gives the values of queries in its instances' tables. */
+  /** Indices of queries in the value tables of the instances of a class. */
   private static final class Places {
-    /** By the number of the query; one more than the place, 0 without one. */
+    /** Index plus one by the number of the query; 0 if there is none. */
     private int[] places = {};
 
     private int count;
@@ -36,7 +36,7 @@ public final class KeptValues {
     }
   }
 
-  /** What is kept for an element. */
+  /** Values kept for an element. */
   private static final class OfElement {
     private final BasicEObjectImpl element;
     private final Places places;
@@ -62,14 +62,14 @@ public final class KeptValues {
     }
   }
 
-  /** A call with something else than one element, and its value. */
+  /** A call with other arguments than one element, and its value. */
   private record OfCall(int query, Object call, Object value) {
     boolean is(int otherQuery, Object otherCall) {
       return query == otherQuery && Objects.equals(call, otherCall);
     }
   }
 
-  /** Enough for an element and what is around it. */
+  /** Number of recent elements, enough for an element and its neighbourhood. */
   private static final int RECENT = 256;
 
   private static final int RECENT_CALLS = 1024;
@@ -77,20 +77,20 @@ public final class KeptValues {
   private final Map<BasicEObjectImpl, OfElement> ofElements = new HashMap<>();
   private final Map<EClass, Places> places = new HashMap<>();
 
-  /** Elements that were asked for lately, each at a place that its hash gives. */
+  /** Recently used elements, indexed by hash. */
   private final OfElement[] recent = new OfElement[RECENT];
 
-  /** The values of calls with something else than one element, by the number of the query. */
+  /** Values of calls with other arguments than one element, by the number of the query. */
   private final List<Map<Object, Object>> others = new ArrayList<>();
 
-  /** Such calls that were asked for lately, each at a place that its hash gives. */
+  /** Recently used calls of that kind, indexed by hash. */
   private final OfCall[] recentCalls = new OfCall[RECENT_CALLS];
 
   /**
-   * The value that a call of a query had before; null if there was none.
+   * Returns the cached value of a call of a query; null if there is none.
    *
    * @param query the number of the query
-   * @param call the only argument, or the list of all
+   * @param call the only argument, or the list of all arguments
    */
   public Object get(int query, Object call) {
     if (call instanceof BasicEObjectImpl element) {
@@ -114,7 +114,7 @@ public final class KeptValues {
     return (hash ^ (hash >>> 16) ^ query * 31) & (RECENT_CALLS - 1);
   }
 
-  /** Keeps the value of a call, which is not null. */
+  /** Caches the value of a call, which must not be null. */
   public void put(int query, Object call, Object value) {
     if (call instanceof BasicEObjectImpl element) {
       OfElement kept = of(element);

@@ -13,7 +13,7 @@ import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.EcorePackage;
 import org.eclipse.emf.ecore.resource.Resource;
 
-/** What the operations on model elements ask of a model. */
+/** Model queries of the operations on model elements. */
 public final class ObjectQueries {
   private final Evaluation evaluation;
   private Map<EObject, Set<EObject>> referrers;
@@ -22,7 +22,9 @@ public final class ObjectQueries {
     this.evaluation = evaluation;
   }
 
-  /** The objects that refer to an object, containment left out, in the order of the model. */
+  /**
+   * Returns the objects that refer to an object, without containment, in the order of the model.
+   */
   public Collection<EObject> referrers(EObject object) {
     if (referrers == null) {
       referrers = new HashMap<>();
@@ -45,14 +47,14 @@ public final class ObjectQueries {
     }
   }
 
-  /** All objects that an object contains, at any depth, parents first. */
+  /** Returns all direct and indirect contents of an object, parents first. */
   public static List<EObject> allContents(EObject object) {
     List<EObject> contents = new ArrayList<>();
     object.eAllContents().forEachRemaining(contents::add);
     return contents;
   }
 
-  /** The containers of an object from the nearest on. */
+  /** Returns the containers of an object, nearest first. */
   public static List<EObject> ancestors(EObject object) {
     List<EObject> ancestors = new ArrayList<>();
     for (EObject each = object.eContainer(); each != null; each = each.eContainer()) {
@@ -61,7 +63,7 @@ public final class ObjectQueries {
     return ancestors;
   }
 
-  /** All objects that stand next to an object and the object itself, in their order. */
+  /** Returns an object and its siblings, in their order. */
   public static List<EObject> row(EObject object) {
     EObject container = object.eContainer();
     if (container != null) {

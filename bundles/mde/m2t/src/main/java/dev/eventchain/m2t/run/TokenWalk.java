@@ -1,6 +1,6 @@
 package dev.eventchain.m2t.run;
 
-/** A walk through the tokens of a text, whose delimiters may change on the way. */
+/** Tokenizer of a text, with delimiters that may change between tokens. */
 public final class TokenWalk {
   private final String text;
   private int position;
@@ -9,7 +9,7 @@ public final class TokenWalk {
     this.text = text;
   }
 
-  /** The next token; empty after the last. */
+  /** Returns the next token; empty after the last. */
   public String next(String delimiters) {
     while (position < text.length() && delimiters.indexOf(text.charAt(position)) >= 0) {
       position++;

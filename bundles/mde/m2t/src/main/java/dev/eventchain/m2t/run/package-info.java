@@ -1,5 +1,5 @@
 /**
- * The state of one generation: calls, kept values of queries, findings and files. Knows no step,
- * template or query.
+ * State of one generation: calls, cached values of queries, findings and files. Independent of
+ * steps, templates and queries.
  */
 package dev.eventchain.m2t.run;

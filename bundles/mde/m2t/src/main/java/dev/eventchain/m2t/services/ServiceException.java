@@ -1,6 +1,9 @@
 package dev.eventchain.m2t.services;
 
-/** A call of a Java service has no value; the message says why, after the name of the service. */
+/**
+ * Thrown if a call of a Java service has no value. The message starts with the name of the service
+ * and gives the reason.
+ */
 public final class ServiceException extends IllegalArgumentException {
   private static final long serialVersionUID = 1L;
 

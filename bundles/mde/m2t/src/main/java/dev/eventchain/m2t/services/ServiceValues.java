@@ -12,14 +12,14 @@ import java.util.Optional;
 import org.eclipse.emf.common.util.Enumerator;
 import org.eclipse.emf.ecore.EObject;
 
-/** Values of OCL as arguments of Java methods, and what these give as values of OCL. */
+/** Conversion of OCL values to arguments of Java methods, and of their results to OCL values. */
 public final class ServiceValues {
   private ServiceValues() {}
 
-  /** An argument, which may be null. */
+  /** Argument, which may be null. */
   record Argument(Object value) {}
 
-  /** The argument for a parameter of a type; empty if the type cannot take the value. */
+  /** Returns the argument for a parameter of a type; empty if the value does not fit. */
   static Optional<Argument> toJava(Object value, Class<?> type) {
     if (value == null) {
       return type.isPrimitive() ? Optional.empty() : Optional.of(new Argument(null));
@@ -61,11 +61,11 @@ public final class ServiceValues {
   }
 
   /**
-   * What a method gave, with numbers, characters, collections and arrays as OCL has them. Of an
-   * {@link Optional} that is what it holds, or null; of any other object it is the text.
+   * Returns the result of a method as an OCL value. Numbers, characters, collections and arrays are
+   * converted; an {@link Optional} gives its content or null; any other object gives its text.
    *
-   * @param shown names the method, at the start of a message
-   * @throws ServiceException if an object has no text, or one that is another in each run
+   * @param shown the name of the method, for the start of a message
+   * @throws ServiceException if an object has no text, or one that differs between runs
    */
   static Object toOcl(Object value, String shown) {
     if (isOcl(value)) {
@@ -113,7 +113,10 @@ public final class ServiceValues {
     return text;
   }
 
-  /** Whether there is more to the text of an object than the address that Java gives it. */
+  /**
+   * Returns whether the objects of a class have a text of their own, not the default with a hash
+   * code.
+   */
   private static boolean hasText(Class<?> type) {
     try {
       return type.getMethod("toString").getDeclaringClass() != Object.class;
@@ -122,7 +125,7 @@ public final class ServiceValues {
     }
   }
 
-  /** A value for a message. */
+  /** Returns a value for a message. */
   public static String shown(Object value) {
     if (value == null) {
       return "null";

@@ -14,9 +14,9 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * The Java methods that templates may call: the public ones of the classes that one class loader
- * has itself. What its parents have, such as the Java library, cannot be called, and no class of
- * theirs is initialised by naming it; nor can what classes inherit from them.
+ * Java methods that templates may call: the public ones of the classes that one class loader
+ * defines itself. Classes of its parents, such as the Java library, cannot be called or
+ * initialised, and methods inherited from them cannot be called.
  */
 public final class Services {
   private final Optional<ClassLoader> loader;
@@ -25,7 +25,7 @@ public final class Services {
     this.loader = loader;
   }
 
-  /** Whether anything can be called at all. */
+  /** Returns whether there are any services. */
   public boolean exist() {
     return loader.isPresent();
   }
@@ -33,9 +33,9 @@ public final class Services {
   /**
    * Calls a method.
    *
-   * @param signature {@code name(types)}, the types with or without their packages
-   * @param instances one of each class whose methods are not static; made when it is needed
-   * @return what the method gave, as a value of OCL
+   * @param signature the signature {@code name(types)}; packages of the types are optional
+   * @param instances the instances of classes with non-static methods; created on demand
+   * @return the result of the method as an OCL value
    * @throws ServiceException with the reason if there is no such method, it does not take these
    *     arguments, or it threw an exception
    */
@@ -59,7 +59,7 @@ public final class Services {
     } catch (IllegalAccessException e) {
       throw new ServiceException(shown + "is not accessible: its class is not public", e);
     } catch (RuntimeException | LinkageError | StackOverflowError e) {
-      // A library that the class needs is absent, for one, or the text of a value cannot be had.
+      // For example, a library of the class is missing, or the text of a value cannot be computed.
       throw failed(className, shown, e);
     }
   }
@@ -69,14 +69,14 @@ public final class Services {
         className.chars().allMatch(each -> each == '.' || Character.isJavaIdentifierPart(each));
     boolean isForeign = false;
     try {
-      // Nobody's class is initialised before it is known whose it is.
+      // No class is initialised before its class loader is known.
       Class<?> type = isName ? Class.forName(className, false, loader.orElseThrow()) : null;
       if (type != null && type.getClassLoader() == loader.get()) {
         return type;
       }
       isForeign = type != null;
     } catch (ClassNotFoundException e) {
-      // The same as a class that belongs to somebody else.
+      // Treated like a class of another class loader.
     }
     throw new ServiceException(
         shown
@@ -111,7 +111,10 @@ public final class Services {
     return found;
   }
 
-  /** A signature without white space and type arguments; unchanged if its brackets do not match. */
+  /**
+   * Returns a signature without white space and type arguments; unchanged if its brackets do not
+   * match.
+   */
   private static String withoutGenerics(String signature) {
     StringBuilder bare = new StringBuilder();
     int depth = 0;
@@ -235,7 +238,7 @@ public final class Services {
         cause);
   }
 
-  /** Where in the file of the service an exception was on its way, if it knows. */
+  /** Returns the line of the service in the stack trace of an exception, if known. */
   private static String line(String className, Throwable cause) {
     return Arrays.stream(cause.getStackTrace())
         .filter(each -> each.getClassName().replaceFirst("\\$.*", "").equals(className))
@@ -245,7 +248,7 @@ public final class Services {
         .orElse("");
   }
 
-  /** The message of an exception, whose class may be anybody's. */
+  /** Returns the message of an exception, whose class may be foreign code. */
   private static String message(Throwable cause) {
     try {
       return Optional.ofNullable(cause.getMessage()).orElse("");

@@ -1,2 +1,4 @@
-/** Calls of Java services and conversion of their arguments and results. Knows no template. */
+/**
+ * Calls of Java services and conversion of their arguments and results. Independent of templates.
+ */
 package dev.eventchain.m2t.services;

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
 
-/** Parses the blocks inside a template. The tokens are balanced, so blocks always end. */
+/** Parser of the blocks inside a template. The tokens are balanced, so blocks always end. */
 final class BlockParser {
   private static final Decoration NONE =
       new Decoration(
@@ -25,7 +25,7 @@ final class BlockParser {
   private final List<Syntax.Text> texts;
   private int next;
 
-  /** Whether the block that is read is in a protected area of its file. */
+  /** True if the current block is in a protected area of its file. */
   private boolean inArea;
 
   BlockParser(Problems problems, List<Token> tokens, List<Syntax.Text> texts) {
@@ -34,7 +34,7 @@ final class BlockParser {
     this.texts = texts;
   }
 
-  /** The index of the tag that closes the block opened at an index. */
+  /** Returns the index of the tag that closes the block opened at an index. */
   int closing(int open) {
     int depth = 0;
     for (int i = open; i < tokens.size(); i++) {
@@ -48,7 +48,7 @@ final class BlockParser {
     throw new IllegalStateException("unbalanced tokens");
   }
 
-  /** What is between a template's tags. */
+  /** Parses the body of a template. */
   List<Node> templateBody(int open) {
     next = open + 1;
     return body();
@@ -79,7 +79,7 @@ final class BlockParser {
     }
   }
 
-  /** The same for the inside a block that begins or ends a protected area. */
+  /** Reads the body of a block that begins or ends a protected area. */
   private List<Node> body(boolean area) {
     boolean outer = inArea;
     inArea = area;
@@ -103,7 +103,7 @@ final class BlockParser {
                 token.start(),
                 "[" + token.keyword() + "] is not supported.",
                 "Remove the tags [" + token.keyword() + "] and [/" + token.keyword() + "].");
-            // What is inside is looked at all the same.
+            // The body is checked all the same.
             yield Optional.of(new Syntax.If(token.start(), List.of(), body()));
           }
         };
@@ -132,11 +132,11 @@ final class BlockParser {
   }
 
   /**
-   * Where {@code before(...)}, {@code separator(...)}, {@code after(...)} or {@code {...}} start
-   * after a call: after a closing parenthesis and white space.
+   * Returns the offset where {@code before(...)}, {@code separator(...)} or {@code after(...)}
+   * start after a call: after a closing parenthesis and white space.
    */
   private int decorationStart(SourceRange span) {
-    // What is wrong with the expression itself is for the expression's parser to say.
+    // The expression's parser reports errors in the expression itself.
     Problems unheard = new Problems(problems.source(), new ArrayList<>());
     HeaderReader reader = new HeaderReader(unheard, span);
     while (!reader.atEnd()) {
@@ -296,10 +296,10 @@ final class BlockParser {
     return Optional.of(new Syntax.Protected(token.start(), id.get(), startPrefix, endPrefix, body));
   }
 
-  /** What follows the id on its line is read as a part of the id when the file is read again. */
+  /** Warns of text after the id, which is read as a part of the id when the file is read again. */
   private void warnOfTextBehindTheId(Token open, Token close) {
     String area = problems.source().text().substring(open.end(), close.start());
-    // What is apart from the id, such as the end of a comment, is known to be no part of it.
+    // Text apart from the id, such as the end of a comment, is known to be no part of it.
     if (area.indexOf('\n') < 0 || TEXT.matcher(area).lookingAt()) {
       problems.warning(
           "m2t.protected.id",

@@ -10,11 +10,11 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * Which tags make a block. Tags that fit nowhere are reported and dropped; blocks that are not
- * closed are reported and closed by the block around them, so that the rest can be checked.
+ * Balancer of block tags. Unmatched tags are reported and dropped; unclosed blocks are reported and
+ * closed by the enclosing block, so that the rest can be checked.
  */
 final class Blocks {
-  /** Deeper blocks would only be found in a template that a machine wrote to do harm. */
+  /** Greatest nesting depth; only malicious templates have deeper blocks. */
   static final int DEEPEST = 200;
 
   private static final Map<String, String> MIDDLE_OF = Map.of("elseif", "if", "elselet", "let");
@@ -27,7 +27,7 @@ final class Blocks {
     this.problems = problems;
   }
 
-  /** The tokens with every block closed properly. */
+  /** Returns the tokens with every block closed properly. */
   static List<Token> balanced(List<Token> tokens, Problems problems) {
     Blocks blocks = new Blocks(problems);
     boolean tooDeep = false;

@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Looks for brackets in the literal text of a template that have no partner: usually a {@code [}
- * that was forgotten, for it has to be written {@code ['['/]}. It reports nothing where the
- * brackets depend on conditions or are computed.
+ * Check for unpaired brackets in the literal text of a template: usually a missing {@code [}, which
+ * must be written {@code ['['/]}. It reports nothing if brackets depend on conditions or are
+ * computed.
  */
 public final class Brackets {
   private final String source;
@@ -22,7 +22,7 @@ public final class Brackets {
     this.source = source;
   }
 
-  /** Warns of the first bracket of a template, or of a file in it, that has no partner. */
+  /** Warns of the first unpaired bracket of a template, or of a file in it. */
   public static void check(List<Syntax.Node> body, Problems problems) {
     if (!new Brackets(problems.source().text()).isOnlyABracket(body)) {
       checkText(body, problems);
@@ -35,7 +35,10 @@ public final class Brackets {
     brackets.report(problems);
   }
 
-  /** A template whose whole text is a bracket means it: another one has the partner. */
+  /**
+   * Returns whether the whole text of a template is a bracket, which is intended: another template
+   * has the partner.
+   */
   private boolean isOnlyABracket(List<Syntax.Node> body) {
     StringBuilder whole = new StringBuilder();
     for (Syntax.Node node : body) {
@@ -100,7 +103,7 @@ public final class Brackets {
     }
   }
 
-  /** Only one of the branches is output; they must agree for anything to be known. */
+  /** Checks branches. Only one is output, so they must agree on their brackets. */
   private void branches(List<List<Syntax.Node>> bodies, Problems problems) {
     List<Brackets> outcomes = new ArrayList<>();
     for (List<Syntax.Node> body : bodies) {
@@ -120,7 +123,7 @@ public final class Brackets {
   }
 
   private void text(Syntax.Text text) {
-    // Only white space was taken from the text, so the brackets are those of the source.
+    // The text differs from the source in white space only, so the brackets are the same.
     int at = text.start();
     for (int i = text.text().indexOf(']'); i >= 0; i = text.text().indexOf(']', i + 1)) {
       at = source.indexOf(']', at);
@@ -166,8 +169,8 @@ public final class Brackets {
   }
 
   /**
-   * Whether the output has quotes around a place of its line, so that a bracket there is only
-   * mentioned: {@code if text == "]":}. Tags on the line count as nothing.
+   * Returns whether an offset is inside quotes on its line, so that a bracket there needs no
+   * partner: {@code if text == "]":}. Tags on the line are ignored.
    */
   private boolean isMentioned(int at) {
     int lineEnd = source.indexOf('\n', at) < 0 ? source.length() : source.indexOf('\n', at);
@@ -193,7 +196,7 @@ public final class Brackets {
     return found >= 0 && found < end;
   }
 
-  /** The offset after a tag. */
+  /** Returns the offset after a tag. */
   private int tagEnd(int start, int lineEnd) {
     boolean quoted = false;
     for (int i = start + 1; i < lineEnd; i++) {

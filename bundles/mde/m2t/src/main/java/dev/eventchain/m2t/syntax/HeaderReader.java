@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** Reads the inside one tag from left to right. */
+/** Reader of the content of one tag from left to right. */
 final class HeaderReader {
   private static final Set<String> LITERALS =
       Set.of("Set", "OrderedSet", "Bag", "Sequence", "Collection", "Tuple");
@@ -65,7 +65,7 @@ final class HeaderReader {
     return true;
   }
 
-  /** An identifier; nothing if there is none. */
+  /** Reads an identifier; empty if there is none. */
   Optional<Name> name() {
     skipSpace();
     int start = position;
@@ -77,7 +77,7 @@ final class HeaderReader {
         : Optional.of(new Name(text.substring(start, position), start));
   }
 
-  /** {@code a::b::c}; nothing if there is none. */
+  /** Reads a qualified name {@code a::b::c}; empty if there is none. */
   Optional<Name> qualifiedName() {
     Optional<Name> first = name();
     if (first.isEmpty()) {
@@ -91,7 +91,7 @@ final class HeaderReader {
     return Optional.of(new Name(whole.toString(), first.get().start()));
   }
 
-  /** {@code (...)}: what is between the parentheses; reports if there are none. */
+  /** Reads {@code (...)} and returns the content of the parentheses; reports missing ones. */
   Optional<SourceRange> parentheses(String what) {
     if (!at('(')) {
       problems.syntax(position, "Expected " + what + " in parentheses.", "");
@@ -108,7 +108,7 @@ final class HeaderReader {
     return Optional.of(inside);
   }
 
-  /** A condition up to variables in braces or the end, without the parentheses around all of it. */
+  /** Reads a condition up to variables in braces or the end, without enclosing parentheses. */
   Optional<SourceRange> condition() {
     int start = position();
     SourceRange whole = until("{");
@@ -124,7 +124,7 @@ final class HeaderReader {
     return around || (inside.isEmpty() && text.charAt(start) == '(') ? inside : Optional.of(whole);
   }
 
-  /** The rest up to one of some characters outside parentheses and quotes, or to the end. */
+  /** Reads up to one of some characters outside parentheses and quotes, or to the end. */
   SourceRange until(String stops) {
     skipSpace();
     int start = position;
@@ -143,7 +143,7 @@ final class HeaderReader {
     return problems.source().range(start, position).strip();
   }
 
-  /** Whether the brace at the position belongs to a literal such as {@code Sequence{1}}. */
+  /** Returns whether the brace at the position belongs to a literal such as {@code Sequence{1}}. */
   private boolean opensLiteral(int start) {
     int end = position;
     while (end > start && Character.isWhitespace(text.charAt(end - 1))) {
@@ -160,7 +160,7 @@ final class HeaderReader {
     return until("");
   }
 
-  /** {@code separator(...) before(...) after(...) ? (...) {...}} in any order. */
+  /** Reads {@code separator(...) before(...) after(...) ? (...) {...}} in any order. */
   Decoration decoration() {
     Optional<SourceRange> before = Optional.empty();
     Optional<SourceRange> separator = Optional.empty();
@@ -186,7 +186,7 @@ final class HeaderReader {
     return new Decoration(before, separator, after, guard, variables);
   }
 
-  /** {@code {name : type = value; name : type; ...}}; nothing if there are no braces. */
+  /** Reads {@code {name : type = value; name : type; ...}}; empty without braces. */
   List<Variable> variablesInBraces() {
     List<Variable> variables = new ArrayList<>();
     if (!at('{')) {
@@ -210,14 +210,14 @@ final class HeaderReader {
     return variables;
   }
 
-  /** {@code name : type = value} or {@code name : type}, up to a semicolon or the end. */
+  /** Reads {@code name : type = value} or {@code name : type}, up to a semicolon or the end. */
   private Optional<Variable> variableInBraces() {
     Optional<Variable> declared = variable("={;");
     boolean typed = declared.isPresent() && declared.get().type().isPresent();
     return typed && (at(';') || atEnd()) ? declared : withValue(declared);
   }
 
-  /** {@code name : type = value}, up to a semicolon or the end. */
+  /** Reads {@code name : type = value}, up to a semicolon or the end. */
   Optional<Variable> variableWithValue() {
     return withValue(variable("={;"));
   }
@@ -236,7 +236,7 @@ final class HeaderReader {
         new Variable(declared.get().name(), declared.get().type(), Optional.of(value)));
   }
 
-  /** {@code name : type} or {@code name}. */
+  /** Reads {@code name : type} or {@code name}. */
   Optional<Variable> variable(String stops) {
     Optional<Name> name = name();
     if (name.isEmpty()) {
@@ -256,7 +256,7 @@ final class HeaderReader {
     return Optional.of(new Variable(name.get(), type, Optional.empty()));
   }
 
-  /** {@code (name : type, ...)}. */
+  /** Reads {@code (name : type, ...)}. */
   List<Variable> parameters() {
     Optional<SourceRange> inside = parentheses("the parameters");
     List<Variable> parameters = new ArrayList<>();

@@ -22,12 +22,13 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
-/** Reads a module and all those that it imports or extends. */
+/** Loader of a module and all modules that it imports or extends. */
 public final class ModuleLoader {
   /**
    * A module that was read.
    *
-   * @param names the modules that it names, as {@link #load} has them; what is missing is an error
+   * @param names the modules by the names used in it, as keys of {@link #load}; a missing one is an
+   *     error
    */
   public record Loaded(Syntax.Module syntax, Problems problems, Map<String, String> names) {}
 
@@ -45,7 +46,7 @@ public final class ModuleLoader {
     this.found = found;
   }
 
-  /** All modules by the names of their texts; the main one first. */
+  /** Returns all modules by the names of their texts; the main one first. */
   public static Map<String, Loaded> load(
       SourceText main, ModuleSources sources, List<Diagnostic> found) {
     ModuleLoader loader = new ModuleLoader(sources, found);
@@ -54,7 +55,8 @@ public final class ModuleLoader {
   }
 
   /**
-   * Reads a file as UTF-8, or as what its first tag says: {@code [comment encoding = NAME /]}.
+   * Reads a file as UTF-8, or in the encoding that its first tag states: {@code [comment encoding =
+   * NAME /]}.
    *
    * @throws DiagnosticException INPUT if it cannot be read, is not in that encoding, or there is no
    *     such encoding
@@ -82,7 +84,7 @@ public final class ModuleLoader {
         DiagnosticException.Reason.INPUT, Diagnostic.error(id, message, place));
   }
 
-  /** The encoding that a file says it has; nothing if it does not, or cannot be read. */
+  /** Returns the encoding declared in a file; empty if there is none or the file is unreadable. */
   private static String encoding(Path file) {
     if (!Files.isRegularFile(file)) {
       return "";
@@ -116,7 +118,7 @@ public final class ModuleLoader {
       }
       return;
     }
-    // The file of a module need not be called like it.
+    // The file of a module may have another name.
     Loaded main = modules.values().iterator().next();
     Stream.of(importing, main)
         .filter(each -> each.syntax().name().equals(name.text()))

@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Parses a file: its declarations, and its templates with the help of {@link BlockParser}. */
+/** Parser of a file: its declarations, and its templates by {@link BlockParser}. */
 final class ModuleParser {
   private static final String HEADER_HINT =
       "A file starts with [module name('namespace of the metamodel')].";
@@ -38,7 +38,7 @@ final class ModuleParser {
     this.blocks = new BlockParser(problems, tokens, texts);
   }
 
-  /** The tree of a file: of all that could be understood, if there are problems. */
+  /** Returns the tree of a file, without invalid parts. */
   static Syntax.Module parse(Problems problems) {
     warnOfMixedLineEnds(problems);
     int nul = problems.source().text().indexOf('\0');
@@ -92,7 +92,7 @@ final class ModuleParser {
         List.copyOf(queries));
   }
 
-  /** Text between templates is a remark, but a tag there was meant for something. */
+  /** Reports an expression between templates, where only text is allowed, as a remark. */
   private void strayExpression(Token token) {
     String word = reader(token).name().map(Name::text).orElse("");
     String meant = NearestName.question(word, TOP_LEVEL);

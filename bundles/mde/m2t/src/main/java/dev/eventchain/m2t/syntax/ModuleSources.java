@@ -4,24 +4,25 @@ import dev.eventchain.diagnostics.SourceText;
 import java.util.Optional;
 import java.util.function.Function;
 
-/** Finds the modules that others import or extend. */
+/** Resolver of the modules that others import or extend. */
 @FunctionalInterface
 public interface ModuleSources {
 
   /**
-   * The text of a module. Texts of one name are one module, whichever names lead to it.
+   * Returns the text of a module. Texts with equal names are one module, even if found by different
+   * names.
    *
-   * @param importing the module that names it
-   * @param name the name as it is written there: {@code a::b}
+   * @param importing the importing module
+   * @param name the name as written there: {@code a::b}
    */
   Optional<SourceText> find(Syntax.Module importing, SourceText source, String name);
 
-  /** Modules that have the same name everywhere. */
+  /** Returns a resolver in which names do not depend on the importing module. */
   static ModuleSources everywhere(Function<String, Optional<SourceText>> sources) {
     return (importing, source, name) -> sources.apply(name);
   }
 
-  /** These, and others where these have none of a name. */
+  /** Returns a resolver that falls back to another one. */
   default ModuleSources or(ModuleSources others) {
     return (importing, source, name) ->
         find(importing, source, name).or(() -> others.find(importing, source, name));

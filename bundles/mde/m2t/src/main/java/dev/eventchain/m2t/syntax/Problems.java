@@ -4,11 +4,11 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.List;
 
-/** Collects what the stages of one compilation unit find wrong with it. */
+/** Collector of the findings about one compilation unit. */
 public record Problems(SourceText source, List<Diagnostic> found) {
   static final String SYNTAX = "m2t.syntax";
 
-  /** A file with more is not a template. */
+  /** Greatest number of problems; a file with more is not a template. */
   private static final int MOST = 1000;
 
   public void syntax(int offset, String message, String hint) {
@@ -24,7 +24,7 @@ public record Problems(SourceText source, List<Diagnostic> found) {
     }
   }
 
-  /** Whether no more problems are listed, so that looking for them is in vain. */
+  /** Returns whether the limit of problems is reached, so that further checks are useless. */
   boolean areTooMany() {
     return found.size() > MOST;
   }

@@ -1,11 +1,11 @@
 package dev.eventchain.m2t.syntax;
 
-/** String literals of OCL, as far as finding their end goes. */
+/** Search for the end of OCL string literals. */
 final class Quotes {
   private Quotes() {}
 
   /**
-   * The closing quote of the literal that opens at an offset.
+   * Returns the offset of the closing quote of a literal.
    *
    * @return -1 if the literal does not end on its line
    */

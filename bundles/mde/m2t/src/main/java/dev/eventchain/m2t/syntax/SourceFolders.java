@@ -15,46 +15,46 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
- * Modules in files: {@code a::b} is {@code a/b.mtl} below a source root. A root is a folder that
- * people named, the one that the importing module's own qualified name begins in, or the one that
- * has a folder {@code a} in which the importing file is. Otherwise it is {@code a/b.mtl} or {@code
- * b.mtl} next to the importing file or the main one, as is {@code b}; or {@code a/b.mtl} next to
- * the folder of the file.
+ * Modules in files: {@code a::b} is {@code a/b.mtl} below a source root. A root is a folder named
+ * by the user, the root of the importing module's own qualified name, or a folder with a subfolder
+ * {@code a} around the importing file. Otherwise {@code a::b} is {@code a/b.mtl} or {@code b.mtl}
+ * next to the importing file or the main one, as is {@code b}; or {@code a/b.mtl} next to the
+ * folder of the file.
  */
 public final class SourceFolders implements ModuleSources {
-  /** What makes a folder a project. Nothing around it has a say in what its files mean. */
+  /** Files that mark a folder as a project. Folders around it do not affect the resolution. */
   private static final List<String> PROJECT_FILES =
       List.of(".project", "META-INF", "pom.xml", "eventchain.yaml");
 
-  /** The folder of a file and the one around it: as far as one looks where there is no project. */
+  /** Number of folders searched outside projects: the folder of a file and its parent. */
   private static final int NEAR = 2;
 
   private final Path main;
   private final List<Path> roots;
 
-  /** By the names of their texts. */
+  /** Files by the names of their texts. */
   private final Map<String, Path> files = new HashMap<>();
 
-  /** By their absolute names: one file that is reached in several ways is one module. */
+  /** Texts by absolute paths: a file that is reached in several ways is one module. */
   private final Map<Path, SourceText> texts = new HashMap<>();
 
   /**
-   * Reads nothing yet.
+   * Creates a resolver without reading files.
    *
    * @param main the file of the main module
-   * @param roots the source roots that people named
+   * @param roots the source roots named by the user
    */
   public SourceFolders(Path main, List<Path> roots) {
     this.main = main.normalize();
     this.roots = List.copyOf(roots);
   }
 
-  /** The text of the main module. */
+  /** Returns the text of the main module. */
   public SourceText main() {
     return read(main);
   }
 
-  /** The files that were read, in no order. */
+  /** Returns the files that were read, in no order. */
   public Set<Path> files() {
     return Set.copyOf(files.values());
   }
@@ -67,9 +67,8 @@ public final class SourceFolders implements ModuleSources {
   }
 
   /**
-   * Finds {@code a::b} in the other folders that the importing file or the main one is in, up to
-   * their project's or a source root. Nobody named these folders, so it is for what is nowhere
-   * else.
+   * Finds {@code a::b} in the other folders around the importing file or the main one, up to their
+   * project or a source root. This is the last resort, because the user did not name these folders.
    */
   public Optional<SourceText> findAbove(Syntax.Module importing, SourceText source, String name) {
     Path from = fileOf(source);
@@ -89,8 +88,8 @@ public final class SourceFolders implements ModuleSources {
   }
 
   /**
-   * A qualified name never means the importing file, and the main one only if its path says so:
-   * {@code shipped::main} in {@code main.mtl} is another module.
+   * Returns candidates for a qualified name. It never refers to the importing file, and to the main
+   * file only if the path matches: {@code shipped::main} in {@code main.mtl} is another module.
    */
   private Stream<Path> qualified(Syntax.Module importing, Path from, String name) {
     Set<Path> folders = new LinkedHashSet<>(roots);
@@ -122,7 +121,7 @@ public final class SourceFolders implements ModuleSources {
     return name.replace("::", "/") + ".mtl";
   }
 
-  /** The folder of a file, and the source roots that a name and the names of folders imply. */
+  /** Returns the folder of a file, and the source roots implied by the first segment of a name. */
   private static Stream<Path> ownOrRoot(Path file, String name) {
     String first = name.substring(0, name.indexOf("::"));
     List<Path> all = around(file);
@@ -132,7 +131,7 @@ public final class SourceFolders implements ModuleSources {
         .mapToObj(inside::get);
   }
 
-  /** The folders that a file is in, as far up as its modules may be without being named. */
+  /** Returns the folders around a file that are searched without being named. */
   private List<Path> reach(Syntax.Module importing, Path file) {
     List<Path> all = around(file);
     return upTo(all, folder -> isProject(folder) || isNamed(folder))
@@ -156,7 +155,7 @@ public final class SourceFolders implements ModuleSources {
     return roots.stream().anyMatch(root -> root.toAbsolutePath().normalize().equals(absolute));
   }
 
-  /** The folder of a file and all that it is in, under the names that people know them by. */
+  /** Returns the folder of a file and its parents, under their displayed names. */
   private static List<Path> around(Path file) {
     List<Path> folders = new ArrayList<>();
     Path folder = file.resolveSibling("");
@@ -168,7 +167,10 @@ public final class SourceFolders implements ModuleSources {
     return folders;
   }
 
-  /** Where the qualified name of a module begins, if that is the end of the name of its file. */
+  /**
+   * Returns the root of the qualified name of a module, if the path of its file ends with that
+   * name.
+   */
   private static Optional<Path> ownRoot(Syntax.Module module, Path file) {
     Path own = Path.of(path(module.name()));
     Path absolute = file.toAbsolutePath().normalize();

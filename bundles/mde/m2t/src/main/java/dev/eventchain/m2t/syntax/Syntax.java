@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The syntax tree of a template file. Immutable; white space is settled; expressions are still the
- * places where they are. Offsets are those of the file.
+ * Syntax tree of a template file. Immutable; white space is normalised; expressions are unparsed
+ * source ranges. Offsets are those of the file.
  */
 public final class Syntax {
   private Syntax() {}
 
-  /** A file. */
+  /** A template file. */
   public record Module(
       String name,
       int start,
@@ -21,17 +21,19 @@ public final class Syntax {
       List<Template> templates,
       List<Query> queries) {}
 
-  /** A name and where it is. */
+  /** A name and its offset. */
   public record Name(String text, int start) {}
 
-  /** Who may call a template or query. */
+  /** Visibility of a template or query. */
   public enum Visibility {
     PUBLIC,
     PROTECTED,
     PRIVATE
   }
 
-  /** {@code name : type}, or {@code name : type = value}; the type may be left to the value. */
+  /**
+   * {@code name : type}, or {@code name : type = value}; the type may be inferred from the value.
+   */
   public record Variable(Name name, Optional<SourceRange> type, Optional<SourceRange> value) {}
 
   /** {@code [template ...]...[/template]}. */
@@ -54,13 +56,13 @@ public final class Syntax {
       SourceRange type,
       SourceRange value) {}
 
-  /** What a template's body is made of. */
+  /** A node of a template's body. */
   public sealed interface Node {
-    /** Where the node's tag starts. */
+    /** Returns the offset of the node's tag. */
     int start();
   }
 
-  /** Text that is output as it is. */
+  /** Literal text. */
   public record Text(int start, String text) implements Node {}
 
   /** {@code [value/]}. */
@@ -69,7 +71,7 @@ public final class Syntax {
   /** {@code [super/]}. */
   public record Super(int start) implements Node {}
 
-  /** What goes around and between the parts of a repeated output. */
+  /** Text around and between the items of a repeated output. */
   public record Decoration(
       Optional<SourceRange> before,
       Optional<SourceRange> separator,
@@ -77,7 +79,7 @@ public final class Syntax {
       Optional<SourceRange> guard,
       List<Variable> variables) {}
 
-  /** {@code [for (variable | items) ...]}; without a variable, self and i are all there is. */
+  /** {@code [for (variable | items) ...]}; without a variable, only self and i are defined. */
   public record For(
       int start,
       Optional<Variable> variable,
@@ -89,14 +91,14 @@ public final class Syntax {
   /** {@code [if] [elseif] [else]}. */
   public record If(int start, List<Branch> branches, List<Node> otherwise) implements Node {}
 
-  /** A condition, what it guards, and where its tag starts. */
+  /** A condition, its body, and the offset of its tag. */
   public record Branch(
       int start, SourceRange condition, List<Variable> variables, List<Node> body) {}
 
   /** {@code [let] [elselet] [else]}. */
   public record Let(int start, List<Binding> bindings, List<Node> otherwise) implements Node {}
 
-  /** A variable that its type must suit, the body that sees it, and where its tag starts. */
+  /** A variable whose type must accept the value, its body, and the offset of its tag. */
   public record Binding(int start, Variable variable, List<Variable> variables, List<Node> body) {}
 
   /** {@code [file (name, mode, charset)]}. */

@@ -1,12 +1,12 @@
 package dev.eventchain.m2t.syntax;
 
 /**
- * The end of a tag. Brackets inside quotes do not count; another opening bracket or the end of a
- * line inside quotes means that the tag was not closed.
+ * End of a tag. Brackets inside quotes do not count; another opening bracket or the end of a line
+ * inside quotes means that the tag is not closed.
  *
- * @param found whether there is a closing bracket
- * @param offset the closing bracket, or else where reading should continue
- * @param openQuote the quote that was not closed, or -1
+ * @param found true if there is a closing bracket
+ * @param offset the offset of the closing bracket, otherwise of the continuation
+ * @param openQuote the offset of the unclosed quote, or -1
  */
 record TagEnd(boolean found, int offset, int openQuote) {
 

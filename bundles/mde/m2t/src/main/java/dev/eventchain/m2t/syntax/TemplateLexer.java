@@ -10,18 +10,20 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/** Splits a template file into text and tags. Knows which tag is which, not how they nest. */
+/**
+ * Lexer that splits a template file into text and tags. It recognises tags, but not their nesting.
+ */
 final class TemplateLexer {
   private static final List<String> BLOCKS =
       List.of("template", "for", "if", "let", "file", "protected", "trace", "macro");
   private static final List<String> MIDDLES = List.of("elseif", "else", "elselet");
   private static final List<String> DECLARATIONS = List.of("module", "import", "query");
 
-  /** All of these, of which equally near ones to a misspelt one are tried in this order. */
+  /** All keywords, in the order of precedence for suggestions. */
   private static final List<String> KEYWORDS =
       Stream.of(BLOCKS, MIDDLES, DECLARATIONS).flatMap(List::stream).toList();
 
-  /** Keywords with which an OCL expression can start as well. */
+  /** Keywords that can also start an OCL expression. */
   private static final Set<String> EXPRESSION_KEYWORDS = Set.of("if", "let");
 
   private static final String BRACKET_HINT = "A bracket that is meant as text is written ['['/].";
@@ -61,7 +63,7 @@ final class TemplateLexer {
     return List.copyOf(tokens);
   }
 
-  /** Whether a tag is a whole template: {@code [template public t(c : C)/]}. */
+  /** Returns whether a tag is a whole template: {@code [template public t(c : C)/]}. */
   private boolean isEmptyTemplate(Token tag) {
     return tag.kind() == Kind.OPEN
         && tag.keyword().equals("template")
@@ -87,7 +89,7 @@ final class TemplateLexer {
     return keyword.isEmpty() ? expression(start, start + 1) : keywordTag(start, keyword, nameEnd);
   }
 
-  /** The keyword of a tag, or nothing when the name is the start of an expression. */
+  /** Returns the keyword of a tag; empty if the name starts an expression. */
   private String keywordAt(int nameStart, int nameEnd) {
     String name = text.substring(nameStart, nameEnd);
     boolean known =
@@ -150,7 +152,10 @@ final class TemplateLexer {
     return token(Kind.EXPRESSION, "", start, end, contentStart, slash);
   }
 
-  /** The slash before the end of a tag, with white space between the two or without; else -1. */
+  /**
+   * Returns the offset of the slash before the end of a tag, with optional white space between;
+   * otherwise -1.
+   */
   private int slash(int contentStart, TagEnd end) {
     int last = end.offset() - 1;
     while (last > contentStart && Character.isWhitespace(text.charAt(last))) {
@@ -159,7 +164,7 @@ final class TemplateLexer {
     return last >= contentStart && text.charAt(last) == '/' ? last : -1;
   }
 
-  /** The tag of a block whose keyword has a mistake, which is reported. */
+  /** Returns the tag of a block with a misspelt keyword, which is reported. */
   private Optional<Token> misspelt(int start, int contentStart, TagEnd end) {
     int nameStart = skipSpace(contentStart);
     int nameEnd = endOfName(nameStart);
@@ -208,7 +213,7 @@ final class TemplateLexer {
     return broken(start, tagged ? end + 1 : nameEnd);
   }
 
-  /** A comment in one tag, or from a tag of any text to {@code [/comment]}. */
+  /** Reads a comment in one tag, or up to {@code [/comment]}. */
   private Token comment(int start, int nameEnd) {
     int slashEnd = next("/]", nameEnd);
     int plainEnd = next("]", nameEnd);
@@ -245,7 +250,7 @@ final class TemplateLexer {
     return new Token(Kind.COMMENT, "comment", start, end + closer.length(), contentStart, end);
   }
 
-  /** Where a text is found next; each part of the file is searched once for each text. */
+  /** Returns the next offset of a text; each part of the file is searched once for each text. */
   private int next(String wanted, int from) {
     Integer known = found.get(wanted);
     if (known == null || (known >= 0 && known < from)) {

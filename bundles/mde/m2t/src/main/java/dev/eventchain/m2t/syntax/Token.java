@@ -6,14 +6,14 @@ import dev.eventchain.diagnostics.SourceText;
 /**
  * A piece of a template file: text between tags, or a tag.
  *
- * @param keyword what the tag is about: {@code for} for {@code [for (...)]} and {@code [/for]}
- * @param start offset of the first character
- * @param end offset after the last character
- * @param contentStart where a tag's content starts, after its keyword
- * @param contentEnd where it ends, before {@code ]} or {@code /]}
+ * @param keyword the keyword of the tag: {@code for} for {@code [for (...)]} and {@code [/for]}
+ * @param start the offset of the first character
+ * @param end the offset after the last character
+ * @param contentStart the offset where a tag's content starts, after its keyword
+ * @param contentEnd the offset where it ends, before {@code ]} or {@code /]}
  */
 record Token(Kind kind, String keyword, int start, int end, int contentStart, int contentEnd) {
-  /** What a piece is. */
+  /** Kind of a token. */
   enum Kind {
     TEXT,
     EXPRESSION,
@@ -26,7 +26,7 @@ record Token(Kind kind, String keyword, int start, int end, int contentStart, in
     MIDDLE,
     /** The last tag of a block. */
     CLOSE,
-    /** A tag that was reported already. */
+    /** An invalid tag that was reported. */
     BROKEN
   }
 
@@ -34,7 +34,7 @@ record Token(Kind kind, String keyword, int start, int end, int contentStart, in
     return new Token(Kind.TEXT, "", start, end, start, end);
   }
 
-  /** What is in a tag after its keyword. */
+  /** Returns the content of a tag after its keyword. */
   SourceRange content(SourceText source) {
     return source.range(contentStart, contentEnd);
   }

@@ -7,32 +7,31 @@ import java.util.Deque;
 import java.util.List;
 
 /**
- * Decides what of the white space around tags is output, once for a template. The rules are those
- * that Acceleo 3.7.11 was seen to follow. A tag's {@link Role} says which of them hold for it:
+ * Normaliser of the white space around tags, run once for a template. The rules were observed in
+ * Acceleo 3.7.11. The {@link Role} of a tag selects the rules:
  *
  * <ul>
- *   <li>A tag takes the <b>rest of its line</b> after it, with the line break, if nothing but white
- *       space is there ({@link #takenBehind}).
+ *   <li>A tag takes the <b>rest of its line</b> with the line break if that is blank: {@link
+ *       #takenBehind}.
  *   <li>A tag takes the <b>indentation</b> before it, if nothing but white space is between it and
  *       the tag or the line break before ({@link #takenBefore}).
  *   <li>A template's <b>last line break</b> is dropped ({@link #withoutLastBreak}).
  * </ul>
  *
- * What is between two tags is one text, and no rule looks beyond the two: a text is cut at its
- * start by the tag before it, and at its end by the tag after it.
+ * The rules only consider two adjacent tags and the text between them: the tag before cuts its
+ * start, and the tag after cuts its end.
  */
 final class WhiteSpace {
-  /** How a tag treats the white space around it. */
+  /** Treatment of the white space around a tag. */
   private enum Role {
-    /** An expression, or a tag of a block on one line: takes nothing, as the text it stands for. */
+    /** An expression, or a tag of a block on one line: takes nothing, like text. */
     SPEAKING,
     /**
-     * A comment, or a tag of a block on one line with nothing in it. Takes the rest of its line if
-     * its line starts blank; takes the indentation before it unless an expression, or the like, is
-     * what that indents.
+     * A comment, or a tag of an empty block on one line. Takes the rest of its line if its line
+     * starts blank; takes the indentation before it unless a speaking tag follows.
      */
     SILENT,
-    /** Ends a block on one line with white space: takes the rest of its line as a silent one. */
+    /** Ends a block on one line with white space: takes the rest of its line like a silent tag. */
     TRAILING,
     /** Begins a body over several lines: takes the rest of its line and the indentation. */
     BEGINNING,
@@ -41,7 +40,7 @@ final class WhiteSpace {
      * starts blank, or if it is nothing but white space up to the next tag.
      */
     ENDING,
-    /** A tag of a protected area over several lines: a line of the output, with no indentation. */
+    /** A tag of a protected area over several lines: a line of the output without indentation. */
     AREA;
 
     boolean takesIndentation() {
@@ -53,7 +52,7 @@ final class WhiteSpace {
   private final List<Token> tokens;
   private final Role[] roles;
 
-  /** For each tag, whether its line starts blank: with nothing but white space and silent tags. */
+  /** True for each tag whose line starts blank, with only white space and silent tags. */
   private final boolean[] startsBlank;
 
   private WhiteSpace(String source, List<Token> tokens) {
@@ -64,10 +63,10 @@ final class WhiteSpace {
   }
 
   /**
-   * The output of each token that is text, and where it starts.
+   * Returns the output of each text token with its offset.
    *
    * @param tokens balanced tokens
-   * @return for each token its text; empty for tags
+   * @return the text of each token; empty for tags
    */
   static List<Syntax.Text> normalise(String source, List<Token> tokens) {
     WhiteSpace whiteSpace = new WhiteSpace(source, tokens);
@@ -95,7 +94,7 @@ final class WhiteSpace {
     return new Syntax.Text(token.start() + from, whole.substring(from, to));
   }
 
-  /** How much of the text after a tag goes with it. */
+  /** Returns the length of the text after a tag that it takes. */
   private int takenBehind(int tag, String text) {
     Role role = roles[tag];
     int rest = text.indexOf('\n') + 1;
@@ -108,7 +107,7 @@ final class WhiteSpace {
     };
   }
 
-  /** Where the part of the text before a tag starts that goes with it. */
+  /** Returns the offset from which the text before a tag is taken. */
   private int takenBefore(int tag, String text) {
     int indentation = text.lastIndexOf('\n') + 1;
     boolean takes =
@@ -116,7 +115,10 @@ final class WhiteSpace {
     return takes && text.substring(indentation).isBlank() ? indentation : text.length();
   }
 
-  /** Whether silent tags, of which this is the first, end where a speaking tag starts. */
+  /**
+   * Returns whether a sequence of silent tags, starting at this one, is directly followed by a
+   * speaking tag.
+   */
   private boolean isBeforeSpeaking(int tag) {
     int next = tag;
     while (next < tokens.size() && roles[next] == Role.SILENT) {
@@ -133,8 +135,8 @@ final class WhiteSpace {
   }
 
   /**
-   * The end of a template's final text without its last line break. Of a text of just two breaks
-   * only one goes in all: the last one stays if the tag before took the first.
+   * Returns the end of a template's final text without its last line break. If the text is just two
+   * breaks, only one is dropped: the last one stays if the tag before took the first.
    */
   private static int withoutLastBreak(String text, int from, int to) {
     String kept = text.substring(0, to);
@@ -163,7 +165,7 @@ final class WhiteSpace {
     }
   }
 
-  /** The roles of a block's tags, of which the blocks inside have theirs already. */
+  /** Sets the roles of a block's tags, after those of its inner blocks. */
   private void findRoles(List<Integer> tags) {
     int first = tags.get(0);
     int last = tags.get(tags.size() - 1);
@@ -180,7 +182,7 @@ final class WhiteSpace {
     }
   }
 
-  /** Whether there is nothing in a block but silent tags, and its own. */
+  /** Returns whether a block contains only silent tags and its own. */
   private boolean isEmpty(int first, int last) {
     for (int i = first + 1; i < last; i++) {
       Token token = tokens.get(i);
@@ -196,9 +198,8 @@ final class WhiteSpace {
   }
 
   /**
-   * Walks through the tags and notes which of them are on a line that starts blank. So does the
-   * line of a body's first text, whatever it says: it is taken for the rest of the line of the tag
-   * that begins the body.
+   * Notes which tags are on a line that starts blank. The line of a body's first text always counts
+   * as such: it is treated as the rest of the line of the tag that begins the body.
    */
   private void findBlankStarts() {
     Deque<Boolean> open = new ArrayDeque<>();
@@ -223,7 +224,7 @@ final class WhiteSpace {
     return roles[tag] == Role.SPEAKING || roles[tag] == Role.AREA;
   }
 
-  /** Whether the line is blank after a text, so far. */
+  /** Returns whether the line is blank so far, after a text. */
   private boolean isBlankBehind(int index, boolean before) {
     Token token = tokens.get(index);
     String text = source.substring(token.start(), token.end());

@@ -1,5 +1,5 @@
 /**
- * Reading templates: from the text of a file to a tree whose white space is settled. Knows neither
- * models nor expressions.
+ * Parser of templates, from the text of a file to a tree with normalised white space. Independent
+ * of models and expressions.
  */
 package dev.eventchain.m2t.syntax;

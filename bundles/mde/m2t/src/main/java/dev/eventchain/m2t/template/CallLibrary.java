@@ -17,23 +17,22 @@ import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EClassifier;
 
 /**
- * The templates and queries that a module can call, as operations: {@code x.name(y)} and {@code
- * name(x, y)} are the same call. Which template is meant is decided at run time by the arguments:
- * the one with the most special parameters that takes them. Which query is meant is decided by the
- * types that the arguments have in the text, or by the arguments if it takes only some values of
- * these types.
+ * Library of the templates and queries that a module can call. The calls {@code x.name(y)} and
+ * {@code name(x, y)} are equivalent. Templates are dispatched at run time to the one with the most
+ * specific parameters that accepts the arguments. Queries are dispatched by the static types of the
+ * arguments, or at run time if a query accepts only some values of these types.
  */
 public final class CallLibrary implements OperationLibrary {
   private final List<Callable> visible = new ArrayList<>();
 
-  /** Makes a callable visible; of two with the same parameters the first added wins. */
+  /** Makes a callable visible; of two with equal parameters, the first one wins. */
   public void add(Callable callable) {
     if (!visible.contains(callable)) {
       visible.add(callable);
     }
   }
 
-  /** The templates of a name, in the order in which they became visible. */
+  /** Returns the templates of a name, in the order in which they became visible. */
   public List<Template> templates(String name) {
     return visible.stream()
         .filter(Template.class::isInstance)
@@ -87,7 +86,10 @@ public final class CallLibrary implements OperationLibrary {
     return Optional.of(new Operation(name, one ? meant.resultType() : language.any(), call));
   }
 
-  /** The most special last; those with the same parameters keep their order. */
+  /**
+   * Returns the callables with the most specific last; those with equal parameters keep their
+   * order.
+   */
   private static List<Callable> fromTheMostGeneral(List<Callable> callables) {
     List<Callable> general = new ArrayList<>();
     for (Callable callable : callables) {
@@ -101,7 +103,7 @@ public final class CallLibrary implements OperationLibrary {
     return callable.parameters().stream().map(Callable.Parameter::type).toList();
   }
 
-  /** What a call may turn out to mean at run time, the most special first. */
+  /** Returns the candidates of a call at run time, most specific first. */
   private static List<Callable> called(
       Callable meant, List<Callable> candidates, Signatures signatures, boolean loosely) {
     if (loosely) {
@@ -113,8 +115,9 @@ public final class CallLibrary implements OperationLibrary {
   }
 
   /**
-   * Each template behind those that override it: where their guards refuse, it is asked. Only
-   * templates that the module sees count, so a module calls its own whatever others override.
+   * Places each template after those that override it, as their fallback if guards refuse. Only
+   * templates visible to the module count, so overriding in other modules does not affect its
+   * calls.
    */
   private List<Callable> overridingFirst(List<Callable> callables) {
     Set<Callable> ordered = new LinkedHashSet<>();
@@ -131,21 +134,21 @@ public final class CallLibrary implements OperationLibrary {
     into.add(callable);
   }
 
-  /** A call of one of some callables. */
+  /** Call that is dispatched to one of several callables. */
   public static final class Call implements OperationLibrary.Implementation {
     private final String name;
     private final boolean hasSource;
     private final Callable[] candidates;
     private final Callable[] fromTheMostGeneral;
 
-    /** Found out when it is first asked, when all modules are complete. */
+    /** Computed on first use, when all modules are complete. */
     private volatile Boolean repeatable;
 
     /**
-     * Makes a call.
+     * Creates a call.
      *
-     * @param candidates the most special first
-     * @param fromTheMostGeneral the same ones for null
+     * @param candidates the candidates, most specific first
+     * @param fromTheMostGeneral the candidates for null, most general first
      */
     private Call(
         String name,
@@ -166,15 +169,18 @@ public final class CallLibrary implements OperationLibrary {
       return candidates[0] instanceof Template;
     }
 
-    /** Of a query, whose result fits its declaration at run time only, if it does. */
+    /**
+     * Returns true for queries, whose results are only checked against their declared types at run
+     * time.
+     */
     @Override
     public boolean mayGiveOtherTypes() {
       return !callsTemplates();
     }
 
     /**
-     * So are queries that call nothing but what is; templates may write files. What calls itself is
-     * not: for some elements it may have no end.
+     * Returns true for queries that call only repeatable operations. Templates may write files, and
+     * recursive queries may not terminate for some elements.
      */
     @Override
     public boolean isRepeatable() {
@@ -201,7 +207,8 @@ public final class CallLibrary implements OperationLibrary {
     }
 
     /**
-     * A template that refuses by its guard prints nothing; what no parameter takes is a mistake.
+     * Returns empty text if guards refuse; an {@code Invalid} if no parameters accept the
+     * arguments.
      */
     private Object untaken(List<Object> arguments, GenerationRun run) {
       if (Stream.of(candidates).anyMatch(candidate -> candidate.takes(arguments))) {
@@ -215,9 +222,9 @@ public final class CallLibrary implements OperationLibrary {
     }
 
     /**
-     * Writes the text of the call, or the value if it is a query that takes the arguments.
+     * Writes the text of the called template, or the value of the called query.
      *
-     * @param indentation what goes after each of its line breaks
+     * @param indentation the text inserted after each of its line breaks
      * @return an {@link Invalid} if there is no value; otherwise null
      */
     Object write(Object source, List<Object> arguments, GenerationRun run, String indentation) {
@@ -249,7 +256,10 @@ public final class CallLibrary implements OperationLibrary {
       return Arrays.asList(all);
     }
 
-    /** Null suits every type; it means the most general candidate that expects anything. */
+    /**
+     * Returns the first candidate that accepts the arguments. Null fits every type, so for null the
+     * most general candidate comes first.
+     */
     private Callable find(List<Object> arguments, GenerationRun run) {
       boolean isNull = !arguments.isEmpty() && arguments.get(0) == null;
       for (Callable candidate : isNull ? fromTheMostGeneral : candidates) {

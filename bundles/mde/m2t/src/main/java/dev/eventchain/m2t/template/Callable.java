@@ -9,10 +9,10 @@ import java.util.List;
 import java.util.function.Predicate;
 import org.eclipse.emf.ecore.EClassifier;
 
-/** A template or a query, as expressions call it. */
+/** A template or a query that expressions can call. */
 public abstract class Callable implements Called {
 
-  /** A parameter, with a test of whether it takes a value. */
+  /** A parameter with a test for accepted values. */
   public record Parameter(String name, EClassifier type, Predicate<Object> accepts) {}
 
   private final String name;
@@ -45,20 +45,20 @@ public abstract class Callable implements Called {
     return place;
   }
 
-  /** Whether it may refuse arguments that its parameters take. */
+  /** Returns whether it may refuse arguments that its parameters accept. */
   public boolean hasGuard() {
     return false;
   }
 
-  /** The static type of a call's result. */
+  /** Returns the static type of a call's result. */
   public abstract EClassifier resultType();
 
-  /** Whether it takes these arguments in this run. */
+  /** Returns whether it accepts the arguments in a run. */
   public boolean accepts(List<Object> arguments, GenerationRun run) {
     return takes(arguments);
   }
 
-  /** Whether its parameters take these arguments; null goes everywhere. */
+  /** Returns whether its parameters accept the arguments; null is always accepted. */
   final boolean takes(List<Object> arguments) {
     for (int i = 0; i < arguments.size(); i++) {
       Object argument = arguments.get(i);
@@ -69,6 +69,6 @@ public abstract class Callable implements Called {
     return true;
   }
 
-  /** The value of a call: of the result type, or an {@link Invalid}. */
+  /** Returns the value of a call: of the result type, or an {@link Invalid}. */
   public abstract Object call(List<Object> arguments, GenerationRun run);
 }

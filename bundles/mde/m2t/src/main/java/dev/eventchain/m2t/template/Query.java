@@ -19,11 +19,11 @@ import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
 
 /**
- * A query: an expression with a name, whose values are kept for the length of a run; not those for
- * which a file or a protected area was begun, because they belong where they were asked for.
+ * A query: a named expression whose values are cached during a run. Values whose evaluation began a
+ * file or a protected area are not cached, because they belong to the place of the call.
  */
 public final class Query extends Callable {
-  /** What is kept for null. */
+  /** Cached value for null. */
   private static final Object NULL = new Object();
 
   private final int number;
@@ -32,9 +32,9 @@ public final class Query extends Callable {
   private Optional<Predicate<Object>> accepts = Optional.empty();
 
   /**
-   * A query that is not complete yet.
+   * Creates a query that is not complete yet.
    *
-   * @param number tells it from all others that are compiled with it; small
+   * @param number a small number, unique among the queries that are compiled together
    */
   public Query(
       int number,
@@ -53,13 +53,13 @@ public final class Query extends Callable {
     value = newValue;
   }
 
-  /** Completes the query, whose value is what a Java service gives, and says what that may be. */
+  /** Completes a query on a Java service, with a test for accepted results. */
   public void defineService(Expression newValue, Predicate<Object> newAccepts) {
     value = newValue;
     accepts = Optional.of(newAccepts);
   }
 
-  /** What its value calls. */
+  /** Returns the calls in its value. */
   Stream<OperationLibrary.Implementation> calls() {
     return value.libraryCalls().stream().map(Expression.LibraryCall::implementation);
   }
@@ -72,7 +72,7 @@ public final class Query extends Callable {
   @Override
   public Object call(List<Object> arguments, GenerationRun run) {
     for (Object argument : arguments) {
-      // Classes are faster to ask for than an interface that most values do not have.
+      // Tests of classes are faster than a negative test of an interface.
       if (!(argument instanceof BasicEObjectImpl)
           && !(argument instanceof String)
           && argument instanceof Collection<?>) {
@@ -92,7 +92,7 @@ public final class Query extends Callable {
     return known == NULL ? null : known;
   }
 
-  /** The call stands elsewhere, so the reason says where in the query it failed. */
+  /** Adds the failing location in the query to the reason, because the call is elsewhere. */
   private Invalid located(Invalid invalid) {
     boolean known = invalid.location().line() > 0;
     SourceLocation place = known ? invalid.location() : value.location();

@@ -9,13 +9,13 @@ import java.util.function.BiPredicate;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.ocl.types.AnyType;
 
-/** Which templates and queries a call may mean, by the types of its arguments. */
+/** Overload resolution of templates and queries by the types of the arguments. */
 public record Signatures(TypeSystem language) {
 
   /**
-   * Those whose parameters take arguments of these types, the most special first.
+   * Returns the callables whose parameters accept arguments of these types, most specific first.
    *
-   * @param loosely whether to take some of their values is enough
+   * @param loosely true if accepting some of their values suffices
    */
   List<Callable> suiting(List<EClassifier> types, List<Callable> candidates, boolean loosely) {
     return bySpeciality(
@@ -39,7 +39,10 @@ public record Signatures(TypeSystem language) {
     return true;
   }
 
-  /** Whether some values of a type are of the other type, collections of another kind included. */
+  /**
+   * Returns whether some values of a type may be of the other type, including collections of
+   * another kind.
+   */
   public boolean mayFit(EClassifier type, EClassifier required) {
     if (type instanceof AnyType<?> || required instanceof AnyType<?>) {
       return true;
@@ -53,8 +56,8 @@ public record Signatures(TypeSystem language) {
   }
 
   /**
-   * Each callable comes after those that are more special, and after its likes that have a guard;
-   * otherwise the order stays.
+   * Sorts callables: each after more specific ones, and after equally specific ones with a guard;
+   * otherwise the order is kept.
    */
   List<Callable> bySpeciality(List<Callable> candidates) {
     List<Callable> rest = new ArrayList<>(candidates);

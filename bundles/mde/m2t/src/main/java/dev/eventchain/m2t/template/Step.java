@@ -7,17 +7,17 @@ import dev.eventchain.ocl.evaluation.Invalid;
 import java.util.List;
 import java.util.Optional;
 
-/** A piece of a compiled template. Immutable; all state is in the run. */
+/** A step of a compiled template. Immutable; all state is in the run. */
 @FunctionalInterface
 public interface Step {
 
-  /** Writes the piece's text into the run. Problems are reported there. */
+  /** Writes the text of the step into the run, which reports problems. */
   void write(GenerationRun run);
 
-  /** A variable and the value it is given; without one it is null. */
+  /** A variable with its initial value; null if there is none. */
   record Variable(String name, Optional<Expression> value) {}
 
-  /** Several pieces, one after the other. */
+  /** Returns a sequence of steps. */
   static Step sequence(List<Step> steps) {
     Step[] pieces = steps.toArray(Step[]::new);
     if (pieces.length == 1) {
@@ -30,7 +30,7 @@ public interface Step {
     };
   }
 
-  /** Writes a piece that sees some variables; not at all if one of them has no value. */
+  /** Writes a step with variables in scope, unless one of them has an undefined value. */
   static void withVariables(List<Variable> variables, GenerationRun run, Step body) {
     if (variables.isEmpty()) {
       body.write(run);

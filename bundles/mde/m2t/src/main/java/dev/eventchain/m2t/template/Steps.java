@@ -17,7 +17,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
 
-/** The pieces that templates are made of, one for each kind of syntax node. */
+/** Steps of templates, one for each kind of syntax node. */
 public final class Steps {
   private Steps() {}
 
@@ -104,7 +104,7 @@ public final class Steps {
     }
   }
 
-  /** The text of the template that the one at work overrides. */
+  /** The text of the template that the current one overrides. */
   public record Super(Template overridden) implements Step {
     @Override
     public void write(GenerationRun run) {
@@ -112,16 +112,16 @@ public final class Steps {
     }
   }
 
-  /** Before, between and after the items of a loop. */
+  /** Text before, between and after the items of a loop. */
   public record Decoration(
       Optional<Expression> before, Optional<Expression> separator, Optional<Expression> after) {
 
-    /** Writes what is before the first item, or between two. */
+    /** Writes the text before the first item, or between two. */
     void writeAhead(boolean first, GenerationRun run) {
       writeText(first ? before : separator, run);
     }
 
-    /** Writes what is after the last item, if there was any. */
+    /** Writes the text after the last item, if there are items. */
     void writeBehind(boolean none, GenerationRun run) {
       if (!none) {
         writeText(after, run);
@@ -202,7 +202,7 @@ public final class Steps {
     }
   }
 
-  /** A choice by conditions, of which null is false; an undefined one ends the choice. */
+  /** A choice by conditions. Null counts as false; an undefined condition ends the choice. */
   public record If(List<Branch> branches, Step otherwise) implements Step {
     public record Branch(Expression condition, List<Step.Variable> variables, Step body) {}
 
@@ -296,8 +296,8 @@ public final class Steps {
   }
 
   /**
-   * An area that people may fill. It always gets the text of its block; what people wrote takes the
-   * place of that when the text has reached its file.
+   * A protected area, which users may edit. It always writes the text of its block; earlier content
+   * replaces that text in the file.
    */
   public record Protected(
       Expression id, Optional<Expression> startPrefix, Optional<Expression> endPrefix, Step body)

@@ -13,10 +13,10 @@ import java.util.List;
 import java.util.Optional;
 import org.eclipse.emf.ecore.EClassifier;
 
-/** A template: writes text, which is the value of a call. */
+/** A template, which writes text; the text is the value of a call. */
 public final class Template extends Callable {
 
-  /** What a template does. */
+  /** Body and conditions of a template. */
   public record Definition(
       Optional<Expression> guard,
       Optional<Expression> post,
@@ -48,17 +48,17 @@ public final class Template extends Callable {
     definition = newDefinition;
   }
 
-  /** Puts this template in the place of another one, where calls see it. */
+  /** Makes this template override another one, wherever it is visible to calls. */
   public void override(Template other) {
     overridden.add(other);
   }
 
-  /** The templates in whose place this one stands; if it is one, {@code [super/]} means it. */
+  /** Returns the overridden templates; if there is exactly one, {@code [super/]} refers to it. */
   public List<Template> overridden() {
     return overridden;
   }
 
-  /** Whether this template is in the place of another one, or of one that does so. */
+  /** Returns whether this template overrides another one, directly or indirectly. */
   public boolean overrides(Template other) {
     return overridden.stream().anyMatch(each -> each == other || each.overrides(other));
   }
@@ -96,10 +96,7 @@ public final class Template extends Callable {
     }
   }
 
-  /**
-   * The text as a value, which is indented like the line that is being written, as if it were put
-   * there at once.
-   */
+  /** Returns the text as a value, indented like the current line, as if it were written there. */
   @Override
   public Object call(List<Object> arguments, GenerationRun run) {
     OutputBuffer output = run.output();
@@ -116,7 +113,7 @@ public final class Template extends Callable {
   /**
    * Writes the text of a call.
    *
-   * @param indentation what goes after each of its line breaks
+   * @param indentation the text inserted after each of its line breaks
    */
   void write(List<Object> arguments, GenerationRun run, String indentation) {
     run.enter(this, arguments);
@@ -162,7 +159,7 @@ public final class Template extends Callable {
     }
   }
 
-  /** Gives the parameters and self their values; says how many variables had one before. */
+  /** Binds the parameters and self, and returns the number of earlier bindings. */
   private int bind(List<Object> arguments, Evaluation evaluation) {
     int bindings = evaluation.bindings();
     evaluation.bind("self", arguments.isEmpty() ? null : arguments.get(0));

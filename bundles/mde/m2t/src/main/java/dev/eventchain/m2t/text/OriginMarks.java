@@ -2,13 +2,15 @@ package dev.eventchain.m2t.text;
 
 import java.util.Arrays;
 
-/** Where the parts of a text come from: each mark holds up to the next one. */
+/** Origins of the parts of a text: each mark holds up to the next one. */
 public final class OriginMarks {
 
-  /** The origin of what nobody wrote: indentation, and what people put into protected areas. */
+  /**
+   * Origin of text that is not from a template: indentation, and the content of protected areas.
+   */
   static final int NONE = -1;
 
-  /** The marks of a text that comes from nowhere. */
+  /** Marks of a text without origin. */
   public static final OriginMarks NOWHERE = new OriginMarks();
 
   static {
@@ -23,17 +25,17 @@ public final class OriginMarks {
     return size;
   }
 
-  /** The offset from which a mark holds. */
+  /** Returns the offset from which a mark holds. */
   int start(int index) {
     return starts[index];
   }
 
-  /** The number of an origin, or {@link #NONE}. */
+  /** Returns the number of an origin, or {@link #NONE}. */
   int origin(int index) {
     return origins[index];
   }
 
-  /** Says where the text from an offset on comes from; offsets never go down. */
+  /** Adds the origin of the text from an offset on; offsets must not decrease. */
   void add(int start, int origin) {
     if (size > 0 && starts[size - 1] == start) {
       size--;
@@ -49,14 +51,14 @@ public final class OriginMarks {
     origins[size++] = origin;
   }
 
-  /** Forgets what holds from an offset on. */
+  /** Removes the marks from an offset on. */
   void cut(int offset) {
     while (size > 0 && starts[size - 1] >= offset) {
       size--;
     }
   }
 
-  /** The marks of the text from an offset on, as its own text. */
+  /** Returns the marks of the text from an offset on, relative to that offset. */
   OriginMarks since(int offset) {
     int first = size;
     while (first > 0 && starts[first - 1] >= offset) {
@@ -72,7 +74,7 @@ public final class OriginMarks {
     return marks;
   }
 
-  /** The marks of a part of the text, as its own text. */
+  /** Returns the marks of a part of the text, relative to its start. */
   public OriginMarks between(int from, int to) {
     OriginMarks part = new OriginMarks();
     for (int i = 0; i < size && starts[i] < to; i++) {

@@ -3,44 +3,44 @@ package dev.eventchain.m2t.text;
 import java.util.Optional;
 
 /**
- * The text that a run writes. It grows at one end only: what a called template writes goes where it
- * belongs at once, with the indentation of its caller after every line break; what a file block
- * writes, or a template whose text is wanted as a value, is cut off again.
+ * Buffer for the text of a run, which only grows at its end. Called templates write directly into
+ * it, with the indentation of their caller after every line break. The text of a file block, or of
+ * a template used as a value, is cut off again.
  */
 public final class OutputBuffer {
 
-  /** Where a part of the text starts, and how things were before it. */
+  /** The start of a part of the text, and the state before it. */
   public record Part(int start, String indentation, int lineStart, int lastBreak) {}
 
   private final StringBuilder text = new StringBuilder(1 << 12);
 
-  /** What is after every line break that is written. */
+  /** Indentation inserted after every line break. */
   private String indentation = "";
 
-  /** Where the current line starts, after that indentation. */
+  /** Offset where the current line starts, after that indentation. */
   private int lineStart;
 
-  /** The end of the last line break in the current part, if there is one after its start. */
+  /** Offset after the last line break in the current part, if there is one. */
   private int lastBreak;
 
   private final OriginMarks marks;
 
   /**
-   * Starts empty.
+   * Creates an empty buffer.
    *
-   * @param marked whether to note where text comes from
+   * @param marked true to record the origins of text
    */
   public OutputBuffer(boolean marked) {
     this.marks = marked ? new OriginMarks() : null;
   }
 
-  /** Appends, with the indentation after every line break. */
+  /** Appends text, with the indentation after every line break. */
   public void append(String more) {
-    // Java looks for the first one faster, and most texts have none.
+    // A search for the first line break is faster, and most texts have none.
     append(more, more.indexOf('\n') >= 0);
   }
 
-  /** The same for text of which is known whether it has a line break. */
+  /** Appends text of which is known whether it has a line break. */
   void append(String more, boolean hasBreak) {
     if (!hasBreak) {
       text.append(more);
@@ -53,7 +53,7 @@ public final class OutputBuffer {
     }
   }
 
-  /** The same for text of an origin. */
+  /** Appends text of an origin. */
   void append(String more, int origin) {
     marks.add(text.length(), origin);
     if (indentation.isEmpty()) {
@@ -63,7 +63,7 @@ public final class OutputBuffer {
     }
   }
 
-  /** The same for text whose origins were noted when it was written elsewhere. */
+  /** Appends text whose origins were recorded when it was written elsewhere. */
   public void append(String more, OriginMarks origins) {
     for (int i = 0; i < origins.size(); i++) {
       int end = i + 1 < origins.size() ? origins.start(i + 1) : more.length();
@@ -89,12 +89,15 @@ public final class OutputBuffer {
     text.append(more, from, more.length());
   }
 
-  /** About how many characters the text holds, and the indentations of so many calls. */
+  /**
+   * Returns the approximate number of characters of the text and of the indentations of nested
+   * calls.
+   */
   public long weight(int calls) {
     return text.length() + (long) indentation.length() * calls / 2;
   }
 
-  /** The white space that the current line starts with. */
+  /** Returns the leading white space of the current line. */
   public String currentIndentation() {
     int end = lineStart;
     while (end < text.length() && (text.charAt(end) == ' ' || text.charAt(end) == '\t')) {
@@ -103,7 +106,7 @@ public final class OutputBuffer {
     return end == lineStart ? "" : text.substring(lineStart, end);
   }
 
-  /** Starts a part that stays where it is, its lines after the first indented by so much more. */
+  /** Starts a part that stays in place; its lines after the first get additional indentation. */
   public Part beginIndented(String more) {
     Part part = begin();
     if (!more.isEmpty()) {
@@ -112,7 +115,7 @@ public final class OutputBuffer {
     return part;
   }
 
-  /** Ends a part that stays. */
+  /** Ends a part that stays in place. */
   public void end(Part part) {
     indentation = part.indentation();
     if (lastBreak > part.start()) {
@@ -123,7 +126,7 @@ public final class OutputBuffer {
     }
   }
 
-  /** Starts a part that is a separate text, without any indentation from outside. */
+  /** Starts a part that is a separate text, without outer indentation. */
   public Part beginText() {
     Part part = begin();
     indentation = "";
@@ -136,28 +139,30 @@ public final class OutputBuffer {
     return part;
   }
 
-  /** Marks the end of the text, to cut off from there what is written next. */
+  /** Marks the end of the text, so that later text can be cut off. */
   public Part mark() {
     return new Part(text.length(), indentation, lineStart, lastBreak);
   }
 
-  /** Whether the text has some part of text at an offset. */
+  /** Returns whether the text contains a part at an offset. */
   public boolean hasAt(int offset, String part) {
     int end = offset + part.length();
     return end <= text.length() && part.contentEquals(text.subSequence(offset, end));
   }
 
-  /** The text since the start of a part. */
+  /** Returns the text since the start of a part. */
   public String textOf(Part part) {
     return text.substring(part.start());
   }
 
-  /** The origins of the text since the start of a part; empty if origins are not noted. */
+  /**
+   * Returns the origins of the text since the start of a part; empty if origins are not recorded.
+   */
   public Optional<OriginMarks> marksOf(Part part) {
     return marks == null ? Optional.empty() : Optional.of(marks.since(part.start()));
   }
 
-  /** Takes away what was written since the start of a part. */
+  /** Removes the text since the start of a part. */
   public void cut(Part part) {
     text.setLength(part.start());
     indentation = part.indentation();

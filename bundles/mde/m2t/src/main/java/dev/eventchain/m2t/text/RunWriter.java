@@ -5,17 +5,17 @@ import dev.eventchain.ocl.Expression;
 import java.util.function.Supplier;
 import org.eclipse.emf.ecore.EObject;
 
-/** Writes the text of a run, and notes where it comes from if that is wanted. */
+/** Writer of the text of a run, with optional tracing of its origins. */
 public final class RunWriter {
   private final OutputBuffer output;
   private final Tracing tracing;
   private final Supplier<EObject> element;
 
   /**
-   * Starts with an empty text.
+   * Creates a writer with an empty text.
    *
-   * @param tracing where the lines of files are noted; null if that is not wanted
-   * @param element the model element at work
+   * @param tracing the trace of the lines of files; null without tracing
+   * @param element returns the current model element
    */
   public RunWriter(Tracing tracing, Supplier<EObject> element) {
     this.output = new OutputBuffer(tracing != null);
@@ -27,19 +27,19 @@ public final class RunWriter {
     return output;
   }
 
-  /** Where the lines of files are noted; nowhere (null) if that is not wanted. */
+  /** Returns the trace of the lines of files; null without tracing. */
   public Tracing tracing() {
     return tracing;
   }
 
-  /** Drops where a file comes from, because another one replaces it. */
+  /** Drops the trace of a file that another one replaces. */
   public void forget(String file) {
     if (tracing != null) {
       tracing.forget(file);
     }
   }
 
-  /** Appends what the expression of a tag gives. */
+  /** Appends the value of the expression of a tag. */
   public void append(String text, Place tag) {
     if (tracing == null) {
       output.append(text);
@@ -48,7 +48,7 @@ public final class RunWriter {
     }
   }
 
-  /** Appends what an expression gives. */
+  /** Appends the value of an expression. */
   public void append(String text, Expression expression) {
     if (tracing == null) {
       output.append(text);
@@ -57,7 +57,7 @@ public final class RunWriter {
     }
   }
 
-  /** Appends what an expression gives, with some indentation after each line break. */
+  /** Appends the value of an expression, with an indentation after each line break. */
   public void appendIndented(String text, String indentation, Expression expression) {
     OutputBuffer.Part part = output.beginIndented(indentation);
     append(text, expression);
@@ -73,7 +73,7 @@ public final class RunWriter {
     }
   }
 
-  /** Appends text as a template has it. */
+  /** Appends literal text of a template. */
   public void appendLiteral(String text, boolean hasBreak, Place start) {
     if (tracing == null) {
       output.append(text, hasBreak);

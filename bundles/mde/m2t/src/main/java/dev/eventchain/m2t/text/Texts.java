@@ -5,11 +5,14 @@ import org.eclipse.emf.ecore.EEnumLiteral;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
-/** The text that a value has in the output. */
+/** Texts of values in the output. */
 public final class Texts {
   private Texts() {}
 
-  /** Nothing for null; for a collection the texts of its elements, one after the other. */
+  /**
+   * Returns the text of a value: empty for null, the concatenated texts of the elements for a
+   * collection.
+   */
   public static String of(Object value) {
     if (value instanceof String text) {
       return text;
@@ -27,7 +30,7 @@ public final class Texts {
         : value.toString();
   }
 
-  /** A name for an object: its class, and its name if it has one. The same in each run. */
+  /** Returns a label of an object: its class, and its name if it has one. Equal in all runs. */
   public static String label(EObject object) {
     EStructuralFeature name = object.eClass().getEStructuralFeature("name");
     Object value = name == null || name.isMany() ? null : object.eGet(name);

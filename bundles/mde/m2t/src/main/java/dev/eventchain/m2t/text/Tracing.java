@@ -18,10 +18,10 @@ import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.eclipse.emf.ecore.EObject;
 
-/** Collects where the lines of a run's files come from. */
+/** Collector of the origins of the lines of a run's files. */
 public final class Tracing {
 
-  /** A line of a template, and the model element at work; compared by identity. */
+  /** A line of a template and the current model element, which is compared by identity. */
   private record Key(String file, int line, EObject element) {
     @Override
     public boolean equals(Object other) {
@@ -37,7 +37,7 @@ public final class Tracing {
     }
   }
 
-  /** The origins of each line of a file; a file that does not end with a break can be gone on. */
+  /** Origins of each line of a file; open if its last line has no break and can be continued. */
   private static final class Lines {
     private final List<int[]> origins = new ArrayList<>();
     private boolean open;
@@ -51,7 +51,7 @@ public final class Tracing {
   private final IdentityHashMap<Place, SourceLocation> places = new IdentityHashMap<>();
   private final SortedMap<String, Lines> files = new TreeMap<>();
 
-  /** The origins of the line at work. */
+  /** Origins of the current line. */
   private int[] line = new int[16];
 
   private int lineSize;
@@ -60,7 +60,7 @@ public final class Tracing {
     this.locator = locator;
   }
 
-  /** The number of an origin: a line of a template, at work on an element or on none (null). */
+  /** Returns the number of an origin: a line of a template with an element or none (null). */
   private int origin(SourceLocation place, int linesBelow, EObject element) {
     int below = place.line() + linesBelow;
     Key key = new Key(place.file(), below, element);
@@ -74,12 +74,12 @@ public final class Tracing {
     return origins.size() - 1;
   }
 
-  /** The number of the origin that a line below a place is. */
+  /** Returns the number of the origin for a line below a place. */
   int origin(Place place, int linesBelow, EObject element) {
     return origin(places.computeIfAbsent(place, Place::location), linesBelow, element);
   }
 
-  /** The number of the origin that an expression is. */
+  /** Returns the number of the origin for an expression. */
   int origin(Expression expression, EObject element) {
     return origin(expressions.computeIfAbsent(expression, Expression::location), 0, element);
   }
@@ -88,7 +88,7 @@ public final class Tracing {
     return element == null ? SourceLocation.NONE : elements.computeIfAbsent(element, locator);
   }
 
-  /** Notes the lines of a file, or of what is appended to one. */
+  /** Records the lines of a file, or of text appended to one. */
   public void file(String name, String text, OriginMarks marks) {
     Lines lines = files.computeIfAbsent(name, any -> new Lines());
     int mark = 0;
@@ -113,7 +113,7 @@ public final class Tracing {
     files.remove(name);
   }
 
-  /** Adds the line at work, which may continue with the last one. */
+  /** Adds the current line, which may continue the last one. */
   private void add(Lines lines) {
     if (lines.open) {
       for (int origin : lines.origins.remove(lines.origins.size() - 1)) {
@@ -124,7 +124,7 @@ public final class Tracing {
     lines.origins.add(Arrays.copyOf(line, lineSize));
   }
 
-  /** Keeps the origins of the line at work sorted, each once. */
+  /** Adds an origin to the current line, keeping its origins sorted and distinct. */
   private void addToLine(int origin) {
     if (origin == OriginMarks.NONE) {
       return;
@@ -144,7 +144,7 @@ public final class Tracing {
     lineSize++;
   }
 
-  /** The trace of everything so far. */
+  /** Returns the trace so far. */
   public GenerationTrace result() {
     SortedMap<String, List<Segment>> segments = new TreeMap<>();
     files.forEach((name, lines) -> segments.put(name, segments(lines.origins)));

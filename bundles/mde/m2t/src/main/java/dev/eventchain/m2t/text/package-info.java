@@ -1,5 +1,5 @@
 /**
- * The text of a run as it is written: indentation, undefined values, and the origin of each part.
- * Knows neither calls nor files.
+ * Text of a run: indentation, undefined values, and the origin of each part. Independent of calls
+ * and files.
  */
 package dev.eventchain.m2t.text;

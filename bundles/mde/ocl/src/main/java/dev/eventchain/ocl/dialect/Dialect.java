@@ -5,50 +5,50 @@ import java.util.Optional;
 import org.eclipse.emf.ecore.EClassifier;
 
 /**
- * Where an expression language goes beyond OCL: its own operations, what its types let pass, and
- * what may be done in place of something slower. Must be thread-safe.
+ * Extensions of an expression language beyond OCL: its own operations, looser typing, and faster
+ * substitutes of operations. Must be thread-safe.
  */
 public interface Dialect {
 
   /** OCL with its standard library and nothing else. */
   Dialect STANDARD = new Dialect() {};
 
-  /** Operations that are tried before those of the standard library, in this order. */
+  /** Returns the libraries that are tried in this order before the standard library. */
   default List<OperationLibrary> libraries() {
     return List.of();
   }
 
   /**
-   * Whether the operations of collections take arguments of any type, as {@code including} a Book
-   * into a Set(Novel), where standard OCL asks for the type of the elements. The elements of the
-   * result have the type that the operation would give if it took them.
+   * Returns whether operations of collections take arguments of any type, as {@code including} a
+   * Book into a Set(Novel), where standard OCL requires the type of the elements. The result has
+   * the element type that such an operation would give.
    */
   default boolean takesAnyElement() {
     return false;
   }
 
   /**
-   * A type whose operations are tried where the static type of a source has none of a name; a value
-   * that turns out to be of another type makes the call invalid.
+   * Returns a type whose operations are tried if the static type of a source has none of that name;
+   * values of other types make the call invalid.
    */
   default Optional<EClassifier> assumed(EClassifier type) {
     return Optional.empty();
   }
 
   /**
-   * Whether a simple name that no metamodel has means the type of everything where a variable, a
-   * parameter or a result is declared. It never does in an expression.
+   * Returns whether a simple name that is in no metamodel means the top type in declarations of
+   * variables, parameters and results; never in an expression.
    */
   default boolean meansAnyType(String name) {
     return false;
   }
 
   /**
-   * What can be called in place of an operation of a library of which only one end is asked for:
-   * {@code x.f()->first()}. It gives a collection that has the same first element, or the same last
-   * one, and is empty if the other is.
+   * Returns a substitute for a library operation of whose result only one end is used: {@code
+   * x.f()->first()}. Its result has the same first or last element, and is empty if the original
+   * is.
    *
-   * @return empty if that is not easier than the operation itself
+   * @return empty if there is none that is cheaper
    */
   default Optional<OperationLibrary.Implementation> endOf(
       OperationLibrary.Implementation operation, boolean first) {

@@ -8,26 +8,24 @@ import java.util.Optional;
 import org.eclipse.emf.ecore.EClassifier;
 
 /**
- * Operations that an expression language has besides those of OCL and of the metamodels. A library
- * is asked at parse time for each call, before the standard operations, with the types at hand;
- * hence the type of a result can depend on the types of the arguments, as that of {@code
- * filter(T)}.
+ * Operations of an expression language besides those of OCL and of the metamodels. Calls are looked
+ * up in libraries at parse time, before the standard operations, with the static types; so the
+ * result type can depend on the argument types, as for {@code filter(T)}.
  *
- * <p>A type literal given as argument has its own type; {@link
- * TypeSystem#referredType(EClassifier)} gives the type that it names, and at run time the argument
- * is that {@link EClassifier} itself.
+ * <p>A type literal as argument has its own type; {@link TypeSystem#referredType(EClassifier)}
+ * gives the type that it names, and at run time the argument is that {@link EClassifier} itself.
  */
 @FunctionalInterface
 public interface OperationLibrary {
 
   /**
-   * Finds the operation that a call means. The same arguments must always give the same answer.
+   * Finds the operation of a call. The same arguments must always give the same result.
    *
    * @param types the types of the language of the expression
-   * @param source the static type before the arrow or the dot; for a dot after a collection the
-   *     type of its elements, for they are called one by one; {@code null} for a call with nothing
-   *     before it, {@code f(x)}, which is tried before {@code self} is taken as the source
-   * @param name the name of the operation; an infix operator is one, too
+   * @param source the static type before the arrow or the dot; for a dot after a collection, the
+   *     type of its elements. {@code null} for a call without source, {@code f(x)}, which is tried
+   *     before the implicit source {@code self}
+   * @param name the name of the operation, or an infix operator
    * @param argumentTypes the static types of the arguments
    * @return empty if the library has no such operation
    */
@@ -35,16 +33,16 @@ public interface OperationLibrary {
       TypeSystem types, EClassifier source, String name, List<EClassifier> argumentTypes);
 
   /**
-   * Finds the operation that a call means for some values of these types only. It is asked where
-   * neither a library nor the standard nor the metamodel has an operation that takes them all; the
-   * operation has to look at its arguments.
+   * Finds an operation that takes only some values of the static types. Used if neither a library
+   * nor the standard nor the metamodel has one that takes them all; the operation must check its
+   * arguments.
    */
   default Optional<Operation> lookupLoosely(
       TypeSystem types, EClassifier source, String name, List<EClassifier> argumentTypes) {
     return Optional.empty();
   }
 
-  /** The names of the operations, to find the one that a misspelt call means. */
+  /** Returns the names of the operations, for hints about misspelt calls. */
   default Collection<String> names() {
     return List.of();
   }
@@ -54,44 +52,44 @@ public interface OperationLibrary {
    *
    * @param name its name
    * @param resultType the static type of the result of this call
-   * @param implementation what it does
+   * @param implementation its implementation
    */
   record Operation(String name, EClassifier resultType, Implementation implementation) {}
 
-  /** What an operation does. Must be thread-safe. */
+  /** The implementation of an operation. Must be thread-safe. */
   @FunctionalInterface
   interface Implementation {
 
     /**
-     * Computes the result. An invalid source or argument never gets here: it makes the result
-     * invalid. An exception makes the result invalid, too, with its message as the reason.
+     * Computes the result. Not called for an invalid source or argument, which makes the result
+     * invalid. An exception makes it invalid, too, with its message as the reason.
      *
      * @param source the source, which may be {@code null}; always {@code null} for a call without
      * @param arguments the arguments, each of which may be {@code null}
-     * @param run the evaluation at work; further expressions may be evaluated in it
+     * @param run the current evaluation; further expressions may be evaluated in it
      * @return a value of the result type, {@code null}, or an {@link Invalid}; any {@link
-     *     java.util.Collection} will do for a collection type
+     *     java.util.Collection} for a collection type
      */
     Object call(Object source, List<Object> arguments, Evaluation run);
 
     /**
-     * Whether calling once more with the same source and arguments changes nothing and gives the
-     * same; otherwise the answer of each call is kept until its expression has been evaluated, in
-     * case it is asked why it has no value.
+     * Returns whether the operation is pure: repeated calls have the same result and no effects.
+     * Otherwise results are kept until the expression has been evaluated, to explain invalid
+     * values.
      */
     default boolean isRepeatable() {
       return false;
     }
 
     /**
-     * Whether the result holds nothing but elements of the source, each at most as often as that
-     * does; a single value counts as a collection of one.
+     * Returns whether the result contains only elements of the source, each at most as often; a
+     * single value counts as a collection of one.
      */
     default boolean isSelection() {
       return false;
     }
 
-    /** Whether a result may turn out to be of any other type than that of the operation. */
+    /** Returns whether results may have other types than the result type. */
     default boolean mayGiveOtherTypes() {
       return false;
     }

@@ -3,40 +3,40 @@ package dev.eventchain.ocl.dialect;
 import java.util.Optional;
 import org.eclipse.emf.ecore.EClassifier;
 
-/** The types of an expression language: how they are named, made of each other and compared. */
+/** The types of an expression language: their names, construction and comparison. */
 public interface TypeSystem {
 
   /**
-   * The type of a name that is known to be right.
+   * Returns the type of a valid name.
    *
    * @throws IllegalArgumentException if it is not
    */
   EClassifier type(String name);
 
-  /** The type under which OCL knows a classifier: its own Integer for EInt, for instance. */
+  /** Returns the OCL type of a classifier, such as Integer for EInt. */
   EClassifier type(EClassifier classifier);
 
-  /** The type of sequences of this type of elements. */
+  /** Returns the type of sequences of an element type. */
   EClassifier sequenceOf(EClassifier elementType);
 
-  /** A collection type of the same kind as another one, for other elements. */
+  /** Returns a collection type of the same kind as another, with another element type. */
   EClassifier collectionLike(EClassifier collectionType, EClassifier elementType);
 
-  /** The type of the elements of a collection type; empty for any other type. */
+  /** Returns the element type of a collection type; empty for any other type. */
   Optional<EClassifier> elementType(EClassifier type);
 
-  /** The type that a type literal names, given the type of the literal; empty for other types. */
+  /** Returns the type that a literal names, given the type of the literal; empty for others. */
   Optional<EClassifier> referredType(EClassifier type);
 
-  /** Whether every value of a type can be where the other type is asked for. */
+  /** Returns whether a type conforms to a required type. */
   boolean conforms(EClassifier type, EClassifier required);
 
-  /** Whether a value is an instance of a type. */
+  /** Returns whether a value is an instance of a type. */
   boolean isInstance(Object value, EClassifier type);
 
-  /** The type of everything but collections. */
+  /** Returns the type of all values except collections. */
   EClassifier any();
 
-  /** The type of objects of any class. */
+  /** Returns the type of objects of any class. */
   EClassifier anyObject();
 }

@@ -1,5 +1,5 @@
 /**
- * Extension points of the language: dialects, libraries of operations, and the types that a library
- * chooses by. Knows no parser.
+ * Extension points of the language: dialects, libraries of operations, and their type system.
+ * Independent of the parser.
  */
 package dev.eventchain.ocl.dialect;

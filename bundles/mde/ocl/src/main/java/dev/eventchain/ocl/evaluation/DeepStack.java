@@ -7,12 +7,12 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 
 /**
- * Threads for evaluations, and a stack for those that need a deep one: the same in every thread and
- * on every machine, so that limits of depth are, too.
+ * Runs evaluations in threads, if needed with a deep stack. Stack sizes are equal in all threads
+ * and on all machines, and so are the limits of depth.
  */
 public final class DeepStack {
 
-  /** Room for the deepest recursion that is allowed; memory is only taken as far as it grows. */
+  /** Enough for the deepest allowed recursion; memory is only used as the stack grows. */
   private static final long DEEP = 512L << 20;
 
   /** Enough for all but long recursions, so that many threads reserve little. */
@@ -23,7 +23,7 @@ public final class DeepStack {
   private DeepStack() {}
 
   /**
-   * Does something in a thread with a deep stack; an interruption of this thread ends that.
+   * Runs a task in a thread with a deep stack; an interruption of this thread ends it.
    *
    * @throws IllegalStateException if this thread is interrupted meanwhile
    */
@@ -32,7 +32,7 @@ public final class DeepStack {
   }
 
   /**
-   * Does some things at the same time, each in its own thread. If one fails, or this thread is
+   * Runs tasks at the same time, each in its own thread. If one fails, or this thread is
    * interrupted, the others are interrupted, too; none is left running.
    */
   public static void runAll(List<Runnable> tasks) {
@@ -80,7 +80,7 @@ public final class DeepStack {
     }
   }
 
-  /** Ends threads and waits until they have ended, but not for ever for one that does not heed. */
+  /** Interrupts threads and waits for their end, for a limited time. */
   private static void end(List<Thread> threads) {
     boolean interrupted = Thread.interrupted();
     long until = System.nanoTime() + LONGEST_WAIT_MILLIS * 1_000_000;

@@ -1,12 +1,12 @@
 package dev.eventchain.ocl.evaluation;
 
 /**
- * Takes the processor time of one thread from budgets, a little later than it is used: the clock
- * for that is expensive, so it is read only when so much wall time has gone by that it may matter.
+ * Charges the processor time of one thread to budgets, with a small delay: the processor clock is
+ * expensive, so it is read only after enough wall time.
  */
 final class Stopwatch {
 
-  /** A thread cannot use more processor time than wall time, so it reports late by this at most. */
+  /** Wall time between readings in nanoseconds, and so the largest delay of a charge. */
   private static final long BETWEEN_READINGS = 20_000_000;
 
   private static final long UNKNOWN = Long.MIN_VALUE;
@@ -21,7 +21,7 @@ final class Stopwatch {
     this.wall = clock.wall();
   }
 
-  /** Takes what has been used, and takes time from this budget from now on. */
+  /** Charges the time used so far, and charges this budget from now on. */
   void charge(TimeBudget next) {
     long now = clock.wall();
     if (now - wall >= BETWEEN_READINGS) {

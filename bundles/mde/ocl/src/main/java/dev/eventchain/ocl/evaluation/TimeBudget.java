@@ -6,14 +6,13 @@ import java.time.Duration;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * How much processor time evaluations may take, those of several threads together. On a machine
- * that is busy with other things, nothing takes more of it. What waits forever is ended by wall
- * time: a minute for each second, and ten at least, since a process of low priority may be given
- * less than a sixtieth of a processor. Thread-safe.
+ * A budget of processor time for evaluations, shared by several threads; it does not depend on the
+ * load of the machine. Endless waits end by wall time: a minute for each second, and ten at least,
+ * since a process of low priority may get less than a sixtieth of a processor. Thread-safe.
  */
 public final class TimeBudget {
 
-  /** What a limit is measured with. */
+  /** The clocks that limits are measured with. */
   public interface Clock {
 
     /** The clocks of this machine. */
@@ -31,16 +30,16 @@ public final class TimeBudget {
           }
         };
 
-    /** Nanoseconds of a clock on the wall, from an arbitrary start. */
+    /** Returns the wall time in nanoseconds from an arbitrary start. */
     long wall();
 
     /**
-     * Nanoseconds for which a processor worked for the calling thread, from an arbitrary start;
-     * wall time where Java cannot tell. A hundred times as expensive as {@link #wall}.
+     * Returns the processor time of the calling thread in nanoseconds from an arbitrary start; wall
+     * time if Java cannot measure it. A hundred times as expensive as {@link #wall}.
      */
     long processor();
 
-    /** Loaded when a limit is first looked at closely, as it takes ten milliseconds. */
+    /** Loaded when the processor time is first read, which takes ten milliseconds. */
     final class Processor {
       private static final ThreadMXBean BEAN = find();
 
@@ -66,7 +65,7 @@ public final class TimeBudget {
   private final AtomicLong used = new AtomicLong();
   private final AtomicLong started = new AtomicLong(NOT_STARTED);
 
-  /** Of a budget and all its parts, so that a thread's time is taken once. */
+  /** Shared by a budget and all its parts, so that a thread's time is charged once. */
   private final ThreadLocal<Stopwatch> stopwatch;
 
   private TimeBudget(String purpose, Duration limit, Clock clock) {
@@ -85,7 +84,7 @@ public final class TimeBudget {
     this.stopwatch = whole.stopwatch;
   }
 
-  /** A budget for everything that is evaluated with it. */
+  /** Returns a budget for all evaluations that use it. */
   public static TimeBudget of(Duration processorTime) {
     return of("it takes", processorTime, Clock.SYSTEM);
   }
@@ -93,29 +92,27 @@ public final class TimeBudget {
   /**
    * As {@link #of(Duration)}.
    *
-   * @param purpose who takes the time, in words: {@code it takes}
-   * @param clock what measures it
+   * @param purpose the subject and verb of messages: {@code it takes}
+   * @param clock the clock
    */
   public static TimeBudget of(String purpose, Duration processorTime, Clock clock) {
     return new TimeBudget(purpose, processorTime, clock);
   }
 
-  /** A budget for a part: what is taken of it is taken of this one, too. */
+  /** Returns a budget for a part, whose time is also charged to this one. */
   public TimeBudget part(Duration processorTime) {
     return new TimeBudget(processorTime, this);
   }
 
   /**
-   * Whether all of it has been used; what a thread uses is known some milliseconds later. Takes the
-   * time of the calling thread from now on, until that asks another budget.
+   * Returns whether the budget is spent, with a delay of some milliseconds per thread. Charges the
+   * time of the calling thread from now on, until that calls another budget.
    */
   public boolean isSpent() {
     return !shortage().isEmpty();
   }
 
-  /**
-   * As {@link #isSpent}: what there is too little of, in words; empty while there is some of all.
-   */
+  /** As {@link #isSpent}, but returns the exceeded limit in words; empty if not spent. */
   public String shortage() {
     start();
     stopwatch.get().charge(this);
@@ -141,7 +138,7 @@ public final class TimeBudget {
     return late ? purpose + " more than " + text(Math.max(LEAST_WALL, nanos * WALL_FACTOR)) : "";
   }
 
-  /** Takes processor time. */
+  /** Charges processor time. */
   void take(long processorNanos) {
     used.addAndGet(processorNanos);
     if (whole != null) {

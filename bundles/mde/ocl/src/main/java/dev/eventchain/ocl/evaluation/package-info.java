@@ -1,5 +1,5 @@
 /**
- * Evaluations as callers and operation libraries see them: variables, time budgets, and values that
- * are invalid. Knows neither expressions nor how they are evaluated.
+ * Evaluations for callers and operation libraries: variables, time budgets, and invalid values.
+ * Independent of expressions and their nodes.
  */
 package dev.eventchain.ocl.evaluation;

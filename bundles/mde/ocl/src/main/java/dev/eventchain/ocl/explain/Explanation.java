@@ -20,9 +20,9 @@ import org.eclipse.ocl.utilities.ExpressionInOCL;
 import org.eclipse.ocl.utilities.PredefinedType;
 
 /**
- * Finds the values that made a condition what it is for an element: goes down through {@code and},
- * {@code implies}, {@code if}, {@code forAll} and the like to the parts that decided, and names
- * what those compare. Evaluates the parts again, within a time limit.
+ * Finds the values that decide a condition for an element: descends through {@code and}, {@code
+ * implies}, {@code if}, {@code forAll} and the like to the decisive parts, and names the values
+ * they compare. Evaluates the parts again, within a time limit.
  */
 public final class Explanation {
 
@@ -36,10 +36,10 @@ public final class Explanation {
   }
 
   /**
-   * Why a condition is false for the element that the run has bound to {@code self}.
+   * Explains why a condition is false for the element that the run has bound to {@code self}.
    *
-   * @param run whose time limit applies to the explanation, too
-   * @return such as {@code self.pages is 3}; empty if there is nothing to tell
+   * @param run the evaluation; its time limit applies to the explanation, too
+   * @return such as {@code self.pages is 3}; empty if there is no explanation
    */
   public static String whyFalse(
       OCLExpression<EClassifier> condition, SubExpressions parts, Evaluation run) {
@@ -48,7 +48,7 @@ public final class Explanation {
     return probe.facts().text();
   }
 
-  /** Tells why a part of the condition has the value it has. */
+  /** Explains the value of a part of the condition. */
   private void explain(OCLExpression<EClassifier> node, boolean actual) {
     if (facts.full()) {
       return;
@@ -115,7 +115,7 @@ public final class Explanation {
     }
   }
 
-  /** A comparison, a question about a collection, the call of a definition. */
+  /** Explains a comparison, a predicate on a collection, or the call of a definition. */
   private void explainQuestion(OperationCallExp<EClassifier, EOperation> call, boolean actual) {
     Constraint definition = probe.definition(call.getReferredOperation());
     if (definition != null) {
@@ -133,8 +133,8 @@ public final class Explanation {
   }
 
   /**
-   * Only what a definition says of {@code self}, and not what another one says that it uses: there,
-   * the same words would mean other values.
+   * Explains a definition called on {@code self}, but not those that it uses, where the same
+   * expressions would have other values.
    */
   private void explainDefinition(
       Constraint definition,
@@ -170,7 +170,7 @@ public final class Explanation {
     }
   }
 
-  /** Eclipse OCL's node types say at run time what their type arguments say here. */
+  /** Casts a node; at run time, Eclipse OCL's node types imply the type arguments. */
   @SuppressWarnings({"unchecked", "TypeParameterUnusedInFormals"})
   private static <T extends OCLExpression<EClassifier>> T cast(OCLExpression<EClassifier> node) {
     return (T) node;

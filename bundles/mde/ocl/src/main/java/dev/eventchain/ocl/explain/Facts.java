@@ -6,7 +6,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
-/** What an explanation tells: a few values, each once, some of them under an element. */
+/** The facts of an explanation: a few values, each once, some of them under an element. */
 final class Facts {
 
   private static final int MOST = 4;
@@ -15,7 +15,7 @@ final class Facts {
   private List<String> current = new ArrayList<>();
   private boolean grouped;
 
-  /** How many values have been told. */
+  /** Returns the number of values. */
   int size() {
     return told.size();
   }
@@ -24,12 +24,12 @@ final class Facts {
     return told.size() >= MOST;
   }
 
-  /** Tells the value of an expression. */
+  /** Adds the value of an expression. */
   void add(String expression, Object value) {
     add(expression + " " + ValueTexts.predicate(value));
   }
 
-  /** Tells a fact in words. */
+  /** Adds a fact in words. */
   void add(String words) {
     if (!full() && told.add(words)) {
       current.add(words);
@@ -37,10 +37,10 @@ final class Facts {
   }
 
   /**
-   * Tells what is found meanwhile under one element.
+   * Groups the facts that an action adds under one element.
    *
    * @param heading such as {@code for b = Book 'Dune'}
-   * @param otherwise what to tell if nothing is found
+   * @param otherwise the fact to add if the action adds none
    */
   void group(String heading, String otherwise, Runnable meanwhile) {
     List<String> outer = current;
@@ -59,7 +59,7 @@ final class Facts {
     }
   }
 
-  /** All facts in one sentence without its end; empty if there are none. */
+  /** Returns all facts as a sentence without full stop; empty if there are none. */
   String text() {
     if (grouped) {
       return String.join("; ", current);

@@ -16,7 +16,7 @@ import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.Variable;
 import org.eclipse.ocl.expressions.VariableExp;
 
-/** Evaluates parts of a condition on an element and tells their values. */
+/** Evaluates parts of a condition on an element and records their values. */
 final class Probe {
 
   private final SubExpressions parts;
@@ -37,12 +37,12 @@ final class Probe {
     return feature == null ? null : parts.definition(feature);
   }
 
-  /** The value of a part; an {@link Invalid} also if the time is over. */
+  /** Returns the value of a part; an {@link Invalid} also if the time is over. */
   Object evaluate(OCLExpression<EClassifier> part) {
     return parts.evaluate(part, run);
   }
 
-  /** The elements of a part that is a collection; none if it has no value. */
+  /** Returns the elements of a part that is a collection; none if it has no value. */
   Collection<?> elements(OCLExpression<EClassifier> part) {
     return evaluate(part) instanceof Collection<?> elements ? elements : List.of();
   }
@@ -51,7 +51,7 @@ final class Probe {
     return run.isOutOfTime();
   }
 
-  /** Does something while a variable has a value. */
+  /** Runs an action while a variable has a value. */
   void with(String variable, Object value, Runnable action) {
     run.bind(variable, value);
     try {
@@ -61,7 +61,7 @@ final class Probe {
     }
   }
 
-  /** Does something while variables have values; nothing if there are more or less of those. */
+  /** Runs an action while variables have values; not if their numbers differ. */
   void withAll(List<Variable<EClassifier, EParameter>> variables, List<?> values, Runnable action) {
     if (variables.size() != values.size()) {
       return;
@@ -76,7 +76,7 @@ final class Probe {
         () -> withAll(variables.subList(0, last), values.subList(0, last), action));
   }
 
-  /** Does something while the values of these variables are known to the reader. */
+  /** Runs an action while the values of variables are known to the reader. */
   void showing(Collection<String> variables, Runnable action) {
     List<String> added = new ArrayList<>(variables);
     added.removeIf(shown::contains);
@@ -86,9 +86,9 @@ final class Probe {
   }
 
   /**
-   * Tells the value of a part, unless the reader sees it already.
+   * Records the value of a part, unless the reader sees it already.
    *
-   * @return whether the reader knows it now; not if it is a literal or took too long to find
+   * @return true if the reader knows it now; false for a literal or if the time is over
    */
   boolean tell(OCLExpression<EClassifier> part) {
     String text = SourceTexts.of(part);

@@ -9,17 +9,14 @@ import org.eclipse.ocl.ecore.Constraint;
 import org.eclipse.ocl.ecore.EcoreEnvironment;
 import org.eclipse.ocl.expressions.OCLExpression;
 
-/**
- * The parts of an expression, each ready to be evaluated on its own, once it was asked for. Safe
- * for threads.
- */
+/** The parts of an expression, each compiled when first evaluated on its own. Thread-safe. */
 public final class SubExpressions {
 
   /** Evaluates one part. */
   @FunctionalInterface
   public interface Part {
 
-    /** The value; the run binds the variables that are declared outside the part. */
+    /** Evaluates the part; the run binds the variables that are declared outside it. */
     Object evaluate(Evaluation run);
   }
 
@@ -28,10 +25,10 @@ public final class SubExpressions {
   private final Map<OCLExpression<EClassifier>, Part> known = new ConcurrentHashMap<>();
 
   /**
-   * Starts.
+   * Creates the parts.
    *
-   * @param environment knows the definitions
-   * @param compiler makes a part ready
+   * @param environment the environment with the definitions
+   * @param compiler compiles a part
    */
   public SubExpressions(
       EcoreEnvironment environment, Function<OCLExpression<EClassifier>, Part> compiler) {
@@ -39,12 +36,12 @@ public final class SubExpressions {
     this.compiler = compiler;
   }
 
-  /** The definition that is behind an operation or a property; null if there is none. */
+  /** Returns the definition of an operation or a property; null if there is none. */
   Constraint definition(Object feature) {
     return environment.getDefinition(feature);
   }
 
-  /** The value of a part; the run binds the variables that are declared outside it. */
+  /** Evaluates a part; the run binds the variables that are declared outside it. */
   Object evaluate(OCLExpression<EClassifier> part, Evaluation run) {
     return known.computeIfAbsent(part, compiler).evaluate(run);
   }

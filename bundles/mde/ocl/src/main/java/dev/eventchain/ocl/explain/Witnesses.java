@@ -15,7 +15,7 @@ import org.eclipse.ocl.expressions.IteratorExp;
 import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.Variable;
 
-/** Finds the elements that decided an iterator, such as the one for which a forAll fails. */
+/** Finds the elements that decide an iterator, such as the one for which a forAll fails. */
 final class Witnesses {
 
   /** Explains why a body has its value. */
@@ -39,13 +39,13 @@ final class Witnesses {
     this.explainer = explainer;
   }
 
-  /** Tells of the first elements for which the body has a value; false if there are none. */
+  /** Reports the first elements for which the body has a value; false if there are none. */
   boolean tellFirst(boolean wanted) {
     search(probe.elements(loop.getSource()), new ArrayList<>(), wanted);
     return found;
   }
 
-  /** Gives the iterators values from the first one on, as the evaluation does. */
+  /** Binds the iterator variables from the first on, as the evaluation does. */
   private void search(Collection<?> elements, List<Object> values, boolean wanted) {
     if (values.size() == variables.size()) {
       if (Boolean.valueOf(wanted).equals(probe.evaluate(body))) {
@@ -87,12 +87,12 @@ final class Witnesses {
         () -> probe.facts().group("for " + String.join(" and ", bindings), otherwise, explanation));
   }
 
-  /** An iterator that is not written has no place. */
+  /** Returns whether an iterator is written; an implicit one has no position. */
   private static boolean isNamed(Variable<?, ?> variable) {
     return variable.getStartPosition() >= 0;
   }
 
-  /** Tells of the first two elements for which the body has the same value. */
+  /** Reports the first two elements for which the body has the same value. */
   boolean tellEqual() {
     Map<Object, Object> first = new HashMap<>();
     for (Object element : probe.elements(loop.getSource())) {
@@ -125,7 +125,7 @@ final class Witnesses {
     return value[0];
   }
 
-  /** Tells which elements meet the body of a {@code one}; false if none does. */
+  /** Reports the elements that satisfy the body of a {@code one}; false if none does. */
   boolean tellAll() {
     List<Object> all = new ArrayList<>();
     for (Object element : probe.elements(loop.getSource())) {

@@ -1,5 +1,5 @@
 /**
- * Reasons why a condition is false, found by evaluating its parts. Knows neither the parser nor the
- * nodes.
+ * Reasons why a condition is false, found by evaluating its parts. Independent of the parser and
+ * the nodes.
  */
 package dev.eventchain.ocl.explain;

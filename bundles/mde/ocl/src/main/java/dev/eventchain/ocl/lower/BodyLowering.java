@@ -64,19 +64,19 @@ final class BodyLowering {
   private final OperationLowering operations;
   private final LoopLowering loops;
 
-  /** The variables that can be seen, and their slots. */
+  /** The visible variables and their slots. */
   private Map<String, Integer> visible = new LinkedHashMap<>();
 
   private final List<String> slots = new ArrayList<>();
 
-  /** The nodes of all expressions so far, if those are traced; otherwise null. */
+  /** The nodes of all expressions so far if tracing; otherwise null. */
   private final Map<OCLExpression<EClassifier>, Node> traced;
 
   /**
-   * Starts.
+   * Creates the lowering of a body.
    *
-   * @param parameters the variables of a definition, which sees no others; null for an expression,
-   *     whose other variables are those of its scope
+   * @param parameters the only variables of a definition; null for an expression, which has those
+   *     of its scope
    */
   BodyLowering(Lowering lowering, List<String> parameters) {
     this.lowering = lowering;
@@ -89,7 +89,7 @@ final class BodyLowering {
     }
   }
 
-  /** What is traced goes through all elements, to meet the one that has no value. */
+  /** Returns the key lowering; none if tracing, which must visit all elements. */
   private Optional<KeyLowering> keys(Lowering lowering) {
     return lowering.isTracing() ? Optional.empty() : Optional.of(new KeyLowering(this, lowering));
   }
@@ -99,7 +99,7 @@ final class BodyLowering {
     result.complete(root, slots.stream().map(BodyLowering::given).toList(), lowering.isRecursive());
   }
 
-  /** What stands for no source never has a value, so a deep stack need not be searched for it. */
+  /** Returns a free variable; null for that of calls without source, which never has a value. */
   private static String given(String variable) {
     return Libraries.NO_SOURCE.equals(variable) ? null : variable;
   }
@@ -109,7 +109,7 @@ final class BodyLowering {
     return slots.size() - 1;
   }
 
-  /** Lowers what sees some more variables. */
+  /** Lowers an expression with additional variables. */
   Node within(Map<String, Integer> variables, OCLExpression<EClassifier> expression) {
     Map<String, Integer> outer = visible;
     visible = new LinkedHashMap<>(outer);
@@ -151,8 +151,8 @@ final class BodyLowering {
     return node;
   }
 
-  /** What an expression is applied to; null for one that only holds others. */
-  @SuppressWarnings("unchecked") // Eclipse OCL's own types tell the metamodel they are for
+  /** Returns the expression that a node is applied to; null if it only contains others. */
+  @SuppressWarnings("unchecked") // Eclipse OCL's types have the metamodel as type arguments
   private static OCLExpression<EClassifier> subjectOf(OCLExpression<EClassifier> expression) {
     if (expression instanceof CallExp<?> call) {
       return (OCLExpression<EClassifier>) call.getSource();
@@ -162,7 +162,7 @@ final class BodyLowering {
         : null;
   }
 
-  @SuppressWarnings("unchecked") // Eclipse OCL's own types tell the metamodel they are for
+  @SuppressWarnings("unchecked") // Eclipse OCL's types have the metamodel as type arguments
   private Node plain(OCLExpression<EClassifier> expression) {
     if (expression instanceof OperationCallExp<?, ?> call) {
       return operations.node((OperationCallExp<EClassifier, EOperation>) call);
@@ -188,7 +188,7 @@ final class BodyLowering {
     return new ValueNodes.Constant(literal(expression));
   }
 
-  /** What a literal stands for; invalid for what the grammar has and nothing evaluates. */
+  /** Returns the value of a literal; invalid for those that parse but cannot be evaluated. */
   private Object literal(OCLExpression<EClassifier> expression) {
     if (expression instanceof IntegerLiteralExp<EClassifier> integer) {
       return BigLiterals.valueOf(integer);
@@ -233,17 +233,17 @@ final class BodyLowering {
     return new ValueNodes.Let(slot, value, within(Map.of(variable.getName(), slot), let.getIn()));
   }
 
-  /** What a variable in a slot becomes. */
+  /** Returns the node for the value of a variable. */
   Node variableValue(int slot, Node value) {
     return traced == null ? value : new TracedVariable.Value(slot, value);
   }
 
-  /** The body of a loop that asks a question. */
+  /** Returns the body of a loop with a Boolean condition. */
   Node condition(OCLExpression<EClassifier> loop, Node inner) {
     return traced == null ? inner : new TracedCondition(loop, inner);
   }
 
-  /** What a variable starts with. */
+  /** Returns the initial value of a variable. */
   Node start(Variable<EClassifier, EParameter> variable) {
     OCLExpression<EClassifier> value = variable.getInitExpression();
     return value == null ? new ValueNodes.Constant(null) : node(value);

@@ -28,15 +28,15 @@ import org.eclipse.ocl.expressions.VariableExp;
 import org.eclipse.ocl.utilities.PredefinedType;
 
 /**
- * Finds the loops to which only the elements matter that have a certain key: for all others, an
- * equality in the body decides the body, whatever the rest of it is.
+ * Finds loops that depend only on elements with a certain key: for all others, an equality in the
+ * body alone decides the body.
  */
 final class KeyLowering {
 
   private final BodyLowering body;
   private final Lowering lowering;
 
-  /** Which expressions are functions; while that is found out, they are not. */
+  /** The purity of expressions; false while it is being determined. */
   private final Map<OCLExpression<EClassifier>, Boolean> functions = new HashMap<>();
 
   KeyLowering(BodyLowering body, Lowering lowering) {
@@ -45,9 +45,9 @@ final class KeyLowering {
   }
 
   /**
-   * The source of a loop, of elements that matter only if these can be told.
+   * Returns the source of a loop, reduced to the relevant elements if possible.
    *
-   * @param variables of the loop: one, and its slot
+   * @param variables the variable of the loop and its slot
    */
   Node source(
       IteratorExp<EClassifier, EParameter> loop,
@@ -61,7 +61,7 @@ final class KeyLowering {
         .orElse(source);
   }
 
-  /** The source with one comparison as the key, if it is fit for that. */
+  /** Returns the source with one comparison as the key, if that is possible. */
   private Optional<Node> keyed(
       OperationCallExp<EClassifier, EOperation> equality,
       Variable<?, ?> variable,
@@ -80,7 +80,7 @@ final class KeyLowering {
         : Optional.empty();
   }
 
-  /** The comparisons that decide alone that an element does not matter. */
+  /** Returns the comparisons that alone can make an element irrelevant. */
   private static List<OperationCallExp<EClassifier, EOperation>> deciding(
       OCLExpression<EClassifier> condition, int code) {
     return switch (code) {
@@ -92,10 +92,10 @@ final class KeyLowering {
   }
 
   /**
-   * The comparisons in an expression whose sides must be equal for it to be true or false: where
-   * they differ, it has the other one, even if the rest of it is invalid.
+   * Returns the comparisons whose sides must be equal for the expression to be {@code truth}: where
+   * they differ, it is the opposite, even if the rest of it is invalid.
    */
-  @SuppressWarnings("unchecked") // Eclipse OCL's own types tell the metamodel they are for
+  @SuppressWarnings("unchecked") // Eclipse OCL's types have the metamodel as type arguments
   private static List<OperationCallExp<EClassifier, EOperation>> equalities(
       OCLExpression<EClassifier> expression, boolean truth) {
     if (!(expression instanceof OperationCallExp<?, ?>)) {
@@ -121,7 +121,7 @@ final class KeyLowering {
     return all;
   }
 
-  /** Whether the value follows from a variable and the model alone. */
+  /** Returns whether the value depends on a variable and the model alone. */
   private boolean isKey(OCLExpression<EClassifier> expression, Variable<?, ?> variable) {
     return reads(expression, variable)
         && parts(expression)
@@ -147,8 +147,8 @@ final class KeyLowering {
   }
 
   /**
-   * Whether asking again gives the same and changes nothing, also in what is called. What calls
-   * itself is not taken: for some elements it may have no end.
+   * Returns whether an expression is pure, including its calls. Recursive ones do not count: they
+   * may not terminate for some elements.
    */
   private boolean isFunction(OCLExpression<EClassifier> expression) {
     Boolean known = functions.get(expression);
@@ -173,7 +173,7 @@ final class KeyLowering {
     return true;
   }
 
-  /** The same of a definition; empty if there is none. One that classes override is none. */
+  /** Returns the same for a definition; empty if there is none. Overridden ones are not pure. */
   private Optional<Boolean> isFunction(CallExp<?> call, ETypedElement member) {
     OCLExpression<EClassifier> definition = lowering.environment().bodyOf(member);
     EClassifier type = (EClassifier) call.getSource().getType();

@@ -22,7 +22,7 @@ import org.eclipse.ocl.utilities.PredefinedType;
 /** Lowers loops. */
 final class LoopLowering {
 
-  /** The loops whose bodies must be Booleans. */
+  /** The loops with Boolean bodies. */
   private static final Set<Integer> QUESTIONS =
       Set.of(
           PredefinedType.FOR_ALL,
@@ -36,9 +36,9 @@ final class LoopLowering {
   private final Optional<KeyLowering> keys;
 
   /**
-   * Starts.
+   * Creates the lowering of the loops in a body.
    *
-   * @param keys finds which elements matter; nothing if all are to be gone through
+   * @param keys finds the relevant elements; empty to visit all
    */
   LoopLowering(BodyLowering body, Optional<KeyLowering> keys) {
     this.body = body;

@@ -27,19 +27,19 @@ public final class Lowering {
   private final Overriding overriding;
   private final boolean tracing;
 
-  /** By the body. Only complete ones, except while one is being made. */
+  /** By body. All are complete, except while one is being lowered. */
   private final Map<OCLExpression<EClassifier>, Lowered> definitions = new HashMap<>();
 
-  /** The definitions that the expression at work has added. */
+  /** The definitions that the current expression has added. */
   private final List<OCLExpression<EClassifier>> added = new ArrayList<>();
 
-  /** Whether the expression at work calls a definition that calls itself. */
+  /** True if the current expression calls a recursive definition. */
   private boolean recursive;
 
   /**
-   * Starts.
+   * Creates the compiler.
    *
-   * @param tracing whether the nodes are to remember why a value is invalid
+   * @param tracing true if the nodes record why a value is invalid
    */
   public Lowering(OclEnvironment environment, ModelAccess model, boolean tracing) {
     this.environment = environment;
@@ -65,7 +65,7 @@ public final class Lowering {
     }
   }
 
-  /** The lowered body of an operation or a property; null if it has none. */
+  /** Returns the lowered body of an operation or a property; null if it has none. */
   Lowered definition(ETypedElement member) {
     OCLExpression<EClassifier> body = member == null ? null : environment.bodyOf(member);
     if (body == null) {
@@ -79,9 +79,7 @@ public final class Lowering {
     return definition(body, variables);
   }
 
-  /**
-   * The bodies that classes below the static type of a source give to an operation or a property.
-   */
+  /** Returns the bodies of an operation or a property in subclasses of the static source type. */
   List<VirtualCall.Implementation> overrides(EClassifier source, ETypedElement member) {
     List<VirtualCall.Implementation> found = new ArrayList<>();
     if (source instanceof EClass type && member != null) {
@@ -114,12 +112,12 @@ public final class Lowering {
     return tracing;
   }
 
-  /** The environment in which the expressions were parsed. */
+  /** Returns the environment in which the expressions were parsed. */
   OclEnvironment environment() {
     return environment;
   }
 
-  /** Access to models, which does not depend on a run. */
+  /** Returns the access to models, which does not depend on a run. */
   ModelAccess model() {
     return model;
   }

@@ -16,7 +16,7 @@ import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.ocl.expressions.OperationCallExp;
 import org.eclipse.ocl.util.OCLStandardLibraryUtil;
 
-/** Lowers calls of operations, in the order in which Eclipse OCL tells them apart. */
+/** Lowers calls of operations, distinguished in the order of Eclipse OCL. */
 final class OperationLowering {
 
   private final BodyLowering body;
@@ -71,7 +71,7 @@ final class OperationLowering {
         (object, values) -> environment.callOperation(operation, code, object, values));
   }
 
-  /** Comparisons that a metamodel declares have the code of the standard ones. */
+  /** Returns the code of an operation; comparisons of a metamodel have the standard codes. */
   private static int codeOf(EOperation operation) {
     int code = OCLStandardLibraryUtil.getOperationCode(String.valueOf(operation.getName()));
     return NumberNodes.Comparison.has(code) ? code : 0;

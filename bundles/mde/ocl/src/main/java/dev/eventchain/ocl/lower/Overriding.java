@@ -10,9 +10,9 @@ import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.ETypedElement;
 
 /**
- * Which operation or property of several classes an object has: the one of its class, or of the
- * nearest class above it. Operations are the same if they have the name and the types of parameters
- * in common, properties if they have the name.
+ * Dynamic dispatch of operations and properties: an object has those of its class, or of the
+ * nearest superclass. Operations are the same if their names and parameter types are equal,
+ * properties if their names are.
  */
 final class Overriding {
 
@@ -22,7 +22,7 @@ final class Overriding {
     this.environment = environment;
   }
 
-  /** What a class itself has in the place of a member of a class above it. */
+  /** Returns the members of the class itself that override a member of a superclass. */
   List<ETypedElement> in(EClass type, ETypedElement member) {
     List<ETypedElement> found = new ArrayList<>();
     for (ETypedElement each : environment.membersOf(type)) {
@@ -33,7 +33,7 @@ final class Overriding {
     return found;
   }
 
-  /** The member that objects of a class have in the place of one of a class above it. */
+  /** Returns the member that overrides a given one for objects of a class. */
   ETypedElement select(ETypedElement member, EClass type) {
     EClass nearest = null;
     ETypedElement selected = member;

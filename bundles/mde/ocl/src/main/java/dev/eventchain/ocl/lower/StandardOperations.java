@@ -28,7 +28,7 @@ import org.eclipse.ocl.types.VoidType;
 import org.eclipse.ocl.util.OCLStandardLibraryUtil;
 import org.eclipse.ocl.utilities.PredefinedType;
 
-/** Makes the nodes of the operations of the standard library. */
+/** Creates the nodes of standard library operations. */
 final class StandardOperations {
 
   private final OclEnvironment environment;
@@ -41,7 +41,7 @@ final class StandardOperations {
     this.types = environment.getOCLStandardLibrary();
   }
 
-  /** An operation of the standard library. */
+  /** Returns the node of an operation of the standard library. */
   Node node(OperationCallExp<EClassifier, EOperation> call, Node source, Node[] arguments) {
     EClassifier type = environment.getUMLReflection().asOCLType(call.getSource().getType());
     Node node = ofAnything(call, type, source, arguments);
@@ -54,7 +54,7 @@ final class StandardOperations {
     } else if (node == null && isNumeric(type)) {
       node = ofNumber(call.getOperationCode(), source, arguments);
     }
-    // What is left has no value for any source, such as the sum of invalid and one.
+    // All others are invalid for any source, such as the sum of invalid and one.
     return node == null ? new ValueNodes.Undefined(source) : node;
   }
 
@@ -92,12 +92,12 @@ final class StandardOperations {
     };
   }
 
-  /** The type that an argument names: the grammar allows no other argument there. */
+  /** Returns the type that an argument names; the grammar allows no other argument there. */
   private static EClassifier argumentType(OperationCallExp<EClassifier, EOperation> call) {
     return ((TypeExp<EClassifier>) call.getArgument().get(0)).getReferredType();
   }
 
-  /** Types without an extent, such as Integer, have no instances, as in Eclipse OCL. */
+  /** Returns the extent of a type; empty for types such as Integer, as in Eclipse OCL. */
   private static Node allInstances(OCLExpression<EClassifier> source) {
     EClassifier type = ((TypeExp<EClassifier>) source).getReferredType();
     if (type instanceof EEnum enumeration) {
@@ -110,7 +110,7 @@ final class StandardOperations {
         : new ValueNodes.Constant(new InsertionOrderedSet<>(Set.of()));
   }
 
-  /** The values of an enumeration, as features have them. */
+  /** Returns the values of an enumeration, as features have them. */
   static Set<Object> literals(EEnum enumeration) {
     Set<Object> values = new InsertionOrderedSet<>();
     enumeration.getELiterals().forEach(literal -> values.add(literal.getInstance()));

@@ -1,2 +1,2 @@
-/** The compiler of syntax trees into nodes. Knows neither the language nor its callers. */
+/** The compiler of syntax trees into nodes. Independent of the language and its callers. */
 package dev.eventchain.ocl.lower;

@@ -10,30 +10,30 @@ import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
-/** What elements of models and metamodels, and values, are called in messages. */
+/** Names of elements of models and metamodels, and of values, in messages. */
 public final class Names {
 
   private static final List<String> NAMING_FEATURES = List.of("name", "id", "label", "title");
 
   private Names() {}
 
-  /** The name of an element of a metamodel. */
+  /** Returns the name of an element of a metamodel. */
   public static String of(Object element) {
     return element instanceof ENamedElement named ? named.getName() : String.valueOf(element);
   }
 
-  /** {@code package::Class}. */
+  /** Returns {@code package::Class}. */
   public static String qualified(EClassifier classifier) {
     EPackage owner = classifier.getEPackage();
     return (owner == null ? "" : PackageIndex.qualifiedName(owner) + "::") + of(classifier);
   }
 
-  /** A value, short, on one line, and a text in quotes. */
+  /** Returns a value, short, on one line, with quotes around a text. */
   public static String ofValue(Object value) {
     return ValueTexts.of(value);
   }
 
-  /** The class of an object and its name, or else its place in its model. */
+  /** Returns the class of an object and its name, or else its place in its model. */
   public static String label(EObject object) {
     String type = object.eClass().getName();
     String name = nameOf(object);
@@ -58,7 +58,7 @@ public final class Names {
     return feature instanceof EAttribute && object.eGet(feature) instanceof String text ? text : "";
   }
 
-  /** The path of an object from the root of its model, {@code /} for the root itself. */
+  /** Returns the path of an object from the root of its model, {@code /} for the root itself. */
   public static String pathOf(EObject object) {
     if (object.eContainer() == null) {
       return "/";

@@ -30,7 +30,7 @@ public final class OclAnnotations {
 
   private static final String ECORE = EcorePackage.eNS_URI;
 
-  /** The sources of annotations with expressions; those of the Pivot dialect as well. */
+  /** The sources of annotations with expressions, including those of the Pivot dialect. */
   private static final List<String> SOURCES =
       List.of(
           ECORE + "/OCL",
@@ -41,31 +41,31 @@ public final class OclAnnotations {
 
   private static final Pattern NAMES_OCL = Pattern.compile("(?i).*\\bocl\\b.*");
 
-  /** The key of an invariant's message is that of the invariant and this. */
+  /** The suffix of the key of an invariant's message. */
   private static final String MESSAGE = "$message";
 
   /**
    * A text of an annotation.
    *
-   * @param entry the detail that holds it
+   * @param entry the detail with the text
    */
   public record Text(String key, String value, EObject entry) {}
 
   private OclAnnotations() {}
 
-  /** The invariants of a class or a data type, by their names. */
+  /** Returns the invariants of a class or a data type by name. */
   public static Map<String, Text> invariants(EClassifier type) {
     Map<String, Text> invariants = details(type);
     invariants.keySet().removeIf(key -> key.endsWith(MESSAGE));
     return invariants;
   }
 
-  /** The expression for the message of an invariant. */
+  /** Returns the expression for the message of an invariant. */
   public static Optional<Text> message(EClassifier type, String invariant) {
     return Optional.ofNullable(details(type).get(invariant + MESSAGE));
   }
 
-  /** The expression that computes a feature or an operation. */
+  /** Returns the body of a feature or an operation. */
   public static Optional<Text> body(ETypedElement element) {
     return Optional.ofNullable(details(element).get(bodyKey(element)));
   }
@@ -74,7 +74,7 @@ public final class OclAnnotations {
     return element instanceof EOperation ? "body" : "derivation";
   }
 
-  /** The conditions of calls of an operation, and the initial value of a feature. */
+  /** Returns the pre- and postconditions of an operation, or the initial value of a feature. */
   public static List<Text> conditions(ETypedElement element) {
     return details(element).values().stream().filter(each -> isCondition(element, each)).toList();
   }
@@ -85,14 +85,14 @@ public final class OclAnnotations {
         : text.key().equals("initial");
   }
 
-  /** The texts of an operation or a feature that mean nothing there. */
+  /** Returns the texts of an operation or a feature that have no meaning there. */
   public static List<Text> misunderstood(ETypedElement element) {
     return details(element).values().stream()
         .filter(each -> !each.key().equals(bodyKey(element)) && !isCondition(element, each))
         .toList();
   }
 
-  /** The constraints that a classifier is said to have and that no OCL states: Java checks them. */
+  /** Returns the declared constraints of a classifier without OCL, which Java code checks. */
   public static Set<String> constraintsInJava(EClassifier type) {
     Set<String> inJava = new LinkedHashSet<>();
     for (Text text : texts(type, ECORE)) {
@@ -104,7 +104,7 @@ public final class OclAnnotations {
     return inJava;
   }
 
-  /** Whether a feature has no value of its own; those of a feature map's entries have. */
+  /** Returns whether a feature stores no value; features of a feature map's entries do. */
   public static boolean isComputed(EStructuralFeature feature) {
     return (feature.isVolatile() || (feature.isDerived() && feature.isTransient()))
         && ExtendedMetaData.INSTANCE.getGroup(feature) == null
@@ -113,7 +113,7 @@ public final class OclAnnotations {
   }
 
   /**
-   * Whether a feature of a metamodel without generated code is computed, and nothing says how:
+   * Returns whether a feature of a metamodel without generated code is computed, but has no body:
    * reading it gives its default.
    */
   public static boolean isComputedInJava(EStructuralFeature feature) {
@@ -125,7 +125,7 @@ public final class OclAnnotations {
         && body(feature).isEmpty();
   }
 
-  /** All texts of the annotations of an element, by their keys; of several for one, the first. */
+  /** Returns the texts of the annotations of an element by key; the first of several per key. */
   static Map<String, Text> details(EModelElement element) {
     Map<String, Text> details = new LinkedHashMap<>();
     for (String source : SOURCES) {
@@ -134,7 +134,7 @@ public final class OclAnnotations {
     return details;
   }
 
-  /** Annotations that seem to hold OCL, by their sources, and that are not read. */
+  /** Returns annotations whose sources suggest OCL but that are not read. */
   public static List<EAnnotation> unknown(EModelElement element) {
     return element.getEAnnotations().stream()
         .filter(each -> each.getSource() != null && !SOURCES.contains(each.getSource()))
@@ -143,7 +143,7 @@ public final class OclAnnotations {
         .toList();
   }
 
-  /** Texts whose key another one has in annotations of the same source, and that say otherwise. */
+  /** Returns texts that differ from another one of the same key and source. */
   public static List<Text> contradictions(EModelElement element) {
     List<Text> contradictions = new ArrayList<>();
     for (String source : SOURCES) {
@@ -158,7 +158,7 @@ public final class OclAnnotations {
     return contradictions;
   }
 
-  /** What all annotations of a source say: Ecore allows several. */
+  /** Returns the texts of all annotations of a source, of which Ecore allows several. */
   private static List<Text> texts(EModelElement element, String source) {
     List<Text> texts = new ArrayList<>();
     for (EAnnotation annotation : element.getEAnnotations()) {

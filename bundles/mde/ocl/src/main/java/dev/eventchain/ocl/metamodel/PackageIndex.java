@@ -21,15 +21,15 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.eclipse.ocl.parser.AbstractOCLAnalyzer;
 
 /**
- * The packages that expressions can name, with all that are nested in them: those that were given,
- * then those that they refer to.
+ * The packages that expressions can name, with their subpackages: the given ones, then those that
+ * they refer to.
  */
 public final class PackageIndex {
 
   private final Set<EPackage> given = new LinkedHashSet<>();
   private final Set<EPackage> all = new LinkedHashSet<>();
 
-  /** What was found by each path, which each parse of an expression asks for again. */
+  /** Cache of the classifiers by path, since each parse looks them up again. */
   private final Map<List<String>, List<EClassifier>> classifiers = new ConcurrentHashMap<>();
 
   private final Map<EClass, List<EClass>> classesBelow = new ConcurrentHashMap<>();
@@ -53,7 +53,7 @@ public final class PackageIndex {
     }
   }
 
-  /** Adds a package, unless it is there already or is another one of the same namespace. */
+  /** Adds a package, unless there is one of the same namespace; returns whether it was added. */
   private boolean isNew(EPackage referred) {
     String namespace = referred.getNsURI();
     boolean known =
@@ -61,7 +61,7 @@ public final class PackageIndex {
     return !known && all.add(referred);
   }
 
-  /** The outermost packages of all types that a metamodel names; none of those that Java knows. */
+  /** Returns the outermost packages of all types that a metamodel names; no generated packages. */
   private static Set<EPackage> referredBy(EPackage metamodel) {
     Set<EPackage> referred = new LinkedHashSet<>();
     metamodel
@@ -79,25 +79,25 @@ public final class PackageIndex {
     return referred;
   }
 
-  /** All packages: those that were given, those that they refer to, and those nested in them. */
+  /** Returns the given packages, those that they refer to, and all subpackages. */
   public Set<EPackage> all() {
     return all;
   }
 
   /**
-   * What to do about the name of a type that there is not: the one that was meant, or else the
+   * Returns the hint for an unknown type name: the name that was probably meant, or else the known
    * metamodels, of which one may be missing.
    */
   public String hintForType(List<String> path) {
     return new TypeHints(this).of(path);
   }
 
-  /** Which metamodels are known, and how to give others; empty if there are none. */
+  /** Returns a hint with the known metamodels and how to add others; empty if there are none. */
   public String hintForMetamodels() {
     return new TypeHints(this).metamodels();
   }
 
-  /** A registry of these packages and no others. */
+  /** Returns a registry of exactly these packages. */
   public EPackage.Registry registry() {
     EPackage.Registry registry = new EPackageRegistryImpl();
     for (EPackage each : all) {
@@ -109,9 +109,9 @@ public final class PackageIndex {
   }
 
   /**
-   * The packages whose qualified name ends with this path; only the one whose whole name it is, if
-   * there is one; those that are only referred to if none is given, and Ecore if there are no
-   * others.
+   * Returns the packages whose qualified names end with a path, or only the one whose full name it
+   * is. Given packages come before referred ones, and these before Ecore; later ones count only if
+   * no earlier one matches.
    */
   public List<EPackage> packages(List<String> path) {
     List<EPackage> found = given.stream().filter(each -> endsWith(each, path)).toList();
@@ -125,7 +125,7 @@ public final class PackageIndex {
     return exact.size() == 1 ? exact : found;
   }
 
-  /** The classes that have a class above them, in the order of their packages. */
+  /** Returns the subclasses of a class, in the order of their packages. */
   public List<EClass> classesBelow(EClass type) {
     return classesBelow.computeIfAbsent(
         type,
@@ -146,16 +146,16 @@ public final class PackageIndex {
     return depth;
   }
 
-  /** {@code outer::inner}. */
+  /** Returns the qualified name: {@code outer::inner}. */
   public static String qualifiedName(EPackage innermost) {
     EPackage outer = innermost.getESuperPackage();
     return (outer == null ? "" : qualifiedName(outer) + "::") + innermost.getName();
   }
 
   /**
-   * The classifiers of this simple or qualified name; only the one whose whole name it is, if there
-   * is one; those of packages that are only referred to if no given one has any, and those of Ecore
-   * if there are no others.
+   * Returns the classifiers of a simple or qualified name, or only the one whose full name it is.
+   * Given packages come before referred ones, and these before Ecore; later ones count only if no
+   * earlier one matches.
    */
   public List<EClassifier> classifiers(List<String> path) {
     return classifiers.computeIfAbsent(List.copyOf(path), this::find);
@@ -175,7 +175,7 @@ public final class PackageIndex {
     return List.copyOf(exact.size() == 1 ? exact : found);
   }
 
-  /** The classifier that a path leads to from a package; {@code null} if there is none. */
+  /** Returns the classifier at a path from a package; {@code null} if there is none. */
   public static EClassifier classifierIn(EPackage start, List<String> path) {
     EPackage inner = start;
     for (String name : path.subList(0, path.size() - 1)) {
@@ -217,7 +217,7 @@ public final class PackageIndex {
     return true;
   }
 
-  /** Whether a name in a text, which may be escaped as {@code _name}, means an element. */
+  /** Returns whether a name in a text, perhaps escaped as {@code _name}, means an element. */
   private static boolean isNamed(String name, ENamedElement element) {
     return element.getName() != null && AbstractOCLAnalyzer.equalName(name, element.getName());
   }

@@ -11,7 +11,7 @@ import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EPackage;
 
-/** What to do about the name of a type that no metamodel has. */
+/** Hints for type names that are in no metamodel. */
 public final class TypeHints {
 
   private static final int MOST_NAMES_LISTED = 8;
@@ -23,7 +23,7 @@ public final class TypeHints {
     this.packages = packages;
   }
 
-  /** The names of all types, without their packages. */
+  /** Returns the names of all types, without their packages. */
   public Set<String> names() {
     Set<String> names = new LinkedHashSet<>();
     for (EPackage each : packages.all()) {
@@ -34,7 +34,7 @@ public final class TypeHints {
   }
 
   /**
-   * Names the type that was meant; if none is near, the metamodels, of which one may be missing.
+   * Suggests the nearest type; if none is near, names the metamodels, of which one may be missing.
    */
   public String of(List<String> path) {
     String nearest = nearest(path);
@@ -62,7 +62,7 @@ public final class TypeHints {
         : NearestName.question(path.get(0), names());
   }
 
-  /** Which metamodels are known, and how to give others. */
+  /** Returns a hint with the known metamodels and how to add others. */
   public String metamodels() {
     Collection<EPackage> all = packages.all();
     Stream<EPackage> outermost =

@@ -6,21 +6,21 @@ import java.util.Iterator;
 import org.eclipse.emf.common.util.Enumerator;
 import org.eclipse.emf.ecore.EObject;
 
-/** How values stand in messages: short, on one line, and so that a text is not taken for a name. */
+/** Texts of values in messages: short, on one line, with quotes around texts. */
 public final class ValueTexts {
 
   private static final int LONGEST = 80;
 
   private ValueTexts() {}
 
-  /** The value with the verb: {@code is 5.0}, {@code is empty}, {@code is {'a', 'b'}}. */
+  /** Returns the value with the verb: {@code is 5.0}, {@code is empty}, {@code is {'a', 'b'}}. */
   public static String predicate(Object value) {
     return value instanceof Collection<?> elements && elements.isEmpty()
         ? "is empty"
         : "is " + of(value);
   }
 
-  /** A value, shortened if it is long. */
+  /** Returns a value, shortened if it is long. */
   public static String of(Object value) {
     if (value instanceof Invalid) {
       return "undefined";
@@ -49,7 +49,7 @@ public final class ValueTexts {
     return text.append('}').toString();
   }
 
-  /** A text on one line, without what is beyond eighty characters. */
+  /** Returns a text on one line, cut after eighty characters. */
   public static String shortened(String text) {
     int end = text.length();
     if (end > LONGEST) {

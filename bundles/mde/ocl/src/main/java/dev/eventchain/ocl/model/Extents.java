@@ -16,8 +16,8 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
  * The instances of each class: those of the whole resource set of a model, in the order of its
- * resources and then of containment. Found when first asked for and kept. Thread-safe, as long as
- * the model does not change.
+ * resources and then of containment. Computed on first use and cached. Thread-safe as long as the
+ * model does not change.
  */
 public final class Extents {
 
@@ -31,7 +31,7 @@ public final class Extents {
     this.roots = List.copyOf(roots);
   }
 
-  /** What is below the roots, which may be less than the whole model. */
+  /** Returns the contents of the roots, which may be less than the whole model. */
   public synchronized ModelContents below() {
     if (below == null) {
       below = ModelContents.below(roots);
@@ -39,7 +39,7 @@ public final class Extents {
     return below;
   }
 
-  /** All instances of a class. */
+  /** Returns all instances of a class. */
   public Set<EObject> get(EClass type) {
     Set<EObject> extent = instances.get(type);
     return extent != null ? extent : instances.computeIfAbsent(type, this::findInstances);

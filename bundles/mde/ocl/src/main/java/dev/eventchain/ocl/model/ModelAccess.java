@@ -37,16 +37,16 @@ import org.eclipse.ocl.util.Tuple;
 import org.eclipse.ocl.utilities.UMLReflection;
 
 /**
- * Access to models: features, operations, types of values, tuples. Differs from what it extends in
- * that collections keep their order, that the kind of each feature is found out once, and that
- * operations of objects without generated code are called, too. Thread-safe.
+ * Access to models: features, operations, types of values, tuples. Unlike its superclass, it keeps
+ * the order of collections, determines the kind of each feature once, and also calls operations of
+ * objects without generated code. Thread-safe.
  */
 public final class ModelAccess extends EcoreEvaluationEnvironment {
 
-  /** An operation, and the class of Java that it is called on. */
+  /** An operation and the Java class of its receiver. */
   private record Callee(EOperation operation, Class<?> type) {}
 
-  /** Stands for a single value among {@link #kinds}. */
+  /** The marker of single values in {@link #kinds}. */
   private static final Object SINGLE = new Object();
 
   private final UMLReflection<
@@ -62,19 +62,19 @@ public final class ModelAccess extends EcoreEvaluationEnvironment {
           Constraint>
       types;
 
-  /** The kind of collection that a typed element holds, found out once for each. */
+  /** Cache of the collection kinds of typed elements. */
   private final Map<ETypedElement, Object> kinds = new ConcurrentHashMap<>();
 
-  /** Looked for once, since Java compares the names of all methods. */
+  /** Cache of methods, since Java compares the names of all methods for each lookup. */
   private final Map<Callee, Optional<Method>> methods = new ConcurrentHashMap<>();
 
-  /** Access as the types of an environment say. */
+  /** Creates access by the types of an environment. */
   public ModelAccess(EcoreEnvironment environment) {
     super((EcoreEnvironmentFactory) environment.getFactory());
     this.types = environment.getUMLReflection();
   }
 
-  /** The kind of collection that a typed element holds; null for a single value. */
+  /** Returns the kind of collection that a typed element holds; null for a single value. */
   public CollectionKind kindOf(ETypedElement element) {
     Object known = kinds.get(element);
     if (known == null) {
@@ -95,7 +95,7 @@ public final class ModelAccess extends EcoreEvaluationEnvironment {
     return super.navigateProperty(property, qualifiers, target);
   }
 
-  /** Makes of what Java returns the collection that the type says, or the single value. */
+  /** Converts a result of Java to a collection of the static type, or to the single value. */
   @Override
   protected Object coerceValue(ETypedElement element, Object value, boolean copy) {
     CollectionKind kind = kindOf(element);
@@ -119,7 +119,7 @@ public final class ModelAccess extends EcoreEvaluationEnvironment {
     return isInstance(value, type, true);
   }
 
-  /** Eclipse OCL goes by the Java class, which one type of OCL has several of. */
+  /** Tests the type of a value; not by Java class, of which an OCL type has several. */
   private boolean isInstance(Object value, EClassifier type, boolean exactly) {
     Object number = Numbers.normal(value);
     if (number == Unlimited.UNLIMITED || Numbers.isNumber(number)) {
@@ -133,7 +133,7 @@ public final class ModelAccess extends EcoreEvaluationEnvironment {
     return exactly ? super.isTypeOf(value, type) : super.isKindOf(value, type);
   }
 
-  /** Tuples are of a type that has the same parts, and takes the value of each. */
+  /** Returns whether a tuple has exactly the parts of a type, with values of their types. */
   private boolean areInstances(Tuple<?, ?> tuple, TupleType<?, ?> type, boolean exactly) {
     Map<String, Object> values = Values.byName(tuple);
     return values.size() == type.oclProperties().size()

@@ -15,13 +15,10 @@ import java.util.Set;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
 
-/**
- * The elements of a model in the order of containment, and by their classes; safe for threads. A
- * later change of the model is not seen.
- */
+/** The elements of a model in the order of containment, and by class. A snapshot; thread-safe. */
 public final class ModelContents {
 
-  /** Elements that are instances of the same classes, as far as Java is concerned, too. */
+  /** A key of elements that are instances of the same classes, also in Java. */
   private record Likeness(EClass type, Class<?> implementation) {
     static Likeness of(EObject element) {
       return new Likeness(element.eClass(), element.getClass());
@@ -36,7 +33,7 @@ public final class ModelContents {
   private final List<EObject> all = new ArrayList<>();
   private final Map<Likeness, List<EObject>> alike = new LinkedHashMap<>();
 
-  /** Of the latest element, which the next one is likely to be like. */
+  /** The key of the latest element, which the next one probably has, too. */
   private Likeness latest;
 
   private List<EObject> likeLatest;
@@ -45,7 +42,7 @@ public final class ModelContents {
     this.roots = List.copyOf(roots);
   }
 
-  /** All elements below some roots, the roots included, each once. */
+  /** Returns the roots and all elements below them, each once. */
   static ModelContents below(Collection<? extends EObject> roots) {
     ModelContents contents = new ModelContents(roots);
     Set<EObject> seen = mayOverlap(roots) ? new HashSet<>() : null;
@@ -53,7 +50,7 @@ public final class ModelContents {
     return contents;
   }
 
-  /** All elements of several models, each once. */
+  /** Returns all elements of several models, each once. */
   static ModelContents union(Set<ModelContents> parts) {
     if (parts.size() == 1) {
       return parts.iterator().next();
@@ -66,7 +63,7 @@ public final class ModelContents {
     return contents;
   }
 
-  /** Whether a root may be found again below another one. */
+  /** Returns whether a root may be contained in another one. */
   private static boolean mayOverlap(Collection<? extends EObject> roots) {
     return roots.stream().anyMatch(root -> root.eContainer() != null)
         || new HashSet<>(roots).size() < roots.size();
@@ -100,17 +97,17 @@ public final class ModelContents {
     all.add(element);
   }
 
-  /** The roots, in the order in which they were given. */
+  /** Returns the roots in the order given. */
   List<EObject> roots() {
     return roots;
   }
 
-  /** All elements. */
+  /** Returns all elements. */
   public List<EObject> all() {
     return Collections.unmodifiableList(all);
   }
 
-  /** The instances of a class and its subclasses. */
+  /** Returns the instances of a class and its subclasses. */
   public List<EObject> instancesOf(EClass type) {
     Map<Likeness, List<EObject>> fitting = new LinkedHashMap<>(alike);
     fitting.values().removeIf(elements -> !type.isInstance(elements.get(0)));

@@ -4,18 +4,18 @@ import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.ocl.types.VoidType;
 
 /**
- * Whether values are of a type.
+ * A test of values for a type.
  *
- * @param exactly whether instances of subtypes are left out
+ * @param exactly true to exclude instances of subtypes
  */
 public record TypeTest(EClassifier type, boolean exactly, ModelAccess environment) {
 
-  /** What {@code oclIsKindOf} or {@code oclIsTypeOf} says of a value that is not undefined. */
+  /** Returns the result of {@code oclIsKindOf} or {@code oclIsTypeOf} for a defined value. */
   public boolean holds(Object value) {
     return exactly ? environment.isTypeOf(value, type) : environment.isKindOf(value, type);
   }
 
-  /** Whether {@code selectByKind} or {@code selectByType} takes an element. */
+  /** Returns whether {@code selectByKind} or {@code selectByType} selects an element. */
   public boolean selects(Object element) {
     return element == null ? exactly && type instanceof VoidType<?> : holds(element);
   }

@@ -1,5 +1,5 @@
 /**
- * Access to models: contents, extents, features, operations and instances of types. Knows no
- * expression.
+ * Access to models: contents, extents, features, operations and instances of types. Independent of
+ * expressions.
  */
 package dev.eventchain.ocl.model;

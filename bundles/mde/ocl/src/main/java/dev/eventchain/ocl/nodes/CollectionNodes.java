@@ -76,7 +76,7 @@ public final class CollectionNodes {
     private final boolean wanted;
     private final boolean integers;
 
-    /** With integers only, those are equal in OCL that are equal in Java. */
+    /** Creates the node; with integers only, equality in OCL is that of Java. */
     public Includes(Node source, Node element, boolean wanted, boolean integers) {
       this.source = source;
       this.element = element;
@@ -103,9 +103,9 @@ public final class CollectionNodes {
     private final Object emptySum;
 
     /**
-     * Makes the node.
+     * Creates the node.
      *
-     * @param emptySum the sum of no elements
+     * @param emptySum the sum of an empty collections
      */
     public Aggregate(int code, Node source, Object emptySum) {
       this.code = code;
@@ -182,7 +182,7 @@ public final class CollectionNodes {
 
     @Override
     Object compute(Frame frame) {
-      // Flattening heeds which kind of collection it is given.
+      // Flattening depends on the kind of the source.
       Object value = code == PredefinedType.FLATTEN ? source.evaluate(frame) : source.read(frame);
       if (!(value instanceof Collection<?> elements)) {
         return INVALID;
@@ -273,7 +273,7 @@ public final class CollectionNodes {
 
     @Override
     Object compute(Frame frame) {
-      // Where an element is does not depend on the kind of the collection.
+      // The position of an element does not depend on the kind of the collection.
       boolean only = code == PredefinedType.INDEX_OF && source.kindOfElements() != null;
       Object given = only ? source.read(frame) : source.evaluate(frame);
       if (!(given instanceof Collection<?> elements)) {
@@ -307,7 +307,7 @@ public final class CollectionNodes {
     return index == 0 ? Node.INVALID : (Object) index;
   }
 
-  /** An operation with two arguments: {@code insertAt}, {@code subSequence} and its like. */
+  /** An operation with two arguments: {@code insertAt}, {@code subSequence} and the like. */
   public static final class Positional extends GuardedNode {
     private final int code;
     private final Node source;

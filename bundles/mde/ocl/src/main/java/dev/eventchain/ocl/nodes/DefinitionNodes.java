@@ -25,7 +25,7 @@ public final class DefinitionNodes {
     return values;
   }
 
-  /** Evaluates what gives its outermost calls of a library to a receiver; null, or invalid. */
+  /** Evaluates a node that passes its outermost library calls to a receiver; null or invalid. */
   static Object evaluateCalls(Node root, OperationLibrary.Implementation receiver, Frame frame) {
     if (root instanceof LibraryCall call) {
       return call.give(receiver, frame);
@@ -62,7 +62,7 @@ public final class DefinitionNodes {
     }
   }
 
-  /** The value of a definition, whose object and arguments are in its own frame. */
+  /** Returns the value of a definition, whose object and arguments are in its own frame. */
   static Object evaluate(Lowered definition, Frame called) {
     Run run = called.run;
     run.step();
@@ -85,7 +85,7 @@ public final class DefinitionNodes {
     private final Node[] arguments;
 
     /**
-     * Makes the node.
+     * Creates the node.
      *
      * @param call the call in the expression
      * @param type the static type of its result
@@ -108,7 +108,7 @@ public final class DefinitionNodes {
       this.arguments = arguments;
     }
 
-    /** The same for a caller that asks for one end of the result only. */
+    /** Returns a node for a caller that uses only one end of the result. */
     public Node endOnly(Dialect dialect, boolean first) {
       return dialect
           .endOf(implementation, first)
@@ -116,7 +116,7 @@ public final class DefinitionNodes {
           .orElse(this);
     }
 
-    /** What other people's code says is passed on. */
+    /** Passes on all messages of foreign code. */
     @Override
     boolean tells(RuntimeException e) {
       return true;
@@ -134,7 +134,7 @@ public final class DefinitionNodes {
           : Numbers.normal(result);
     }
 
-    /** Calls a receiver in place of the library; null, or invalid. */
+    /** Calls a receiver instead of the library; returns null or invalid. */
     Object give(OperationLibrary.Implementation receiver, Frame frame) {
       try {
         Object result = call(receiver, frame);
@@ -163,7 +163,7 @@ public final class DefinitionNodes {
             ? called.call(object, Arrays.asList(values), frame.run)
             : frame.calls().call(call, called, object, values, frame.run);
       } finally {
-        // What the library evaluates on the way must not pass for the reason of this result.
+        // Failures inside evaluations by the library are not the reason of this result.
         frame.run.setOrigin(null);
         frame.run.takeFailure();
       }

@@ -12,35 +12,35 @@ public final class Frame {
   public final Run run;
   final Object[] slots;
 
-  /** The frame of the expression; itself for an expression. */
+  /** The frame of the outermost expression, perhaps this one. */
   private final Frame outermost;
 
   private LibraryCalls calls;
 
-  /** Why the variables have no values that were found to have none; null if it is not asked for. */
+  /** The origins of invalid variables; null if not recorded. */
   private Map<Integer, InvalidOrigin> origins;
 
-  /** For an expression. */
+  /** Creates the frame of an expression. */
   Frame(Run run, int size) {
     this.run = run;
     this.slots = size == 0 ? NO_SLOTS : new Object[size];
     this.outermost = this;
   }
 
-  /** For a definition that is called. */
+  /** Creates the frame of a called definition. */
   Frame(Frame caller, int size) {
     this.run = caller.run;
     this.slots = new Object[size];
     this.outermost = caller.outermost;
   }
 
-  /** Gives the answers that libraries gave before to the same questions. */
+  /** Replays the earlier results of library calls. */
   public void replay(LibraryCalls before) {
     before.replay();
     calls = before;
   }
 
-  /** Notes that a variable has no value for the reason that was found last. */
+  /** Records the latest origin as that of an invalid variable. */
   void keepOrigin(int slot) {
     if (origins == null) {
       origins = new HashMap<>();
@@ -48,12 +48,12 @@ public final class Frame {
     origins.put(slot, run.origin());
   }
 
-  /** Why a variable has no value; null if that is not known. */
+  /** Returns the origin of an invalid variable; null if unknown. */
   InvalidOrigin originOf(int slot) {
     return origins == null ? null : origins.get(slot);
   }
 
-  /** What libraries answered, kept for the case that the reason of an invalid value is wanted. */
+  /** Returns the results of library calls, recorded to explain invalid values. */
   public LibraryCalls calls() {
     if (outermost.calls == null) {
       outermost.calls = new LibraryCalls();

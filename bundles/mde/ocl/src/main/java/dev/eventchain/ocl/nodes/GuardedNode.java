@@ -2,7 +2,7 @@ package dev.eventchain.ocl.nodes;
 
 import dev.eventchain.ocl.values.Halted;
 
-/** A node whose work may throw, which makes the value invalid. */
+/** A node whose computation may throw, which makes the value invalid. */
 abstract class GuardedNode extends Node {
 
   @Override
@@ -20,8 +20,8 @@ abstract class GuardedNode extends Node {
   }
 
   /**
-   * Whether an exception says more than the value does that the work was done on. That a text is
-   * not a number can be seen; which classes of Java do not fit is of no use to anybody.
+   * Returns whether the message of an exception helps users. That a text is not a number is visible
+   * from the value; the names of incompatible Java classes are useless.
    */
   boolean tells(RuntimeException e) {
     return !(e instanceof ClassCastException || e instanceof NumberFormatException);

@@ -4,13 +4,12 @@ import dev.eventchain.ocl.values.KeyIndex;
 import java.util.Collection;
 
 /**
- * The source of a loop to which only those elements matter whose key is equal to some value, such
- * as {@code x.name = self.name}. Gives these only, so that looking for each element of a model
- * among all of them takes no longer for each when the model is larger.
+ * The source of a loop that depends only on elements with a certain key, such as {@code x.name =
+ * self.name}. Returns only these, so that the time of a lookup does not grow with the model.
  */
 public final class KeyedElements extends Node {
 
-  /** To go through fewer elements is as fast as to look them up. */
+  /** The number of elements below which iteration is as fast as an index. */
   private static final int WORTHWHILE = 16;
 
   private final Node source;
@@ -19,11 +18,11 @@ public final class KeyedElements extends Node {
   private final Node wanted;
 
   /**
-   * Makes a source.
+   * Creates a source.
    *
    * @param slot the variable of the loop
-   * @param key depends on this variable and on the model only
-   * @param wanted does not depend on this variable
+   * @param key the key, which depends on this variable and on the model only
+   * @param wanted the value to look up, which does not depend on this variable
    */
   public KeyedElements(Node source, int slot, Node key, Node wanted) {
     this.source = source;
@@ -32,9 +31,7 @@ public final class KeyedElements extends Node {
     this.wanted = wanted;
   }
 
-  /**
-   * The elements that matter, in their order, or all of them; invalid if it is not a collection.
-   */
+  /** Returns the relevant elements in order, or all; invalid if the source is no collection. */
   @Override
   Object evaluate(Frame frame) {
     Collection<?> elements = source.elements(frame);

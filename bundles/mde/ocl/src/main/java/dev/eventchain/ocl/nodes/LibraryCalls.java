@@ -10,15 +10,15 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What the operations of libraries answered while an expression was evaluated. The reason why a
- * value is invalid is found by evaluating once more; operations of libraries may have effects, so
- * that they are not called again then, but give the same answers.
+ * The recorded results of library operations during an evaluation. To explain an invalid value, the
+ * expression is evaluated again; since library operations may have effects, their results are then
+ * replayed.
  */
 public final class LibraryCalls {
 
   private record Question(Object call, Object source, List<Object> arguments) {}
 
-  /** An answer, or the exception that came instead. */
+  /** A result, or the exception thrown instead. */
   private record Answer(Object value, RuntimeException failure) {
     Object give() {
       if (failure != null) {
@@ -30,13 +30,13 @@ public final class LibraryCalls {
 
   private static final int PARTS = 4;
 
-  /** Call, source, arguments and answer, one after the other; an exception is in an Answer. */
+  /** Call, source, arguments and result of each call in sequence; exceptions are wrapped. */
   private Object[] entries = new Object[2 * PARTS];
 
   private int size;
   private Map<Question, Deque<Answer>> answers;
 
-  /** From now on, gives the answers of before to the questions of before. */
+  /** Starts replaying the recorded results. */
   void replay() {
     answers = new HashMap<>();
     for (int i = 0; i < size; i += PARTS) {

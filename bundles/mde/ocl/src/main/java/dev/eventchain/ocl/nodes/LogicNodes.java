@@ -18,7 +18,7 @@ public final class LogicNodes {
     }
   }
 
-  /** {@code and}: false on either side decides, whatever the other one is. */
+  /** {@code and}: false on either side decides, whatever the other side is. */
   public static final class And extends Binary {
     public And(Node left, Node right) {
       super(left, right);
@@ -38,7 +38,7 @@ public final class LogicNodes {
     }
   }
 
-  /** {@code or}: true on either side decides, whatever the other one is. */
+  /** {@code or}: true on either side decides, whatever the other side is. */
   public static final class Or extends Binary {
     public Or(Node left, Node right) {
       super(left, right);

@@ -14,12 +14,12 @@ import java.util.List;
 import java.util.Set;
 import org.eclipse.ocl.expressions.CollectionKind;
 
-/** The iterators. */
+/** Iterator expressions. */
 public final class LoopNodes {
 
   private LoopNodes() {}
 
-  /** Goes through the elements of a source; one that is not a collection makes it invalid. */
+  /** Iterates over a source; one that is no collection makes the value invalid. */
   private abstract static class Walk extends Node {
     final Node source;
 
@@ -42,9 +42,9 @@ public final class LoopNodes {
     private final Node body;
 
     /**
-     * Makes a loop.
+     * Creates a loop.
      *
-     * @param slot the variable's
+     * @param slot the slot of the variable
      */
     Loop(Node source, int slot, Node body) {
       super(source);
@@ -56,7 +56,7 @@ public final class LoopNodes {
       return body;
     }
 
-    /** Gives the calls that the body is to a receiver; null, or invalid. */
+    /** Passes the library calls of the body to a receiver; returns null or invalid. */
     final Object give(
         DefinitionNodes.LibraryCall call, OperationLibrary.Implementation receiver, Frame frame) {
       Collection<?> elements = source.elements(frame);
@@ -73,7 +73,7 @@ public final class LoopNodes {
       return null;
     }
 
-    /** The value of the body for an element. */
+    /** Returns the value of the body for an element. */
     final Object body(Object element, Frame frame) {
       frame.run.step();
       frame.slots[slot] = element;
@@ -82,9 +82,9 @@ public final class LoopNodes {
   }
 
   /**
-   * {@code forAll}, {@code exists}: looks for an element for which the body is a given value, which
-   * decides whatever has no value for others (OMG OCL 2.4, 7.5.1 and 11.9.1: {@code or} and {@code
-   * and} of all bodies).
+   * {@code forAll}, {@code exists}: searches an element whose body has the decisive value, even if
+   * the body is invalid for others (OMG OCL 2.4, 7.5.1 and 11.9.1: {@code or} and {@code and} of
+   * all bodies).
    */
   public static final class Quantifier extends Loop {
     private final boolean decisive;
@@ -108,7 +108,7 @@ public final class LoopNodes {
     }
   }
 
-  /** {@code forAll} and {@code exists} over all combinations; the first variable is the fastest. */
+  /** {@code forAll} and {@code exists} over all combinations; the first variable varies fastest. */
   public static final class MultiQuantifier extends Walk {
     private final int[] slots;
     private final Node body;
@@ -126,7 +126,7 @@ public final class LoopNodes {
       return search(elements, slots.length - 1, frame);
     }
 
-    /** The decisive value if it came up; else invalid if that did. */
+    /** Returns the decisive value if it occurs; else invalid if that occurs. */
     private Object search(Collection<?> elements, int variable, Frame frame) {
       Object result = !decisive;
       for (Object element : elements) {
@@ -266,7 +266,7 @@ public final class LoopNodes {
   public static final class SortedBy extends Loop {
     private final boolean distinct;
 
-    /** An element and what it is sorted by. */
+    /** An element and its sort key. */
     record Keyed(Object element, Object key) {}
 
     public SortedBy(Node source, int slot, Node body, boolean distinct) {
@@ -283,7 +283,7 @@ public final class LoopNodes {
       return sorted(keyed, distinct, frame.run);
     }
 
-    /** The elements in the order of their keys, or invalid. */
+    /** Returns the elements in the order of their keys, or invalid. */
     private static Object sorted(List<Keyed> keyed, boolean distinct, Run run) {
       for (Keyed each : keyed) {
         Object key = each.key();
@@ -331,7 +331,7 @@ public final class LoopNodes {
     }
   }
 
-  /** {@code iterate}. An invalid result continues being computed with, as in Eclipse OCL. */
+  /** {@code iterate}. An invalid accumulator does not end the loop, as in Eclipse OCL. */
   public static final class Iterate extends Walk {
     private final int slot;
     private final int result;

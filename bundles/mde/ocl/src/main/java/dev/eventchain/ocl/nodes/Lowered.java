@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * A lowered expression, or the lowered body of a definition. It is complete once it is published to
- * other threads; until then, definitions that call each other can already refer to it.
+ * A lowered expression, or the lowered body of a definition. It is complete when other threads see
+ * it; mutually recursive definitions can refer to it before.
  */
 public final class Lowered {
 
@@ -24,8 +24,8 @@ public final class Lowered {
    * Completes it.
    *
    * @param body the outermost node
-   * @param slots for each slot of a frame the variable whose value comes from outside, or null
-   * @param callsItself whether it may do so, or call what does
+   * @param slots the free variable of each slot of a frame, or null
+   * @param callsItself true if it, or a definition it calls, may be recursive
    */
   public void complete(Node body, List<String> slots, boolean callsItself) {
     root = body;
@@ -48,17 +48,17 @@ public final class Lowered {
     return root;
   }
 
-  /** The value with the variables of a frame. */
+  /** Returns the value with the variables of a frame. */
   public Object evaluate(Frame frame) {
     return root.evaluate(frame);
   }
 
-  /** As {@link #evaluate}, for a caller that only walks through the value. */
+  /** As {@link #evaluate}, for a caller that only iterates over the value. */
   public Object read(Frame frame) {
     return root.read(frame);
   }
 
-  /** Gives the outermost calls of a library to a receiver; null, or invalid. */
+  /** Passes the outermost library calls to a receiver; returns null or invalid. */
   public Object evaluateCalls(OperationLibrary.Implementation receiver, Frame frame) {
     return DefinitionNodes.evaluateCalls(root, receiver, frame);
   }
@@ -67,12 +67,12 @@ public final class Lowered {
     return size;
   }
 
-  /** Whether it may call itself, or what does; one that is not complete yet is asked by itself. */
+  /** Returns whether it may recurse; an incomplete one is called by itself. */
   public boolean isRecursive() {
     return root == null || recursive;
   }
 
-  /** A frame with the values of the variables. */
+  /** Returns a frame with the values of the variables. */
   public Frame frame(Run run) {
     Frame frame = new Frame(run, size);
     for (int i = 0; i < variables.length; i++) {
@@ -81,12 +81,12 @@ public final class Lowered {
     return frame;
   }
 
-  /** Whether {@link #quick} can be asked. */
+  /** Returns whether {@link #quick} can be called. */
   public boolean isQuick() {
     return quick;
   }
 
-  /** The value without a frame, for what most tags of templates hold: {@code x.name}, or a text. */
+  /** Returns the value without a frame, for the usual template tags: {@code x.name}, or a text. */
   public Object quick(Run run, boolean read) {
     if (feature != null) {
       return feature.valueOf(run.values().get(variables[0]), read, run);

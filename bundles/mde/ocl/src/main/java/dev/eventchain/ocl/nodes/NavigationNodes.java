@@ -26,7 +26,7 @@ public final class NavigationNodes {
 
   private NavigationNodes() {}
 
-  /** Where the objects of a class have a feature; -1 if they do not have it. */
+  /** The index of a feature in the objects of a class; -1 if they do not have it. */
   private record Place(EClass type, int index) {}
 
   /** Reads a feature of an object. */
@@ -34,7 +34,7 @@ public final class NavigationNodes {
     private final Node source;
     private final EStructuralFeature feature;
 
-    /** The latest class; threads may overwrite each other's, for each place is right on its own. */
+    /** Cache for the latest class; races are harmless, since each place is immutable. */
     private Place latest;
 
     private Feature(Node source, EStructuralFeature feature) {
@@ -50,9 +50,9 @@ public final class NavigationNodes {
     }
 
     /**
-     * The value for an object.
+     * Returns the value for an object.
      *
-     * @param read whether for a caller of {@link #read}
+     * @param read true for a caller of {@link #read}
      */
     abstract Object valueOf(Object object, boolean read, Run run);
 
@@ -70,10 +70,10 @@ public final class NavigationNodes {
       return valueOf(source.evaluate(frame), true, frame.run);
     }
 
-    /** What EMF gives; invalid also if the object has no such feature. */
+    /** Returns the value of EMF; invalid also if the object has no such feature. */
     final Object get(Object object, Run run) {
       try {
-        // A class is faster to ask for, and to call, than an interface.
+        // Type tests and calls are faster for a class than for an interface.
         if (object instanceof BasicEObjectImpl usual) {
           int index = indexIn(usual.eClass());
           return index < 0 ? INVALID : usual.eGet(index, true, true);
@@ -103,7 +103,7 @@ public final class NavigationNodes {
   private static final class SingleFeature extends Feature {
     private final boolean foreign;
 
-    /** Whether nothing is to be made of a value: it is a single one, and held as OCL does. */
+    /** True if values need no conversion: single ones in OCL's representation. */
     private final boolean plain;
 
     SingleFeature(Node source, EStructuralFeature feature, boolean foreign) {
@@ -133,7 +133,7 @@ public final class NavigationNodes {
     private final CollectionKind kind;
     private final boolean foreign;
 
-    /** Whether the model's own list will do for a caller of {@link #read}. */
+    /** True if a caller of {@link #read} can get the model's own list. */
     private final boolean direct;
 
     ManyFeature(Node source, EStructuralFeature feature, CollectionKind kind, boolean foreign) {
@@ -158,7 +158,7 @@ public final class NavigationNodes {
       return CollectionOperations.asCollection(kind, foreign ? Values.normal(value) : value);
     }
 
-    /** EMF's lists of a unique feature hold no element twice. */
+    /** Uses that EMF's lists of a unique feature contain no element twice. */
     @Override
     Object valueOf(Object object, boolean read, Run run) {
       Object value = get(object, run);
@@ -171,7 +171,7 @@ public final class NavigationNodes {
     }
   }
 
-  /** Reads a part of a tuple, or whatever else is rare enough. */
+  /** Reads a part of a tuple, or another rare property. */
   public static final class Part extends GuardedNode {
     private final Node source;
     private final EStructuralFeature property;
@@ -219,7 +219,7 @@ public final class NavigationNodes {
       this.environment = environment;
     }
 
-    /** What other people's code says is passed on. */
+    /** Passes on all messages of foreign code. */
     @Override
     boolean tells(RuntimeException e) {
       return true;
@@ -248,7 +248,7 @@ public final class NavigationNodes {
     }
   }
 
-  /** {@code oclIsKindOf} and {@code oclIsTypeOf}, which nothing undefined answers. */
+  /** {@code oclIsKindOf} and {@code oclIsTypeOf}, which have no value for an undefined source. */
   public static final class IsOfType extends GuardedNode {
     private final Node source;
     private final TypeTest test;

@@ -8,7 +8,7 @@ import org.eclipse.ocl.expressions.CollectionKind;
 /**
  * A part of a lowered expression. Immutable and thread-safe.
  *
- * <p>Of the values, null is OCL's null, {@link #INVALID} its invalid.
+ * <p>Null stands for OCL's null, {@link #INVALID} for its invalid.
  */
 public abstract class Node {
 
@@ -16,29 +16,27 @@ public abstract class Node {
   static final Object INVALID = Values.INVALID;
 
   /**
-   * The value.
+   * Returns the value.
    *
-   * @throws Halted if a limit is reached; no other exception gets out
+   * @throws Halted if a limit is reached; there are no other exceptions
    */
   abstract Object evaluate(Frame frame);
 
   /**
-   * The value for a caller that only walks through it and keeps no reference: a collection may be
-   * the model's own list, whatever its kind in OCL. Of the collection, only its elements and their
-   * order can be relied on.
+   * Returns the value for a caller that only iterates over it and keeps no reference. A collection
+   * may be the model's own list, whatever its kind in OCL; only its elements and their order are
+   * reliable.
    */
   Object read(Frame frame) {
     return evaluate(frame);
   }
 
-  /**
-   * The kind in OCL of the collections that {@link #read} gives, if it is known; otherwise null.
-   */
+  /** Returns the OCL kind of collections returned by {@link #read}; null if unknown. */
   CollectionKind kindOfElements() {
     return null;
   }
 
-  /** What {@link #read} gives, if that is a collection; otherwise null. */
+  /** Returns the result of {@link #read} if that is a collection; otherwise null. */
   final Collection<?> elements(Frame frame) {
     Object value = read(frame);
     return Values.isCollection(value) ? (Collection<?>) value : null;

@@ -13,7 +13,7 @@ public final class NumberNodes {
 
   private NumberNodes() {}
 
-  /** The result for two numbers of any Java types, which may be invalid. */
+  /** Returns the result for two numbers of any Java types, which may be invalid. */
   static Object binary(int code, Object first, Object second) {
     if (first instanceof Integer one && second instanceof Integer other) {
       return Arithmetic.integers(code, one, other);
@@ -64,12 +64,12 @@ public final class NumberNodes {
       return other(first, second);
     }
 
-    /** For 32-bit numbers, with which nothing overflows. */
+    /** Computes with 32-bit numbers, which cannot overflow a long. */
     abstract Object integers(long first, long second);
 
     abstract Object reals(double first, double second);
 
-    /** For numbers of any two Java types. */
+    /** Computes with numbers of any two Java types. */
     abstract Object mixed(Object first, Object second);
 
     Object other(Object first, Object second) {

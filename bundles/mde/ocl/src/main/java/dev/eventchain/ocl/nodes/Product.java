@@ -10,7 +10,7 @@ import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
- * What {@code product} makes: a set of tuples.
+ * The operation {@code product}, whose result is a set of tuples.
  *
  * @param type the type of the tuples
  */

@@ -19,8 +19,8 @@ import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
 
 /**
- * The state of an evaluation as nodes see it: besides what callers see, the cost so far and why the
- * latest value is invalid.
+ * The state of an evaluation for nodes: besides the public one, the cost so far and the origin of
+ * the latest invalid value.
  */
 public final class Run implements Evaluation {
 
@@ -47,7 +47,7 @@ public final class Run implements Evaluation {
     this.extents = extents;
   }
 
-  /** A run on the models that these objects belong to. */
+  /** Returns a run on the models of some objects. */
   public static Run over(Collection<? extends EObject> objects) {
     return new Run(new Extents(objects));
   }
@@ -74,8 +74,8 @@ public final class Run implements Evaluation {
   }
 
   /**
-   * The index of the elements of a loop, kept until the loop is about others; null if there may be
-   * none.
+   * Returns the index of the elements of a loop, cached until the loop has others; null if none is
+   * allowed.
    */
   KeyIndex index(KeyedElements loop, Collection<?> elements) {
     if (modelChanges) {
@@ -144,12 +144,12 @@ public final class Run implements Evaluation {
     return values;
   }
 
-  /** The regular expressions that were used last, which are expensive to compile. */
+  /** Returns the cache of recent regular expressions, which are expensive to compile. */
   Map<String, Matcher> matchers() {
     return matchers;
   }
 
-  /** Starts an evaluation and says whether it is not inside another one. */
+  /** Starts an evaluation; returns whether it is an outermost one. */
   public boolean begin() {
     boolean outermost = running++ == 0;
     if (outermost) {
@@ -164,7 +164,7 @@ public final class Run implements Evaluation {
     running--;
   }
 
-  /** Notes that one more node of an expression is about to be evaluated. */
+  /** Counts the evaluation of a node. */
   void step() {
     if (++steps >= STEPS_BETWEEN_LOOKS_AT_THE_CLOCK) {
       steps = 0;
@@ -193,7 +193,7 @@ public final class Run implements Evaluation {
     return outOfTime;
   }
 
-  /** Notes that a definition is about to be evaluated. */
+  /** Counts the entry into a definition. */
   void enterDefinition() {
     if (++depth > DEEPEST_RECURSION) {
       throw new Halted(
@@ -214,12 +214,12 @@ public final class Run implements Evaluation {
     this.origin = origin;
   }
 
-  /** Keeps what was said of a failure until {@link #takeFailure}. */
+  /** Stores the details of a failure until {@link #takeFailure}. */
   void fail(String detail, RuntimeException cause) {
     failure = new Failure(detail, cause);
   }
 
-  /** As {@link #fail(String, RuntimeException)}, in the words of an exception. */
+  /** As {@link #fail(String, RuntimeException)}, with the message of an exception. */
   void fail(RuntimeException cause) {
     String message = cause.getMessage();
     String words = message == null ? "it cannot be evaluated" : message;
@@ -233,10 +233,10 @@ public final class Run implements Evaluation {
   }
 
   /**
-   * Why the latest operation of Java code or of a library gave no value.
+   * The failure of the latest operation of Java code or of a library.
    *
-   * @param detail what was said; empty if nothing
-   * @param cause the exception by which it was said; null if there was none
+   * @param detail the message; empty if there is none
+   * @param cause the exception; null if there is none
    */
   public record Failure(String detail, RuntimeException cause) {
     static final Failure NONE = new Failure("", null);

@@ -17,7 +17,7 @@ public final class TextNodes {
 
   private TextNodes() {}
 
-  /** An operation of a source; one that is not a string makes it invalid. */
+  /** An operation of a source; one that is no string makes the value invalid. */
   private abstract static class Operation extends GuardedNode {
     final int code;
     private final Node source;
@@ -199,7 +199,7 @@ public final class TextNodes {
       return inside ? text.substring(first - 1, last) : INVALID;
     }
 
-    /** Refuses a text that is too long before it is made, since each step may double it. */
+    /** Replaces all occurrences; checks the length beforehand, since each step may double it. */
     private static String substituteAll(String text, String wanted, String replacement) {
       long growth = (long) replacement.length() - wanted.length();
       if (growth > 0 && (text.length() + 1L) * replacement.length() > Limits.MOST_CHARACTERS) {
@@ -243,7 +243,7 @@ public final class TextNodes {
     return matcher(frame.run, expression, text);
   }
 
-  /** A regular expression about to be applied to a text, within the time limit of the run. */
+  /** Returns a matcher of a regular expression for a text, within the time limit of the run. */
   static Matcher matcher(Run run, String expression, String text) {
     CharSequence watched = WatchedText.of(text, run);
     Matcher known = run.matchers().get(expression);
@@ -255,7 +255,7 @@ public final class TextNodes {
     return known.reset(watched);
   }
 
-  /** {@code toString()} of any value, which has one even for null and invalid. */
+  /** {@code toString()} of any value, also of null and invalid. */
   public static final class ToString extends GuardedNode {
     private final Node source;
 

@@ -4,7 +4,7 @@ import dev.eventchain.ocl.tree.InvalidOrigin;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.ocl.expressions.OCLExpression;
 
-/** The body of a loop that asks a question, which remembers an answer that is not a Boolean. */
+/** The Boolean body of a loop, which records a value that is not a Boolean. */
 public final class TracedCondition extends Node {
   private final OCLExpression<EClassifier> loop;
   private final Node body;

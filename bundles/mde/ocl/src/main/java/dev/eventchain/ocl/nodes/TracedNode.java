@@ -6,15 +6,15 @@ import org.eclipse.ocl.expressions.CollectionKind;
 import org.eclipse.ocl.expressions.OCLExpression;
 
 /**
- * A node that remembers, if it is the innermost one without a value, which expression it comes from
- * and what that was applied to. Expressions are made of such nodes only where a reason is wanted.
+ * A node that records its expression and the source of that, if it is the innermost invalid one.
+ * Used only to explain invalid values.
  */
 public final class TracedNode extends Node {
 
   private final OCLExpression<EClassifier> expression;
   private final Node node;
 
-  /** What the expression is applied to; null if it is applied to nothing. */
+  /** The source of the expression; null if it has none. */
   private final Node subject;
 
   public TracedNode(OCLExpression<EClassifier> expression, Node node, Node subject) {

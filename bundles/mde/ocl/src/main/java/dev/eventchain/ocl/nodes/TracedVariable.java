@@ -1,11 +1,11 @@
 package dev.eventchain.ocl.nodes;
 
-/** Variables that remember why their values are invalid, where a reason is wanted. */
+/** Variables that record why their values are invalid; used only for explanations. */
 public final class TracedVariable {
 
   private TracedVariable() {}
 
-  /** What a variable becomes. */
+  /** The value of a variable. */
   public static final class Value extends Node {
     private final int slot;
     private final Node value;
@@ -25,7 +25,7 @@ public final class TracedVariable {
     }
   }
 
-  /** A variable in an expression. */
+  /** A use of a variable. */
   public static final class Use extends Node {
     private final int slot;
 

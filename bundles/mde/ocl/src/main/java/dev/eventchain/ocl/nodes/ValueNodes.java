@@ -32,7 +32,7 @@ public final class ValueNodes {
     }
   }
 
-  /** What has no value whatever it is applied to, but finds out first whether that has one. */
+  /** An operation that is always invalid, but evaluates its source first, a possible origin. */
   public static final class Undefined extends Node {
     private final Node source;
 
@@ -113,7 +113,7 @@ public final class ValueNodes {
     }
   }
 
-  /** The set that an arrow after a single value makes of it; that of null is empty. */
+  /** The implicit set of a single value before an arrow; empty for null. */
   public static final class ImplicitSet extends Node {
     private final Node item;
 
@@ -137,7 +137,7 @@ public final class ValueNodes {
     Object read(Frame frame) {
       Object value = item.evaluate(frame);
       if (value == null) {
-        return Collections.emptyList(); // List.of() may not be asked for null
+        return Collections.emptyList(); // List.of() does not accept null
       }
       return value == INVALID ? INVALID : Collections.singletonList(value);
     }
@@ -148,7 +148,7 @@ public final class ValueNodes {
 
     /** Elements of the literal. */
     public interface Part {
-      /** Adds the elements, or says that the literal is invalid. */
+      /** Adds the elements; returns false if the literal is invalid. */
       boolean addTo(Collection<Object> result, Frame frame);
     }
 
@@ -201,7 +201,7 @@ public final class ValueNodes {
       return value == null || value instanceof Integer || value instanceof Long;
     }
 
-    /** Adds the integers from one to another. */
+    /** Adds the integers of a range. */
     static void addRange(long from, long to, Collection<Object> result, Run run) {
       IntegerRange range = IntegerRange.between(from, to);
       for (Object each : range) {

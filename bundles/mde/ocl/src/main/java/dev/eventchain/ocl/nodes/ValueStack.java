@@ -22,7 +22,7 @@ public final class ValueStack {
     values[size++] = value;
   }
 
-  /** The latest value of a name; {@code null} if it has none. */
+  /** Returns the latest value of a name; {@code null} if it has none. */
   Object get(String name) {
     int index = find(name);
     return index < 0 ? null : values[index];
@@ -50,7 +50,7 @@ public final class ValueStack {
     return removed;
   }
 
-  /** Forgets everything above a height that {@link #size()} gave. */
+  /** Removes everything above a height from {@link #size()}. */
   public void truncate(int height) {
     while (size > height) {
       size--;
@@ -62,7 +62,7 @@ public final class ValueStack {
   private int find(String name) {
     int hash = name.hashCode();
     for (int i = size - 1; i >= 0; i--) {
-      // A string knows its hash code, which mostly tells two names apart.
+      // Strings cache their hash codes, which usually differ for different names.
       if (names[i].hashCode() == hash && names[i].equals(name)) {
         return i;
       }

@@ -8,12 +8,11 @@ import java.util.function.BiFunction;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
 
-/** Calls what the class of the object, or the nearest one above it, says. */
+/** Calls the body in the class of the object, or in its nearest superclass. */
 public final class VirtualCall extends GuardedNode {
 
   /**
-   * What an operation or a property is in a class and all those below it that do not have an own
-   * one.
+   * The body of an operation or a property in a class and its subclasses that do not override it.
    */
   public record Implementation(EClass owner, Lowered definition) {}
 
@@ -21,7 +20,7 @@ public final class VirtualCall extends GuardedNode {
   private final Node[] arguments;
   private final List<Implementation> implementations;
 
-  /** What objects without one do. */
+  /** The fallback for objects without a body. */
   private final BiFunction<Object, Object[], Object> otherwise;
 
   private final Map<EClass, Optional<Lowered>> targets = new ConcurrentHashMap<>();

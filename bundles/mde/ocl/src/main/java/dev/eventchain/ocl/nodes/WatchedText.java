@@ -1,12 +1,12 @@
 package dev.eventchain.ocl.nodes;
 
-/** A text for a regular expression, to which the time limit of an evaluation applies, too. */
+/** A text for a regular expression that enforces the time limit of an evaluation. */
 record WatchedText(CharSequence text, Run run) implements CharSequence {
 
-  /** Regular expressions that never seem to end need a text of some length for that. */
+  /** The length up to which matching always ends soon. */
   private static final int SHORT = 20;
 
-  /** The text itself if it is too short for that. */
+  /** Returns the watched text, or the text itself if it is short. */
   static CharSequence of(CharSequence text, Run run) {
     return text.length() <= SHORT ? text : new WatchedText(text, run);
   }

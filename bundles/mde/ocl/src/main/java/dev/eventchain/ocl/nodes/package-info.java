@@ -1,5 +1,5 @@
 /**
- * Compiled expressions: immutable nodes that evaluate themselves in a run. Knows neither the parser
- * nor its environment.
+ * Compiled expressions: immutable nodes that evaluate themselves in a run. Independent of the
+ * parser and its environment.
  */
 package dev.eventchain.ocl.nodes;

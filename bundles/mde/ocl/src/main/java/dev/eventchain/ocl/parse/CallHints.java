@@ -16,7 +16,7 @@ import org.eclipse.ocl.types.CollectionType;
 import org.eclipse.ocl.types.VoidType;
 import org.eclipse.ocl.util.TypeUtil;
 
-/** What was probably meant by a call that fits no operation. */
+/** Suggestions for calls that fit no operation. */
 final class CallHints {
 
   private static final Set<String> COMPARISONS = Set.of("=", "<>", "<", ">", "<=", ">=");
@@ -25,7 +25,7 @@ final class CallHints {
 
   private static final Set<String> TYPE_TESTS = Set.of("oclIsKindOf", "oclIsTypeOf");
 
-  /** What other languages call an operation. */
+  /** Names of operations in other languages. */
   private static final Map<String, List<String>> SYNONYMS =
       Map.of(
           "length", List.of("size"),
@@ -46,9 +46,9 @@ final class CallHints {
   }
 
   /**
-   * A hint about a call.
+   * Returns a hint about a call.
    *
-   * @param owner the type of what is before the operation
+   * @param owner the type of the source
    * @param features the names of the owner's features
    */
   String of(
@@ -92,7 +92,7 @@ final class CallHints {
     return signatures.isEmpty() ? "" : "It takes " + signatures + ".";
   }
 
-  /** A call with an arrow on a collection, or on a single value that is taken for one. */
+  /** Returns a hint for a call with an arrow on a collection, or on a single value as one. */
   private String hintForArrow(EClassifier owner, EClassifier element, String name) {
     if (operations(owner).contains(name)) {
       return "It takes " + signatures(owner, name) + ".";
@@ -104,7 +104,7 @@ final class CallHints {
       return "'oclAsType' applies to each value: write a dot instead of the arrow, or"
           + " ->selectByKind(...) for the elements of that type.";
     } else if (operations(element).contains(name) || name.equals("allInstances")) {
-      // A dot gets here, too, after a collection of collections.
+      // Also for a dot after a collection of collections.
       return "'"
           + name
           + "' applies to each value, not to a collection: write a dot instead of the arrow, or"

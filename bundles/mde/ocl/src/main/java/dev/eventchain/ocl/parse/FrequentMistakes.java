@@ -11,14 +11,14 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Finds what is written as in other languages, or in other editions of OCL. Nothing of it can be
- * parsed, and the parser stops at the first error; here each is found, with what to write instead.
+ * Finds constructs of other languages or other editions of OCL, which do not parse. The parser
+ * stops at the first error; this finds all, with their replacements.
  */
 public final class FrequentMistakes {
 
   private record Mistake(String message, String hint) {}
 
-  /** Two characters that stand together and what is wrong with them. */
+  /** Mistakes by pairs of adjacent characters. */
   private static final Map<String, Mistake> OPERATORS =
       Map.ofEntries(
           Map.entry("==", new Mistake("OCL has no operator '=='.", "Equality is written =.")),
@@ -56,7 +56,7 @@ public final class FrequentMistakes {
           "and", "or", "xor", "not", "implies", "if", "then", "else", "endif", "let", "in", "inv",
           "def");
 
-  /** The names that a bar inside their parentheses is right for. */
+  /** The names that may have a bar inside their parentheses. */
   static final Set<String> ITERATORS =
       Set.of(
           "forAll",
@@ -82,7 +82,7 @@ public final class FrequentMistakes {
     this.tokens = new Tokens(range.text());
   }
 
-  /** The mistakes in a part of a text, each an error at its place. */
+  /** Returns the mistakes in a part of a text, each an error at its place. */
   public static List<Diagnostic> in(SourceRange range) {
     FrequentMistakes mistakes = new FrequentMistakes(range);
     int comment = mistakes.tokens.unclosedComment();
@@ -195,16 +195,14 @@ public final class FrequentMistakes {
     }
   }
 
-  /**
-   * {@code forAll(x : x.ok)}: where there is no bar, a colon after the first name stands for it.
-   */
+  /** Finds {@code forAll(x : x.ok)}, with a colon in place of the bar. */
   private void lookForColon() {
     if (tokens.isName(at + 3) && tokens.is(at + 4, ":")) {
       add(at + 4, new Mistake("A bar separates the variable from the body.", "Write x | ..."));
     }
   }
 
-  /** Whether a name is followed by parentheses that have a bar directly inside them. */
+  /** Returns whether a name is followed by parentheses with a bar directly inside. */
   private boolean isIteration(int name) {
     int depth = 0;
     for (int i = name + 1; tokens.isName(name) && i < tokens.size(); i++) {

@@ -7,8 +7,8 @@ import lpg.runtime.PrsStream;
 import org.eclipse.ocl.parser.OCLParsersym;
 
 /**
- * Classes that are called like a kind of collection. OCL reserves these words, but only needs them
- * where a parenthesis or a brace follows: {@code Set(Node)}, {@code Set{1}}.
+ * Allows classes named like a kind of collection. OCL reserves these words, but only needs them
+ * before a parenthesis or a brace: {@code Set(Node)}, {@code Set{1}}.
  */
 final class KeywordNames {
 
@@ -26,7 +26,7 @@ final class KeywordNames {
 
   private KeywordNames() {}
 
-  /** Makes names of the words that denote a class where they are. */
+  /** Turns these keywords into names where they denote a class. */
   static void release(PrsStream tokens, PackageIndex packages) {
     for (int i = 0; i < tokens.getSize() - 1; i++) {
       boolean kind = KINDS.contains(tokens.getKind(i)) && !OPENING.contains(tokens.getKind(i + 1));

@@ -15,10 +15,10 @@ import org.eclipse.emf.ecore.EcoreFactory;
 import org.eclipse.emf.ecore.impl.EOperationImpl;
 import org.eclipse.ocl.utilities.TypedElement;
 
-/** The operation libraries of an expression language, as Eclipse OCL sees them. */
+/** The operation libraries of an expression language, adapted to Eclipse OCL. */
 public final class Libraries {
 
-  /** Stands for the source of a call that has none. */
+  /** The name of the variable that stands for the source of a call without source. */
   public static final String NO_SOURCE = "(no source)";
 
   private record Call(
@@ -37,25 +37,25 @@ public final class Libraries {
     functions.setName(NO_SOURCE);
   }
 
-  /** Says which types the language has whose libraries these are. */
+  /** Sets the types of the language. */
   public void belongTo(TypeSystem types) {
     typeSystem = types;
   }
 
-  /** The names of all operations, for hints. */
+  /** Returns the names of all operations, for hints. */
   List<String> names() {
     return libraries.stream().flatMap(library -> library.names().stream()).distinct().toList();
   }
 
-  /** The type of the variable that stands for the source of a call that has none. */
+  /** Returns the type of the variable that stands for the source of a call without source. */
   EClass functions() {
     return functions;
   }
 
   /**
-   * The operation that a call means; {@code null} if no library has it.
+   * Returns the operation of a call; {@code null} if no library has it.
    *
-   * @param loosely whether it may be one that takes only some values of these types
+   * @param loosely true to include operations that take only some values of these types
    */
   LibraryOperation lookup(
       EClassifier source,
@@ -90,7 +90,7 @@ public final class Libraries {
     return Optional.empty();
   }
 
-  /** An operation of a library in the shape that Eclipse OCL can refer to. */
+  /** An operation of a library as an EOperation for Eclipse OCL. */
   public static final class LibraryOperation extends EOperationImpl {
     private final OperationLibrary.Implementation implementation;
 

@@ -11,15 +11,15 @@ import org.eclipse.ocl.types.CollectionType;
 import org.eclipse.ocl.util.TypeUtil;
 import org.eclipse.ocl.utilities.TypedElement;
 
-/** Finds what a call means that standard OCL would refuse for its types, where a dialect allows. */
+/** Resolves calls that a dialect allows although standard OCL refuses their types. */
 final class LooseTypes {
 
-  /** These take anything: a collection is merely not equal to a single value. */
+  /** Comparisons take any types: a collection is just not equal to a single value. */
   private static final Set<String> COMPARISONS = Set.of("=", "<>");
 
   private LooseTypes() {}
 
-  /** The operation that a dialect takes a call for; {@code null} if there is none. */
+  /** Returns the operation of a call in a dialect; {@code null} if there is none. */
   static EOperation operation(
       OclEnvironment environment,
       EClassifier owner,
@@ -38,7 +38,7 @@ final class LooseTypes {
         : found;
   }
 
-  /** The operation of this name whose parameters are collections where the arguments are. */
+  /** Returns the operation of a name whose parameters are collections where the arguments are. */
   private static EOperation named(
       OclEnvironment environment,
       EClassifier owner,

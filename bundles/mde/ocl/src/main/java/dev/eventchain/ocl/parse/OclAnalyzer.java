@@ -26,7 +26,7 @@ import org.eclipse.ocl.expressions.OperationCallExp;
 import org.eclipse.ocl.parser.OCLLexer;
 import org.eclipse.ocl.utilities.TypedElement;
 
-/** Turns text into a checked expression. */
+/** Parses text to a checked expression. */
 public final class OclAnalyzer extends OCLAnalyzer {
 
   private record MissingOperation(
@@ -65,7 +65,7 @@ public final class OclAnalyzer extends OCLAnalyzer {
     return literal;
   }
 
-  /** Our environments have their {@code self} already, or are meant to have none. */
+  /** Keeps the environment, which already has its {@code self} or is meant to have none. */
   @Override
   protected Environment<
           EPackage,
@@ -100,7 +100,7 @@ public final class OclAnalyzer extends OCLAnalyzer {
     return environment;
   }
 
-  /** Says what a name that means nothing might have meant. */
+  /** Reports an unknown name with a suggestion. */
   @Override
   protected OCLExpression<EClassifier> simpleUndefinedName(
       SimpleNameCS name,
@@ -135,7 +135,7 @@ public final class OclAnalyzer extends OCLAnalyzer {
     return createDummyInvalidLiteralExp(environment, name);
   }
 
-  /** Remembers what was looked for in vain, for the error that follows. */
+  /** Records a failed lookup for the error that follows. */
   @Override
   protected EOperation lookupOperation(
       CSTNode node,
@@ -241,12 +241,12 @@ public final class OclAnalyzer extends OCLAnalyzer {
     }
   }
 
-  /** Whether it was only looked for in vain because of another error. */
+  /** Returns whether a lookup failed only because of another error. */
   private boolean isOfError(MissingOperation wanted) {
     return collector().failed() && ProblemTexts.isAnyError(wanted.arguments());
   }
 
-  /** A definition that has an error is not reported again by all that use it. */
+  /** Reports a missing name, unless it is that of a definition with an error. */
   private void reportMissing(String name, ProblemTexts.Problem problem, int offset) {
     if (((OclEnvironment) getEnvironment()).hasFailed(name)) {
       collector().fail();

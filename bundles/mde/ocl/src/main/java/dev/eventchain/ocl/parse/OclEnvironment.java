@@ -28,15 +28,14 @@ import org.eclipse.ocl.options.ProblemOption;
 import org.eclipse.ocl.utilities.TypedElement;
 
 /**
- * The names that an expression can use while it is parsed. Differs from what it extends in that
- * types are found in all packages, operations in the libraries, too, and that errors anywhere in a
- * parse know the place of their node.
+ * The names that an expression can use while it is parsed. Unlike its superclass, it finds types in
+ * all packages and operations in libraries, and gives all errors the place of their node.
  */
 public final class OclEnvironment extends EcoreEnvironment {
 
   private final OclEnvironmentFactory factory;
 
-  /** Whether what is parsed is a type for a declaration, and no expression. */
+  /** True while parsing the type of a declaration. */
   private boolean declaring;
 
   OclEnvironment(OclEnvironmentFactory factory) {
@@ -53,22 +52,22 @@ public final class OclEnvironment extends EcoreEnvironment {
     this.factory = parent.factory;
     this.declaring = parent.declaring;
     if (parent.getInternalParent() != null) {
-      // All environments of one parse share what node is where.
+      // All environments of one parse share the mapping from nodes to places.
       setASTNodeToCSTNodeMap(parent.getASTNodeToCSTNodeMap());
     }
   }
 
-  /** Sets the package in which simple names are looked for first. */
+  /** Sets the package in which simple names are looked up first. */
   public void setPackage(EPackage contextPackage) {
     setContextPackage(contextPackage);
   }
 
-  /** From now on, names of types are those of a declaration, and may mean any type. */
+  /** Parses type names as those of a declaration from now on, which may mean any type. */
   public void declareTypes() {
     declaring = true;
   }
 
-  /** Names a variable; {@code self} is the source of calls and navigations that have none. */
+  /** Adds a variable; {@code self} is the implicit source of calls and navigations. */
   public void addVariable(String name, EClassifier type) {
     Variable<EClassifier, EParameter> variable = getOCLFactory().createVariable();
     getUMLReflection().setName(variable, name);
@@ -76,7 +75,7 @@ public final class OclEnvironment extends EcoreEnvironment {
     addVariable(variable);
   }
 
-  /** As the other one, with a variable that belongs to a definition. */
+  /** Adds a variable that belongs to a definition. */
   public void addVariable(Variable<EClassifier, EParameter> variable) {
     if (addElement(variable.getName(), variable, true)
         && variable.getName().equals(SELF_VARIABLE_NAME)) {
@@ -84,7 +83,7 @@ public final class OclEnvironment extends EcoreEnvironment {
     }
   }
 
-  /** Notes that a definition belongs to its class, not to an object: {@code Type::name(...)}. */
+  /** Records a definition as static: {@code Type::name(...)}. */
   public void addStatic(Object definition) {
     factory.statics().add(definition);
   }
@@ -98,7 +97,7 @@ public final class OclEnvironment extends EcoreEnvironment {
   }
 
   /**
-   * Remembers a definition that could not be declared: to miss its name is not an error of its own.
+   * Records a definition that could not be declared, so that its uses are no errors of their own.
    */
   public void addFailedName(String name) {
     factory.failedNames().add(name);
@@ -112,7 +111,7 @@ public final class OclEnvironment extends EcoreEnvironment {
     factory.failedNames().clear();
   }
 
-  /** Gives the analyzer the context that it needs, for an expression that has no {@code self}. */
+  /** Sets a placeholder for {@code self}, which the analyzer needs for an expression without. */
   public void hideSelf() {
     Variable<EClassifier, EParameter> hidden = getOCLFactory().createVariable();
     getUMLReflection().setName(hidden, Libraries.NO_SOURCE);
@@ -120,22 +119,19 @@ public final class OclEnvironment extends EcoreEnvironment {
     setSelfVariable(hidden);
   }
 
-  /** Forgets what a parse left behind, which each later parse would have to search. */
+  /** Removes leftovers of a parse, which later parses would have to search. */
   public void clean() {
     getTypeResolver().getResource().getContents().removeIf(root -> !(root instanceof EPackage));
   }
 
-  /** The operations and properties that definitions have added to a class. */
+  /** Returns the operations and properties that definitions have added to a class. */
   public List<Object> definitionsOf(EClassifier type) {
     List<Object> definitions = new ArrayList<>(getTypeResolver().getAdditionalOperations(type));
     definitions.addAll(getTypeResolver().getAdditionalAttributes(type));
     return definitions;
   }
 
-  /**
-   * The operations and features that a class declares itself, and those that definitions have added
-   * to it.
-   */
+  /** Returns the operations and features that a class declares, and those added by definitions. */
   public List<ETypedElement> membersOf(EClass type) {
     List<ETypedElement> members = new ArrayList<>(type.getEOperations());
     members.addAll(getTypeResolver().getAdditionalOperations(type));
@@ -144,7 +140,7 @@ public final class OclEnvironment extends EcoreEnvironment {
     return members;
   }
 
-  /** The expression that computes a feature or an operation; null if there is none. */
+  /** Returns the body of a feature or an operation; null if there is none. */
   public OCLExpression<EClassifier> bodyOf(ETypedElement element) {
     return factory.bodyOf(element);
   }
@@ -165,7 +161,7 @@ public final class OclEnvironment extends EcoreEnvironment {
     return factory.libraries();
   }
 
-  /** A type that several packages have must be named with its package. */
+  /** Finds a type; one that several packages have must be named with its package. */
   @Override
   public EClassifier tryLookupClassifier(List<String> names) throws LookupException {
     if (nearest(names) == null) {
@@ -180,7 +176,7 @@ public final class OclEnvironment extends EcoreEnvironment {
     return super.tryLookupClassifier(names);
   }
 
-  /** How many roots the type resolver holds. */
+  /** Returns the number of roots in the type resolver. */
   public int roots() {
     return getTypeResolver().getResource().getContents().size();
   }
@@ -202,8 +198,8 @@ public final class OclEnvironment extends EcoreEnvironment {
   }
 
   /**
-   * What a name means from inside the context's package and those around it. Eclipse OCL would take
-   * the first package of a name that is anywhere, and say nothing about the others.
+   * Finds a type from inside the context's package and those around it. Eclipse OCL would silently
+   * take the first package of that name anywhere.
    */
   private EClassifier nearest(List<String> names) {
     if (names.size() == 1) {
@@ -239,7 +235,7 @@ public final class OclEnvironment extends EcoreEnvironment {
     return isOverridden(owner, found) ? null : found;
   }
 
-  /** While a definition is declared, those of classes above its class do not stand in its way. */
+  /** Returns whether a definition being declared may override a member found in a superclass. */
   private boolean isOverridden(EClassifier owner, ETypedElement found) {
     return factory.isDeclaring()
         && owner instanceof EClass type
@@ -256,7 +252,7 @@ public final class OclEnvironment extends EcoreEnvironment {
     addTypeError(message, problem);
   }
 
-  /** At the name of what is called, rather than at the start of all that it is called on. */
+  /** Adds an error at the name of the call, rather than at the start of its source. */
   private void addTypeError(String message, Object problem) {
     CSTNode node = problem instanceof CSTNode itself ? itself : getASTMapping(problem);
     if (node instanceof CallExpCS call && call.getSimpleNameCS() != null) {

@@ -43,7 +43,7 @@ public final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
     this.texts = new ProblemTexts(root, packages);
   }
 
-  /** While a definition is declared, an operation of a superclass is one that it may override. */
+  /** Marks the start or end of a declaration, which may override operations of superclasses. */
   public void declare(boolean begins) {
     declaring = begins;
   }
@@ -52,12 +52,12 @@ public final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
     return declaring;
   }
 
-  /** Says where the bodies of features and operations come from. */
+  /** Sets the source of the bodies of features and operations. */
   public void computeBy(Function<ETypedElement, OCLExpression<EClassifier>> source) {
     bodies = source;
   }
 
-  /** The expression that computes a feature or an operation; null if there is none. */
+  /** Returns the body of a feature or an operation; null if there is none. */
   OCLExpression<EClassifier> bodyOf(ETypedElement element) {
     return bodies.apply(element);
   }
@@ -82,7 +82,7 @@ public final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
     return texts;
   }
 
-  /** The definitions that belong to their classes, not to objects. */
+  /** Returns the static definitions. */
   Set<Object> statics() {
     return statics;
   }

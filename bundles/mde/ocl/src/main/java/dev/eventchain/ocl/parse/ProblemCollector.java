@@ -9,10 +9,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.eclipse.ocl.lpg.AbstractProblemHandler;
 
-/** Turns the problems that Eclipse OCL reports into diagnostics with their exact places. */
+/** Converts the problems of Eclipse OCL into diagnostics with exact places. */
 public final class ProblemCollector extends AbstractProblemHandler {
 
-  /** What Eclipse OCL says of each feature after a type's name: Ecore has no static ones. */
+  /** Message of Eclipse OCL for any feature after a type name, since Ecore has no static ones. */
   private static final Pattern NON_STATIC =
       Pattern.compile("Static (?:call|reference) to non-static (?:operation|attribute) \"(.*)\"");
 
@@ -26,9 +26,9 @@ public final class ProblemCollector extends AbstractProblemHandler {
   /**
    * Collects the problems of one parse.
    *
-   * @param range what is parsed
-   * @param prefix how many characters stand before it in the parser's input
-   * @param isStatic whether a definition of a name is static
+   * @param range the parsed text
+   * @param prefix the number of characters before it in the parser's input
+   * @param isStatic tells whether a definition of a name is static
    */
   public ProblemCollector(
       SourceRange range, int prefix, Predicate<String> isStatic, List<Diagnostic> problems) {
@@ -39,18 +39,18 @@ public final class ProblemCollector extends AbstractProblemHandler {
     this.problems = problems;
   }
 
-  /** Whether what is parsed has a character at the parser's offset. */
+  /** Returns whether the parsed text has a character at the parser's offset. */
   boolean isAt(char character, int startOffset) {
     int offset = offset(startOffset);
     return offset < range.end() && range.source().text().charAt(offset) == character;
   }
 
-  /** Whether an error was reported. */
+  /** Returns whether an error was reported. */
   public boolean failed() {
     return failed;
   }
 
-  /** Notes an error that is reported elsewhere. */
+  /** Records an error that is reported elsewhere. */
   void fail() {
     failed = true;
   }
@@ -75,9 +75,9 @@ public final class ProblemCollector extends AbstractProblemHandler {
     }
   }
 
-  /** Only the first: what follows a syntax error is its echo. */
+  /** Adds the first syntax problem; later ones only follow from it. */
   private void addSyntaxProblem(boolean error, String message, int startOffset) {
-    // A quoted name is unusual but right; one that means nothing is a separate error.
+    // A quoted name is unusual but valid; an unknown one is a separate error.
     if (!syntaxErrorFound && !message.startsWith("Usage of non-standard quoted")) {
       syntaxErrorFound = error;
       String words = SyntaxTexts.message(message);

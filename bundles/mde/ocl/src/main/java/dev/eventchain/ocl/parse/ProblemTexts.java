@@ -31,13 +31,13 @@ import org.eclipse.ocl.types.VoidType;
 import org.eclipse.ocl.util.TypeUtil;
 import org.eclipse.ocl.utilities.TypedElement;
 
-/** Says what is wrong with an expression in words that help to fix it. */
+/** Messages and hints for problems of expressions. */
 final class ProblemTexts {
 
-  /** What is wrong, and what was probably meant. */
+  /** A message and a hint. */
   record Problem(String message, String hint) {}
 
-  /** What other languages call a literal. */
+  /** Literals in other languages. */
   private static final Map<String, String> LITERALS =
       Map.of(
           "true", "true",
@@ -66,7 +66,7 @@ final class ProblemTexts {
     this.types = new TypeHints(packages);
   }
 
-  /** A name with nothing before it. */
+  /** Describes an unknown name without source. */
   Problem unknownName(
       String name, Environment<?, EClassifier, ?, ?, ?, EParameter, ?, ?, ?, ?, ?, ?> environment) {
     Set<String> known = new LinkedHashSet<>();
@@ -105,7 +105,7 @@ final class ProblemTexts {
     return found;
   }
 
-  /** A name after a dot. */
+  /** Describes an unknown name after a dot. */
   Problem unknownFeature(String name, EClassifier sourceType) {
     EClassifier owner = elementType(sourceType).orElse(sourceType);
     if (sourceType instanceof TypeType literal
@@ -124,7 +124,7 @@ final class ProblemTexts {
     return new Problem(Names.of(owner) + " has no feature '" + name + "'.", hint);
   }
 
-  /** A call with nothing before it. */
+  /** Describes an unknown call without source. */
   Problem unknownFunction(String name, String message) {
     Matcher signature = SIGNATURE.matcher(message);
     String call = signature.matches() ? signature.group(1) : name;
@@ -136,7 +136,7 @@ final class ProblemTexts {
             : NearestName.question(name, known));
   }
 
-  /** A call on a source of this type. */
+  /** Describes an unknown call on a source of a type. */
   Problem unknownOperation(
       EClassifier owner, String name, List<? extends TypedElement<EClassifier>> arguments) {
     String types =
@@ -156,7 +156,7 @@ final class ProblemTexts {
             featuresOf(owner)));
   }
 
-  /** A comparison whose outcome is known beforehand, which Eclipse OCL accepts. */
+  /** Describes a comparison with a constant result, which Eclipse OCL accepts. */
   Optional<Problem> senselessComparison(String name, EClassifier left, EClassifier right) {
     if (!name.equals("=") && !name.equals("<>")) {
       return Optional.empty();
@@ -180,19 +180,19 @@ final class ProblemTexts {
     return type instanceof PrimitiveType<?> || type instanceof EEnum;
   }
 
-  /** Whether a type stands for an error that has been reported. */
+  /** Returns whether a type stands for a reported error. */
   boolean isError(EClassifier type) {
     EClassifier each = elementType(type).orElse(type);
     return each == null || each instanceof InvalidType<?> || each instanceof VoidType<?>;
   }
 
-  /** Whether one of the arguments stands for an error that has been reported. */
+  /** Returns whether an argument stands for a reported error. */
   static boolean isAnyError(List<? extends TypedElement<EClassifier>> arguments) {
     return arguments != null
         && arguments.stream().anyMatch(each -> each.getType() instanceof InvalidType<?>);
   }
 
-  /** Whether a message says that a definition has the name of something that is there. */
+  /** Describes a definition whose name is taken, if the message is about that. */
   static Optional<Problem> duplicate(String message) {
     Matcher matcher = ALREADY_THERE.matcher(message);
     return matcher.matches()
@@ -203,7 +203,7 @@ final class ProblemTexts {
         : Optional.empty();
   }
 
-  /** What Eclipse OCL says, with a hint if a name is wrong. */
+  /** Returns the message of Eclipse OCL, with a hint if a name is wrong. */
   Problem other(String message) {
     Matcher literal = UNKNOWN_LITERAL.matcher(message);
     if (literal.matches()) {

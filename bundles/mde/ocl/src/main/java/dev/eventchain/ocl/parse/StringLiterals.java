@@ -5,12 +5,12 @@ import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.ocl.text.Lexer;
 import java.util.List;
 
-/** Warns of string literals that do not mean what they seem to. */
+/** Warns of misleading string literals. */
 public final class StringLiterals {
 
   private StringLiterals() {}
 
-  /** Looks for two literals without a space between: {@code 'it''s'} is {@code its}. */
+  /** Finds two literals without a space between: {@code 'it''s'} is {@code its}. */
   public static void check(SourceRange range, List<Diagnostic> problems) {
     String text = range.source().text();
     int end = range.end();

@@ -3,7 +3,7 @@ package dev.eventchain.ocl.parse;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Says what the parser says about syntax in words of the language instead of its grammar. */
+/** Rewords the parser's syntax messages in terms of the language instead of its grammar. */
 public final class SyntaxTexts {
 
   private static final Pattern RULE_NAME =
@@ -55,7 +55,7 @@ public final class SyntaxTexts {
     return ruleName.contains("Name") ? "a name" : "an expression";
   }
 
-  /** What is probably meant where the parser says this. */
+  /** Returns a hint for a message of the parser; empty if there is none. */
   static String hint(String message) {
     return message.contains("endif") ? "Write if ... then ... else ... endif." : "";
   }
@@ -64,7 +64,7 @@ public final class SyntaxTexts {
     return trace.length > 0 && trace[0].getClassName().startsWith("org.eclipse.ocl.");
   }
 
-  /** What ended the parser, behind "The expression". */
+  /** Returns the failure of the parser, in words that follow "The expression". */
   public static String unread(Throwable e) {
     return e instanceof StackOverflowError
         ? "is nested too deeply."

@@ -1,5 +1,5 @@
 /**
  * The parser: the environment and analyzer of Eclipse OCL, calls of libraries, and messages for
- * errors. Evaluates nothing.
+ * errors. Independent of evaluation.
  */
 package dev.eventchain.ocl.parse;

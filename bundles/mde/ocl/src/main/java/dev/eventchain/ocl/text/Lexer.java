@@ -1,13 +1,13 @@
 package dev.eventchain.ocl.text;
 
-/** Finds the tokens of OCL text as far as it takes to tell code from comments and strings. */
+/** Finds the tokens of OCL text, as needed to distinguish code from comments and strings. */
 public final class Lexer {
 
   private Lexer() {}
 
   /**
-   * The end of what starts at an offset: a comment, a string, a name, a number, a run of white
-   * space, an arrow or a double colon, or else one character.
+   * Returns the end of the token at an offset: a comment, a string, a name, a number, white space,
+   * an arrow, a double colon, or else one character.
    */
   public static int end(String text, int start, int limit) {
     char c = text.charAt(start);
@@ -28,7 +28,7 @@ public final class Lexer {
     return start + 1;
   }
 
-  /** Where a line ends: before a line feed, or before a carriage return, be it alone or not. */
+  /** Returns the end of a line: before a line feed or a carriage return. */
   private static int endOfLine(String text, int start, int limit) {
     int end = start;
     while (end < limit && text.charAt(end) != '\n' && text.charAt(end) != '\r') {
@@ -37,7 +37,7 @@ public final class Lexer {
     return end;
   }
 
-  /** Whether a comment that starts and ends at these offsets has its end marks. */
+  /** Returns whether a comment between these offsets lacks its end mark. */
   static boolean isUnclosedComment(String text, int start, int end) {
     return text.startsWith("/*", start) && text.indexOf("*/", start + 2) != end - 2;
   }
@@ -65,7 +65,7 @@ public final class Lexer {
     return end;
   }
 
-  /** Whether what starts at an offset is white space or a comment. */
+  /** Returns whether white space or a comment starts at an offset. */
   public static boolean isBlank(String text, int start) {
     return Character.isWhitespace(text.charAt(start))
         || text.startsWith("--", start)

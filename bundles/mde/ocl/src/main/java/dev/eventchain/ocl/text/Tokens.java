@@ -14,7 +14,7 @@ public final class Tokens {
   private int size;
   private int unclosedComment = -1;
 
-  /** The tokens of a text; no text is wrong here. */
+  /** Splits a text into tokens; accepts any text. */
   public Tokens(String text) {
     this.text = text;
     for (int i = 0; i < text.length(); ) {
@@ -37,49 +37,49 @@ public final class Tokens {
     ends[size++] = end;
   }
 
-  /** Where a comment begins that has no end; -1 if there is none. */
+  /** Returns the start of an unclosed comment; -1 if there is none. */
   public int unclosedComment() {
     return unclosedComment;
   }
 
-  /** How many there are. */
+  /** Returns the number of tokens. */
   public int size() {
     return size;
   }
 
-  /** Where a token begins; 0 for what is before the first. */
+  /** Returns the start of a token; 0 before the first. */
   public int start(int index) {
     return index < 0 ? 0 : starts[index];
   }
 
-  /** Where a token ends. */
+  /** Returns the end of a token. */
   public int end(int index) {
     return ends[index];
   }
 
-  /** The end of the token before this one; 0 if it is the first. */
+  /** Returns the end of the token before this one; 0 if it is the first. */
   public int endBefore(int index) {
     return index == 0 ? 0 : ends[index - 1];
   }
 
-  /** The text of a token. */
+  /** Returns the text of a token. */
   public String text(int index) {
     return text.substring(starts[index], ends[index]);
   }
 
-  /** Whether there is a token of this index, and it is this one. */
+  /** Returns whether the token at an index exists and has this text. */
   public boolean is(int index, String token) {
     return index < size
         && ends[index] - starts[index] == token.length()
         && text.startsWith(token, starts[index]);
   }
 
-  /** All of them, whatever white space and comments stand between. */
+  /** Returns all tokens, without the white space and comments between them. */
   public String words() {
     return words(0, size);
   }
 
-  /** Some of them: from an index to before another one. */
+  /** Returns the tokens from an index to before another one. */
   public String words(int from, int to) {
     StringBuilder words = new StringBuilder();
     for (int i = from; i < to; i++) {
@@ -88,17 +88,17 @@ public final class Tokens {
     return words.toString();
   }
 
-  /** Whether nothing stands between a token and the one after it. */
+  /** Returns whether a token directly touches the next one. */
   public boolean touches(int index) {
     return index + 1 < size && ends[index] == starts[index + 1];
   }
 
-  /** Whether there is a token of this index, and it may be a name. */
+  /** Returns whether the token at an index exists and may be a name. */
   public boolean isName(int index) {
     return index < size && Character.isJavaIdentifierStart(text.charAt(starts[index]));
   }
 
-  /** Whether a token is a complete string literal. */
+  /** Returns whether a token is a complete string literal. */
   public boolean isString(int index) {
     return index < size
         && (text.charAt(starts[index]) == '\'' || text.charAt(starts[index]) == '"')
@@ -107,7 +107,7 @@ public final class Tokens {
         && !isEscaped(ends[index] - 1, starts[index]);
   }
 
-  /** Whether a backslash before a quote, which no other escapes, makes it part of the string. */
+  /** Returns whether an unescaped backslash escapes a quote. */
   private boolean isEscaped(int quote, int start) {
     int backslashes = 0;
     while (quote - 1 - backslashes > start && text.charAt(quote - 1 - backslashes) == '\\') {
@@ -116,7 +116,7 @@ public final class Tokens {
     return backslashes % 2 == 1;
   }
 
-  /** The index of the parenthesis that closes the one at an index; {@link #size} if none does. */
+  /** Returns the index of the closing parenthesis for an opening one; {@link #size} if none. */
   public int closing(int open) {
     return closing(open, "(", ")");
   }

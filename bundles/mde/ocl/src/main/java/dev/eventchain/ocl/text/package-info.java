@@ -1,2 +1,2 @@
-/** OCL as plain text: its lexer and tokens. Knows no metamodel. */
+/** OCL as plain text: its lexer and tokens. Independent of metamodels. */
 package dev.eventchain.ocl.text;

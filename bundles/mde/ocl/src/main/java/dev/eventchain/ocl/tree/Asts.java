@@ -17,12 +17,12 @@ import org.eclipse.ocl.parser.AbstractOCLAnalyzer;
 import org.eclipse.ocl.types.CollectionType;
 import org.eclipse.ocl.utilities.PredefinedType;
 
-/** What kind of thing a node of an expression is. */
+/** Kinds of nodes of expressions. */
 public final class Asts {
 
   private Asts() {}
 
-  /** Whether it joins or negates Booleans. */
+  /** Returns whether a call is a Boolean operation. */
   public static boolean isLogical(OperationCallExp<EClassifier, EOperation> call) {
     return switch (call.getOperationCode()) {
       case PredefinedType.AND,
@@ -35,7 +35,7 @@ public final class Asts {
     };
   }
 
-  /** Whether its value is in the source already. */
+  /** Returns whether a node is a literal. */
   public static boolean isLiteral(OCLExpression<EClassifier> node) {
     if (node instanceof CollectionLiteralExp<EClassifier> collection) {
       return collection.getPart().stream().allMatch(Asts::isLiteral);
@@ -52,14 +52,14 @@ public final class Asts {
     return part instanceof CollectionItem<EClassifier> item && isLiteral(item.getItem());
   }
 
-  /** Whether it is the element that the rule is about. */
+  /** Returns whether a node is {@code self}. */
   public static boolean isSelf(OCLExpression<EClassifier> node) {
     return node instanceof VariableExp<?, ?> use
         && use.getReferredVariable() != null
         && "self".equals(use.getReferredVariable().getName());
   }
 
-  /** What is before the arrow, where that is a single value taken for a set. */
+  /** Returns the single value in an implicit set before an arrow, or the node itself. */
   public static OCLExpression<EClassifier> withoutImplicitSet(OCLExpression<EClassifier> node) {
     if (node instanceof CollectionLiteralExp<EClassifier> set
         && set.getPart().size() == 1
@@ -74,7 +74,7 @@ public final class Asts {
     return node;
   }
 
-  /** Whether a set was made because an arrow follows a single value. */
+  /** Returns whether a set is the implicit one of a single value before an arrow. */
   public static boolean isImplicit(CollectionLiteralExp<EClassifier> literal) {
     EAnnotation annotation =
         literal instanceof EModelElement element

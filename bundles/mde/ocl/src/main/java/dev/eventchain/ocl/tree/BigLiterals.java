@@ -13,10 +13,10 @@ import org.eclipse.ocl.expressions.IntegerLiteralExp;
 import org.eclipse.ocl.parser.OCLLexer;
 import org.eclipse.ocl.parser.OCLParser;
 
-/** Integer literals of any size, of which Eclipse OCL knows those that a long holds. */
+/** Integer literals of any size; Eclipse OCL only supports those that fit a long. */
 public final class BigLiterals {
 
-  /** Remembers the value that a literal has in place of Eclipse OCL's. */
+  /** Stores the value of a literal in place of Eclipse OCL's. */
   private static final class Value extends AdapterImpl {
     private final BigInteger number;
 
@@ -54,7 +54,7 @@ public final class BigLiterals {
     return text.length() > 18 && new BigInteger(text).bitLength() >= Long.SIZE;
   }
 
-  /** Gives a literal the value that it was written with. */
+  /** Sets the value of a literal as written. */
   public static void complete(IntegerLiteralExp<?> literal, String text) {
     if (isBig(text)) {
       ((EObject) literal).eAdapters().add(new Value(new BigInteger(text)));

@@ -21,21 +21,21 @@ import org.eclipse.ocl.expressions.PropertyCallExp;
 import org.eclipse.ocl.utilities.CallingASTNode;
 
 /**
- * The innermost expression that made a value invalid.
+ * The innermost expression that was invalid.
  *
  * @param node the expression
- * @param source what it was applied to; {@code null} also if that is not known
- * @param detail what a library or Java said; empty if nothing
- * @param cause the exception by which they said it; {@code null} if there was none
+ * @param source the value of its source; {@code null} also if unknown
+ * @param detail the message of a library or of Java; empty if there is none
+ * @param cause its exception; {@code null} if there is none
  */
 public record InvalidOrigin(
     OCLExpression<EClassifier> node, Object source, String detail, RuntimeException cause) {
 
-  /** Notes on the root of an expression which text it was parsed from. */
+  /** The text of an expression, attached to its root. */
   public static final class Source extends AdapterImpl {
     private final SourceText text;
 
-    /** Why the expression is in the place of another one; empty if it does not. */
+    /** The reason why the expression replaces another one; empty if it does not. */
     private final String reason;
 
     public Source(SourceText text) {
@@ -78,7 +78,7 @@ public record InvalidOrigin(
     return source(node).map(each -> each.text().at(offsetOf(node))).orElse(SourceLocation.NONE);
   }
 
-  /** What the expression around a node was parsed from. */
+  /** Returns the text of the expression around a node. */
   static Optional<Source> source(EObject node) {
     for (EObject each = node; each != null; each = each.eContainer()) {
       Adapter source = EcoreUtil.getExistingAdapter(each, Source.class);
@@ -91,7 +91,7 @@ public record InvalidOrigin(
 
   private static final Set<String> DIVISIONS = Set.of("/", "div", "mod");
 
-  /** The name of what is called, rather than the start of all that it is called on. */
+  /** Returns the offset of the name of a call, rather than of the start of its source. */
   private static int offsetOf(OCLExpression<EClassifier> node) {
     return node instanceof CallingASTNode call
             && call.getPropertyStartPosition() > node.getStartPosition()

@@ -6,15 +6,15 @@ import java.util.Set;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.ocl.expressions.OCLExpression;
 
-/** The words of expressions as they are in the source. */
+/** The texts of expressions as in the source. */
 public final class SourceTexts {
 
-  /** White space around these is that of a broken line. */
+  /** Tokens around which white space is only that of line breaks. */
   private static final Set<String> JOINING = Set.of(".", "->", "::");
 
   private SourceTexts() {}
 
-  /** The words of an expression, with single spaces, and shortened. */
+  /** Returns the text of an expression, with single spaces, and shortened. */
   public static String of(OCLExpression<EClassifier> part) {
     return InvalidOrigin.source(part).map(each -> textIn(each.text().text(), part)).orElse("");
   }
@@ -44,7 +44,7 @@ public final class SourceTexts {
     return ValueTexts.shortened(withoutParentheses(words.toString()));
   }
 
-  /** Parentheses around the whole say nothing any more when it stands alone. */
+  /** Removes parentheses around the whole text. */
   private static String withoutParentheses(String text) {
     int depth = 0;
     for (int i = 0; i < text.length(); i = Lexer.end(text, i, text.length())) {

@@ -1,5 +1,5 @@
 /**
- * Questions about the syntax trees of Eclipse OCL: literals, positions in the source, and the
- * origin of an invalid value. Neither parses nor evaluates.
+ * Queries on the syntax trees of Eclipse OCL: literals, positions in the source, and the origin of
+ * an invalid value. Independent of parsing and evaluation.
  */
 package dev.eventchain.ocl.tree;

@@ -3,7 +3,7 @@ package dev.eventchain.ocl.values;
 import java.util.Collection;
 import org.eclipse.ocl.utilities.PredefinedType;
 
-/** What calls of the standard library make of collections. */
+/** The results of standard library operations on collections. */
 public final class CollectionCalls {
 
   private CollectionCalls() {}

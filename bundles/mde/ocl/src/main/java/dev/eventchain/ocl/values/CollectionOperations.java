@@ -14,9 +14,9 @@ import org.eclipse.ocl.types.SetType;
 import org.eclipse.ocl.util.Bag;
 
 /**
- * The collection operations of Eclipse OCL that make sets or bags, with the results it gives (see
- * its {@code CollectionUtil}) except that sets and bags keep the order of insertion, so that
- * nothing that is printed depends on hash codes.
+ * The collection operations of Eclipse OCL that make sets or bags, with its results (see its {@code
+ * CollectionUtil}), except that sets and bags keep the order of insertion, so that no output
+ * depends on hash codes.
  */
 public final class CollectionOperations {
 
@@ -33,7 +33,7 @@ public final class CollectionOperations {
     };
   }
 
-  /** A collection of this kind with these elements; never the given collection itself. */
+  /** Returns a new collection of a kind with these elements. */
   public static Collection<Object> create(CollectionKind kind, Collection<?> elements) {
     return switch (kind) {
       case SET_LITERAL -> new InsertionOrderedSet<>(elements);
@@ -43,10 +43,10 @@ public final class CollectionOperations {
     };
   }
 
-  /** The collection of this kind that a value of Java stands for: its elements, or it alone. */
+  /** Converts a Java value to a collection of a kind: with its elements, or with it alone. */
   public static Object asCollection(CollectionKind kind, Object value) {
     if (value instanceof Iterator<?>) {
-      return value; // EMF's tree iterators are lists, too, but not ones to be read
+      return value; // EMF's tree iterators are lists, too, but not for reading
     } else if (value instanceof Collection<?> elements) {
       return create(kind, elements);
     }
@@ -55,14 +55,14 @@ public final class CollectionOperations {
     return single;
   }
 
-  /** What Eclipse OCL made, but an ordered set without values that are equal in OCL. */
+  /** Returns a result of Eclipse OCL; removes values from ordered sets that are equal in OCL. */
   public static Object distinct(Object made) {
     return made instanceof LinkedHashSet<?> set && !(made instanceof ValueSet<?>)
         ? new ValueSet<>(set)
         : made;
   }
 
-  /** What {@code select} and {@code reject} make of a source of this static type. */
+  /** Returns the kind of the result of {@code select} and {@code reject} by static source type. */
   public static CollectionKind kindOfSelection(Object sourceType) {
     if (sourceType instanceof SetType<?, ?>) {
       return CollectionKind.SET_LITERAL;
@@ -74,13 +74,13 @@ public final class CollectionOperations {
     return CollectionKind.ORDERED_SET_LITERAL;
   }
 
-  /** What {@code collect} makes of a source of this static type. */
+  /** Returns the kind of the result of {@code collect} by static source type. */
   public static CollectionKind kindOfCollection(Object sourceType) {
     boolean unordered = sourceType instanceof SetType<?, ?> || sourceType instanceof BagType<?, ?>;
     return unordered ? CollectionKind.BAG_LITERAL : CollectionKind.SEQUENCE_LITERAL;
   }
 
-  /** A value of a collection type as OCL expects it, which Java code may have made otherwise. */
+  /** Converts a value from Java code to OCL's representation of a collection type. */
   public static Object conform(Object value, Object type) {
     if (!(type instanceof CollectionType<?, ?> collectionType)
         || !(value instanceof Collection<?> elements)) {
@@ -102,7 +102,7 @@ public final class CollectionOperations {
     return union(first, kindOf(first), second, kindOf(second));
   }
 
-  /** The same for collections that need not be of the Java classes of their kinds. */
+  /** Returns the union of collections that may have other Java classes than their kinds. */
   public static Collection<Object> union(
       Collection<?> first, CollectionKind kindOfFirst, Collection<?> second, CollectionKind other) {
     Limits.requireElements((long) first.size() + second.size());
@@ -130,7 +130,7 @@ public final class CollectionOperations {
     return kind == CollectionKind.SEQUENCE_LITERAL || kind == CollectionKind.COLLECTION_LITERAL;
   }
 
-  /** Comparing a few elements with each other is faster than hashing them. */
+  /** Returns the union of a few elements, for which comparing is faster than hashing. */
   private static Collection<Object> unionOfFew(Collection<?> first, Collection<?> second) {
     List<Object> all = new ArrayList<>(first.size() + second.size());
     addNew(first, all);
@@ -139,7 +139,7 @@ public final class CollectionOperations {
   }
 
   private static void addNew(Collection<?> elements, List<Object> all) {
-    // EMF copies its lists faster than it walks through them.
+    // EMF copies its lists faster than it iterates over them.
     for (Object element : elements.toArray()) {
       if (!Values.contains(all, element)) {
         all.add(element);
@@ -193,7 +193,7 @@ public final class CollectionOperations {
     return result;
   }
 
-  /** Flattens for as long as the first element is a collection, as Eclipse OCL does. */
+  /** Flattens while the first element is a collection, as Eclipse OCL does. */
   public static Collection<?> flatten(Collection<?> source) {
     Collection<?> result = source;
     while (!result.isEmpty() && result.iterator().next() instanceof Collection<?>) {

@@ -7,8 +7,8 @@ import java.math.RoundingMode;
 import org.eclipse.ocl.utilities.PredefinedType;
 
 /**
- * Arithmetic with numbers of any Java type that {@link Numbers} has. Integers are exact, whatever
- * their size. Reals are computed as doubles, but those of a BigDecimal are exact where they can be.
+ * Arithmetic with numbers of any Java type in {@link Numbers}. Integers are exact at any size.
+ * Reals are computed as doubles, but those of a BigDecimal are exact where possible.
  */
 public final class ExactNumbers {
 
@@ -17,7 +17,7 @@ public final class ExactNumbers {
 
   private ExactNumbers() {}
 
-  /** The result, which may be invalid. */
+  /** Returns the result, which may be invalid. */
   public static Object binary(int code, Object first, Object second) {
     if (code == PredefinedType.MAX || code == PredefinedType.MIN) {
       return extreme(code == PredefinedType.MAX, first, second);
@@ -53,7 +53,7 @@ public final class ExactNumbers {
         : Numbers.decimal(first).divide(Numbers.decimal(second), PRECISE).doubleValue();
   }
 
-  /** Null if a long cannot hold the result. */
+  /** Returns the result; null if a long cannot hold it. */
   private static Object longs(int code, long first, long second) {
     try {
       return switch (code) {
@@ -105,7 +105,7 @@ public final class ExactNumbers {
     };
   }
 
-  /** The larger or smaller number; of an Integer and a Real it is a Real, if that can hold it. */
+  /** Returns the larger or smaller number; of Integer and Real as a Real, if that can hold it. */
   private static Object extreme(boolean larger, Object first, Object second) {
     boolean takesFirst = Numbers.compare(first, second) > 0 == larger;
     Object result = takesFirst ? first : second;
@@ -118,7 +118,7 @@ public final class ExactNumbers {
     return mixed && Numbers.isSmall(result) ? (Object) ((Number) result).doubleValue() : result;
   }
 
-  /** Minus, {@code abs}, {@code floor} or {@code round}. */
+  /** Computes minus, {@code abs}, {@code floor} or {@code round}. */
   public static Object unary(int code, Object value) {
     boolean whole = Numbers.isInteger(value);
     return switch (code) {
@@ -128,7 +128,7 @@ public final class ExactNumbers {
     };
   }
 
-  /** Also zero can be negative. */
+  /** Returns whether a number is negative, which also applies to -0.0. */
   private static boolean isNegative(Object value) {
     return value instanceof Double number
         ? number < 0 || Double.compare(number, -0.0) == 0
@@ -146,7 +146,7 @@ public final class ExactNumbers {
     return Numbers.integer(Numbers.big(value).negate());
   }
 
-  /** Of two Integers that are as close, the larger one. */
+  /** Rounds a number; of two equally close Integers, to the larger one. */
   private static Object rounded(Object value, boolean nearest) {
     if (!Numbers.isFinite(value)) {
       return Values.INVALID;

@@ -2,7 +2,7 @@ package dev.eventchain.ocl.values;
 
 import dev.eventchain.ocl.evaluation.Invalid;
 
-/** Ends an evaluation that goes beyond a limit. */
+/** Thrown to end an evaluation that exceeds a limit. */
 public final class Halted extends RuntimeException {
 
   private static final long serialVersionUID = 1L;
@@ -14,7 +14,7 @@ public final class Halted extends RuntimeException {
     this.kind = kind;
   }
 
-  /** Which limit it was. */
+  /** Returns the kind of the limit. */
   public Invalid.Kind kind() {
     return kind;
   }

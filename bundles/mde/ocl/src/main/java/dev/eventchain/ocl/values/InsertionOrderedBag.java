@@ -9,12 +9,12 @@ import java.util.List;
 import java.util.Map;
 import org.eclipse.ocl.util.Bag;
 
-/** An OCL Bag that is walked in the order in which its elements came. */
+/** An OCL Bag with iteration in insertion order. */
 final class InsertionOrderedBag<E> extends AbstractCollection<E> implements Bag<E> {
 
   private final List<E> elements;
 
-  /** How often each element is in; made when it is first asked for, dropped by every change. */
+  /** The count of each element; computed on first use, dropped by every change. */
   private volatile Map<Object, Integer> counts;
 
   InsertionOrderedBag() {
@@ -64,7 +64,7 @@ final class InsertionOrderedBag<E> extends AbstractCollection<E> implements Bag<
     elements.clear();
   }
 
-  /** Equal to a bag with the same elements, each as often, in any order. */
+  /** Returns whether another bag has the same elements, each as often, in any order. */
   @Override
   public boolean equals(Object other) {
     return other instanceof InsertionOrderedBag<?> bag && counts().equals(bag.counts());

@@ -9,21 +9,21 @@ import java.util.Objects;
 import java.util.Set;
 
 /**
- * An OCL Set that is walked in the order in which its elements came. It is no {@code
- * LinkedHashSet}, because Eclipse OCL takes that for an OrderedSet, whose equality heeds the order.
+ * An OCL Set with iteration in insertion order. It is no {@code LinkedHashSet}, which Eclipse OCL
+ * takes for an OrderedSet, whose equality depends on the order.
  */
 public final class InsertionOrderedSet<E> extends AbstractSet<E> {
 
-  /** Comparing so many elements with each other is faster than hashing them. */
+  /** The number of elements up to which comparing is faster than hashing. */
   private static final int FEW = 8;
 
-  /** The elements as long as they are few, or as they were given; otherwise null. */
+  /** The elements while they are few, or as given; otherwise null. */
   private List<E> listed;
 
-  /** Whether the list was given, so that it must not be changed. */
+  /** True if the list was given, so that it must not be changed. */
   private boolean given;
 
-  /** The elements if they are many; made when it is first needed, if they were given as a list. */
+  /** The elements if they are many; created on first use if they were given as a list. */
   private volatile Set<E> hashed;
 
   public InsertionOrderedSet() {
@@ -44,7 +44,7 @@ public final class InsertionOrderedSet<E> extends AbstractSet<E> {
     this.given = given;
   }
 
-  /** A set of the elements of a list which has none twice and must not change from now on. */
+  /** Returns a set backed by a list, which has no duplicates and must not change any more. */
   public static <E> InsertionOrderedSet<E> ofDistinct(List<E> elements) {
     return new InsertionOrderedSet<>(elements, true);
   }
@@ -52,14 +52,14 @@ public final class InsertionOrderedSet<E> extends AbstractSet<E> {
   private Set<E> hashed() {
     Set<E> known = hashed;
     if (known == null) {
-      // Threads may do so at once; they come to the same.
+      // A race between threads is harmless: the results are equal.
       known = new ValueSet<>(listed);
       hashed = known;
     }
     return known;
   }
 
-  /** The elements in a form that may be changed, and have so many. */
+  /** Returns the elements in a modifiable collection that suits a size. */
   private Collection<E> changed(int size) {
     if (listed == null || size > FEW) {
       Set<E> result = hashed();
@@ -76,7 +76,7 @@ public final class InsertionOrderedSet<E> extends AbstractSet<E> {
     return listed != null && listed.size() <= FEW;
   }
 
-  /** Where an element is among a few; -1 if it does not. */
+  /** Returns the index of an element among a few; -1 if it is not. */
   private int indexOf(Object element) {
     Object key = Values.key(element);
     for (int i = 0; i < listed.size(); i++) {

@@ -4,7 +4,7 @@ import java.util.AbstractList;
 import java.util.Objects;
 import java.util.RandomAccess;
 
-/** The integers from one to another, which take no room. */
+/** A range of integers, which takes constant memory. */
 public final class IntegerRange extends AbstractList<Object> implements RandomAccess {
   private final long first;
   private final int size;
@@ -33,7 +33,7 @@ public final class IntegerRange extends AbstractList<Object> implements RandomAc
     return size;
   }
 
-  /** Without a walk, which nothing could stop. */
+  /** Tests bounds only, since limits could not stop an iteration. */
   @Override
   public boolean contains(Object value) {
     if (!Numbers.areLong(value, value)) {

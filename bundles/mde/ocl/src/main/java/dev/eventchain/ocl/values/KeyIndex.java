@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.UnaryOperator;
 
-/** The elements of a collection by a key of each. Made when they are asked for a second time. */
+/** An index of the elements of a collection by key. Built at the second use. */
 public final class KeyIndex {
 
   private final Collection<?> elements;
@@ -19,16 +19,16 @@ public final class KeyIndex {
     this.elements = elements;
   }
 
-  /** Whether it is of this very collection; of one that is equal, it may be too costly to know. */
+  /** Returns whether this indexes the identical collection; equality may be too costly to test. */
   public boolean isOf(Collection<?> others) {
     return elements == others;
   }
 
   /**
-   * Whether elements can be asked for, which is not so at the first time, nor if some have keys
-   * that are not {@linkplain #isKey such}.
+   * Returns whether the index can be used: not the first time, nor if some elements have values
+   * that are {@linkplain #isKey no keys}.
    *
-   * @param keyOf gives the key of an element
+   * @param keyOf returns the key of an element
    */
   public boolean isReady(UnaryOperator<Object> keyOf) {
     if (!askedBefore) {
@@ -54,15 +54,15 @@ public final class KeyIndex {
     return found;
   }
 
-  /** The elements that have a key, in their order. */
+  /** Returns the elements with a key, in their order. */
   public List<Object> of(Object key) {
     return byKey.getOrDefault(key, List.of());
   }
 
-  /** Whether a value is equal in OCL to just those that Java takes for equal to it. */
+  /** Returns whether equality of a value in OCL is the same as in Java. */
   public static boolean isKey(Object value) {
     boolean simple = value == null || value instanceof String || value instanceof Integer;
-    // What stands for invalid is an object, too.
+    // The marker of invalid is an object, too.
     return simple || (value != Values.INVALID && Values.isPlainObject(value));
   }
 }

@@ -4,8 +4,8 @@ import dev.eventchain.ocl.evaluation.Invalid;
 import java.util.Collection;
 
 /**
- * How large a value may become. An evaluation that goes beyond is halted: it would end in a want of
- * memory, and not only its own.
+ * Limits of the size of values. An evaluation that exceeds them is halted, before it exhausts the
+ * memory of the process.
  */
 public final class Limits {
 
@@ -15,21 +15,21 @@ public final class Limits {
 
   private Limits() {}
 
-  /** Halts what makes a collection that is too large. */
+  /** Halts the evaluation if a collection is too large. */
   public static void requireElements(long elements) {
     if (elements > MOST_ELEMENTS) {
       throw tooLarge("a collection of more than " + MOST_ELEMENTS + " elements");
     }
   }
 
-  /** Halts what makes an Integer that is too large. */
+  /** Halts the evaluation if an Integer is too large. */
   static void requireBits(long bits) {
     if (bits > MOST_BITS) {
       throw tooLarge("a number of more than " + MOST_BITS + " bits");
     }
   }
 
-  /** Halts what makes a text that is too long. */
+  /** Halts the evaluation if a text is too long. */
   public static void requireCharacters(long characters) {
     if (characters > MOST_CHARACTERS) {
       throw tooLarge("a string of more than " + MOST_CHARACTERS + " characters");
@@ -40,7 +40,7 @@ public final class Limits {
     return new Halted("it makes " + what, Invalid.Kind.COST);
   }
 
-  /** Halts what made a value that is too large, and gives the value otherwise. */
+  /** Halts the evaluation if a value is too large, and returns the value otherwise. */
   public static Object require(Object value) {
     if (value instanceof String text) {
       requireCharacters(text.length());

@@ -8,27 +8,27 @@ import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EEnum;
 
 /**
- * How OCL's numbers are held. An Integer of OCL is an Integer of Java if it fits, else a Long, else
- * a BigInteger; a Real is a Double, or a BigDecimal that a model holds. Numbers of Java's other
+ * The representation of OCL's numbers. An Integer of OCL is an Integer of Java if it fits, else a
+ * Long, else a BigInteger; a Real is a Double, or a BigDecimal of a model. Numbers of Java's other
  * types become one of these where they enter an expression.
  *
- * <p>A Double with a fraction stands for the decimal number that it is written as, so that 0.1 is
- * equal to 0.1 whether a literal, a float or a BigDecimal has it; one without is exact.
+ * <p>A Double with a fraction stands for its decimal notation, so that 0.1 as a literal, a float
+ * and a BigDecimal are equal; one without is exact.
  */
 public final class Numbers {
 
   private static final Pattern REAL =
       Pattern.compile("\\s*[+-]?[0-9]+(\\.[0-9]*)?([eE][+-]?[0-9]+)?\\s*");
 
-  /** Up to here, every whole number is a double. */
+  /** The limit up to which every integer is a double. */
   private static final long EXACT = 1L << 53;
 
-  /** Beyond so many digits on either side of the point, numbers are not written out. */
+  /** The limit of digits on either side of the point up to which numbers are expanded. */
   private static final int MOST_DIGITS = 1000;
 
   private Numbers() {}
 
-  /** The value as OCL holds it. */
+  /** Returns the value in OCL's representation. */
   public static Object normal(Object value) {
     if (value instanceof Integer || value instanceof Double) {
       return value;
@@ -44,7 +44,7 @@ public final class Numbers {
     return value instanceof Byte number ? (Object) number.intValue() : value;
   }
 
-  /** Whether the values of a type may be numbers that {@link #normal} changes. */
+  /** Returns whether the values of a type may be numbers that {@link #normal} changes. */
   public static boolean isForeign(EClassifier type) {
     if (type instanceof EClass || type instanceof EEnum) {
       return false;
@@ -58,7 +58,7 @@ public final class Numbers {
         && !isDouble(type);
   }
 
-  /** Whether the values of a type are doubles. */
+  /** Returns whether the values of a type are doubles. */
   public static boolean isDouble(EClassifier type) {
     Class<?> java = type == null ? null : type.getInstanceClass();
     return java == double.class || java == Double.class;
@@ -74,7 +74,7 @@ public final class Numbers {
     return value.bitLength() < Long.SIZE ? integer(value.longValue()) : value;
   }
 
-  /** The Integer that a text holds. */
+  /** Parses an Integer. */
   public static Object integer(String text) {
     try {
       return Integer.valueOf(text);
@@ -87,10 +87,10 @@ public final class Numbers {
   }
 
   /**
-   * The Real that a text holds, as OCL writes one.
+   * Parses a Real in OCL's notation.
    *
-   * @throws NumberFormatException if it holds none; {@code NaN}, {@code 0x1p3} and {@code 1d} are
-   *     numbers of Java only
+   * @throws NumberFormatException if the text is none; {@code NaN}, {@code 0x1p3} and {@code 1d}
+   *     are numbers of Java only
    */
   public static Double real(String text) {
     if (!REAL.matcher(text).matches()) {
@@ -99,14 +99,14 @@ public final class Numbers {
     return Double.valueOf(text);
   }
 
-  /** The double that is written like a float. */
+  /** Returns the double with the same notation as a float. */
   private static Double real(float value) {
     return value == Math.rint(value) || Float.isNaN(value)
         ? Double.valueOf(value)
         : Double.valueOf(Float.toString(value));
   }
 
-  /** A Double if that is the same number. */
+  /** Returns a Double if that is the same number. */
   static Object real(BigDecimal value) {
     double near = value.doubleValue();
     return isFinite(near) && decimal(near).compareTo(value) == 0 ? (Object) near : value;
@@ -124,19 +124,19 @@ public final class Numbers {
     return !(value instanceof Double number) || !(number.isNaN() || number.isInfinite());
   }
 
-  /** Whether both are Integers that a long holds. */
+  /** Returns whether both are Integers that fit a long. */
   static boolean areLong(Object first, Object second) {
     return (first instanceof Integer || first instanceof Long)
         && (second instanceof Integer || second instanceof Long);
   }
 
-  /** Whether a double holds this Integer, too. */
+  /** Returns whether a double can hold this Integer. */
   static boolean isSmall(Object value) {
     return value instanceof Integer
         || (value instanceof Long number && -EXACT <= number && number <= EXACT);
   }
 
-  /** The number as a decimal, if it is finite. */
+  /** Returns the number as a decimal, if it is finite. */
   static BigDecimal decimal(Object value) {
     if (value instanceof Double number) {
       return number == Math.rint(number) ? new BigDecimal(number) : BigDecimal.valueOf(number);
@@ -154,7 +154,7 @@ public final class Numbers {
         : BigInteger.valueOf(((Number) value).longValue());
   }
 
-  /** Whether a decimal has so few digits that it can be written out. */
+  /** Returns whether a decimal has so few digits that it can be expanded. */
   static boolean isModest(BigDecimal value) {
     return value.precision() <= MOST_DIGITS && Math.abs((long) value.scale()) <= MOST_DIGITS;
   }
@@ -168,7 +168,7 @@ public final class Numbers {
     if (finite && !(isDoubleExactly(first) && isDoubleExactly(second))) {
       return decimal(first).compareTo(decimal(second));
     }
-    // Adding zero takes the sign from a zero.
+    // Adding zero removes the sign of a zero.
     return Double.compare(
         ((Number) first).doubleValue() + 0.0, ((Number) second).doubleValue() + 0.0);
   }
@@ -177,7 +177,7 @@ public final class Numbers {
     return value instanceof Double || isSmall(value);
   }
 
-  /** A value that Java takes for equal to those of all equal numbers, and only those. */
+  /** Returns a key that is equal in Java exactly for equal numbers. */
   static Object key(Object number) {
     if (number instanceof Double real) {
       return key(real);

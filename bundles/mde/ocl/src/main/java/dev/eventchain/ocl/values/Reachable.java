@@ -6,17 +6,17 @@ import java.util.Deque;
 import java.util.Iterator;
 import java.util.function.UnaryOperator;
 
-/** What {@code closure} gives. */
+/** The result of {@code closure}. */
 public final class Reachable {
 
   private Reachable() {}
 
   /**
-   * What can be reached. Depth first, like Eclipse OCL, but with its own stack, so that a long
-   * chain of elements does not need a deep Java stack. As there, the sources themselves are left
-   * out unless they are reached again.
+   * Returns the reachable elements. Depth first like Eclipse OCL, but with its own stack, so that
+   * long chains do not need a deep Java stack. As there, the sources are omitted unless they are
+   * reached again.
    *
-   * @param step leads from an element to some others, to one, or to null
+   * @param step returns the successors of an element: a collection, one, or null
    * @return null if a step is invalid
    */
   public static Collection<Object> from(
@@ -30,7 +30,7 @@ public final class Reachable {
     return result;
   }
 
-  /** Adds what can be reached from one step; false if a step is invalid. */
+  /** Adds the elements reachable from one step; returns false if a step is invalid. */
   private static boolean addReachable(
       Object first, Collection<Object> result, UnaryOperator<Object> step) {
     Object next = alongSingle(first, result, step);
@@ -57,7 +57,7 @@ public final class Reachable {
   /**
    * Follows steps that lead to one element each.
    *
-   * @return where there are several: a collection; null at the end; or invalid
+   * @return the collection at a step to several; null at the end; or invalid
    */
   private static Object alongSingle(
       Object first, Collection<Object> result, UnaryOperator<Object> step) {
@@ -68,7 +68,7 @@ public final class Reachable {
     return next;
   }
 
-  /** Adds an element and takes the step from it; null if it was there before. */
+  /** Adds an element and returns its successors; null if it was there before. */
   private static Object reach(
       Object element, Collection<Object> result, UnaryOperator<Object> step) {
     if (!result.add(element)) {

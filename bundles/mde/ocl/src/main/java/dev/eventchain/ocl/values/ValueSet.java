@@ -6,14 +6,14 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 
 /**
- * An OCL OrderedSet, which contains no two values that are equal in OCL, though Java may tell them
- * apart, as it does 1 and 1.0.
+ * An OCL OrderedSet, which contains no two values that are equal in OCL, though Java may
+ * distinguish them, such as 1 and 1.0.
  */
 public final class ValueSet<E> extends LinkedHashSet<E> {
 
   private static final long serialVersionUID = 1L;
 
-  /** The elements whose key is another value, by their keys; null if there are none. */
+  /** The elements that differ from their keys, by key; null if there are none. */
   private transient Map<Object, E> others;
 
   public ValueSet() {}

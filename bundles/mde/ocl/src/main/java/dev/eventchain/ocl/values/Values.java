@@ -18,10 +18,10 @@ import org.eclipse.ocl.util.CollectionUtil;
 import org.eclipse.ocl.util.ObjectUtil;
 import org.eclipse.ocl.util.Tuple;
 
-/** When values are equal in OCL: numbers by what they are, not by Java's type of them. */
+/** Equality of values in OCL: numbers by value, not by Java type. */
 public final class Values {
 
-  /** What a tuple is equal by. */
+  /** The equality key of a tuple. */
   private record Parts(Map<String, Object> keys) {}
 
   /** The value that stands for OCL's invalid, also inside Eclipse OCL. */
@@ -31,9 +31,8 @@ public final class Values {
   private Values() {}
 
   /**
-   * Whether a value is a collection. Java tells fast whether an object is of a class, but goes
-   * through all interfaces of its class for one that it does not have; so what most values are is
-   * asked first.
+   * Returns whether a value is a collection. Tests common classes first: Java tests classes fast,
+   * but searches all interfaces of a class for a missing one.
    */
   public static boolean isCollection(Object value) {
     return !(value instanceof String)
@@ -41,7 +40,7 @@ public final class Values {
         && (value instanceof AbstractCollection<?> || value instanceof Collection<?>);
   }
 
-  /** Whether values are equal, none of which is invalid. */
+  /** Returns whether values are equal, none of which is invalid. */
   public static boolean equal(Object first, Object second) {
     if (first == second) {
       return true;
@@ -78,14 +77,14 @@ public final class Values {
     return true;
   }
 
-  /** An object is equal to itself only; a literal of an enumeration also to its Java value. */
+  /** Returns whether an object is equal to itself only, unlike enumeration literals. */
   static boolean isPlainObject(Object value) {
     return value instanceof BasicEObjectImpl
         ? !(value instanceof EEnumLiteralImpl)
         : value instanceof EObject && !(value instanceof EEnumLiteral);
   }
 
-  /** A value that Java takes for equal to those of all values that are equal in OCL. */
+  /** Returns a key that is equal in Java for values that are equal in OCL. */
   public static Object key(Object value) {
     if (value instanceof Integer || value instanceof String || value instanceof BasicEObjectImpl) {
       return value;
@@ -114,7 +113,7 @@ public final class Values {
     return new Parts(keys);
   }
 
-  /** The values of a tuple by the names of its parts. */
+  /** Returns the values of a tuple by the names of its parts. */
   @SuppressWarnings("unchecked")
   public // the tuples of Ecore's OCL have properties of Ecore
   static Map<String, Object> byName(Tuple<?, ?> tuple) {
@@ -154,7 +153,7 @@ public final class Values {
     return true;
   }
 
-  /** Counted from one; 0 if the value is not an element. */
+  /** Returns the index of a value from 1; 0 if it is not an element. */
   public static int indexOf(Collection<?> elements, Object value) {
     boolean object = isPlainObject(value);
     int index = 1;
@@ -178,14 +177,14 @@ public final class Values {
     return count;
   }
 
-  /** The value as OCL holds it; see {@link Numbers#normal}. */
+  /** Returns the value in OCL's representation; see {@link Numbers#normal}. */
   public static Object normal(Object value) {
     return value instanceof Collection<?> elements && !(value instanceof Iterator<?>)
         ? normal(elements)
         : Numbers.normal(value);
   }
 
-  /** The elements as OCL holds them; the same collection if they are already so. */
+  /** Returns the elements in OCL's representation; the same collection if nothing changes. */
   static Collection<?> normal(Collection<?> elements) {
     boolean changed = false;
     for (Object each : elements) {

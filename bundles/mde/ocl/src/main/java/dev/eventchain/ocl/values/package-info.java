@@ -1,5 +1,5 @@
 /**
- * Values of OCL: numbers, collections, equality, and limits of size. Knows neither models nor
+ * Values of OCL: numbers, collections, equality, and limits of size. Independent of models and
  * expressions.
  */
 package dev.eventchain.ocl.values;

@@ -13,14 +13,14 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.junit.jupiter.api.Test;
 
-/** The elements of a model and their classes. */
+/** Tests the elements of a model and their classes. */
 class ModelContentsTest {
 
   private final TestModels models = new TestModels("library");
   private final EPackage metamodel = models.metamodel();
   private final EObject library = models.load("library.xmi");
 
-  /** What EMF's own iterator gives, the root included. */
+  /** Returns the root and the elements of EMF's own iterator. */
   private List<EObject> elements() {
     List<EObject> elements = new ArrayList<>(List.of(library));
     for (Iterator<EObject> below = library.eAllContents(); below.hasNext(); ) {

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-/** A set holds its elements otherwise when it has many; nobody can tell that from outside. */
+/** Tests that the change of representation with many elements is not visible outside. */
 class InsertionOrderedSetTest {
 
   private static final List<Object> VALUES =
@@ -23,7 +23,7 @@ class InsertionOrderedSetTest {
     InsertionOrderedSet<Object> set = new InsertionOrderedSet<>();
     ValueSet<Object> reference = new ValueSet<>();
     for (int i = 0; i < 5000; i++) {
-      // Long runs of additions and of removals, so that the set is small and large in turns.
+      // Long runs of additions and of removals make the set small and large in turns.
       boolean add = random.nextInt(8) != 0 ^ i / 40 % 2 == 0;
       Object value = VALUES.get(random.nextInt(VALUES.size()));
       assertEquals(

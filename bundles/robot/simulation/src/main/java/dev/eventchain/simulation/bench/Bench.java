@@ -24,28 +24,28 @@ import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EObject;
 
 /**
- * How the simulated road and the software are connected: where the fields of each topic that the
- * vehicle provides come from, and what the fields of each topic that it consumes do. Read from
+ * Connection of the simulated road with the software: the source of each field of the topics that
+ * the vehicle provides, and the effect of each field of the topics that it consumes. Read from
  * {@code bench.yaml}; a project without one has the topics of the CARLA ROS bridge. Immutable.
  */
 public final class Bench {
 
-  /** What the file is called, in the folder of a project. */
+  /** Name of the file in the folder of a project. */
   public static final String FILE = "bench.yaml";
 
-  /** Where a value that is published comes from. */
+  /** Source of a published value. */
   public sealed interface Source permits Constant, Quantity, Truth {
 
-    /** A value of the kind that is published. */
+    /** Returns an example value of the published kind. */
     Object example();
 
-    /** What the value depends on. */
+    /** Returns the signals that the value depends on. */
     default Set<Signal> signals() {
       return Set.of();
     }
   }
 
-  /** Always the same, as {@link dev.eventchain.messages.MessageValue} takes it. */
+  /** A constant, in the form that {@link dev.eventchain.messages.MessageValue} accepts. */
   record Constant(Object value) implements Source {
 
     @Override
@@ -57,10 +57,10 @@ public final class Bench {
   /**
    * A quantity of the world.
    *
-   * @param text as it is written
-   * @param unit that of the field
-   * @param absent what is published while it has no value
-   * @param noise standard deviation of what is published, in the field's unit
+   * @param text the source text
+   * @param unit the unit of the field
+   * @param absent the published value if the quantity has no value
+   * @param noise standard deviation of the published value, in the field's unit
    */
   public record Quantity(String text, Term term, Unit unit, double absent, double noise)
       implements Source {
@@ -68,7 +68,7 @@ public final class Bench {
     /**
      * The value in the field's unit.
      *
-     * @param random where the noise comes from; not asked if there is none
+     * @param random the source of the noise; unused if there is none
      */
     public double at(SampledRun moment, SplittableRandom random) {
       double value = term.values().in(moment).applyAsDouble(0);
@@ -78,7 +78,7 @@ public final class Bench {
       return unit.ofCoherent(value) + (noise > 0.0 ? noise * random.nextGaussian() : 0.0);
     }
 
-    /** The same with noise. */
+    /** Returns a copy with noise. */
     Quantity withNoise(double deviation) {
       return new Quantity(text, term, unit, absent, deviation);
     }
@@ -94,7 +94,7 @@ public final class Bench {
     }
   }
 
-  /** True or false. */
+  /** A formula that is published as a Boolean. */
   public record Truth(String text, Formula formula) implements Source {
 
     @Override
@@ -108,7 +108,7 @@ public final class Bench {
     }
   }
 
-  /** A field that is published. */
+  /** A published field. */
   public record Field(String path, Source source, SourceLocation location) {}
 
   /**
@@ -116,9 +116,9 @@ public final class Bench {
    *
    * @param type the full name of the message type
    * @param rate in Hz
-   * @param lidar whether its messages are the scans of the roof lidar
-   * @param objects what its messages say of the objects ahead
-   * @param transfer how its messages get to the nodes
+   * @param lidar true if its messages are the scans of the roof lidar
+   * @param objects the sensor of the objects ahead that its messages list
+   * @param transfer the transfer of its messages to the nodes
    */
   public record Provided(
       String topic,
@@ -130,12 +130,12 @@ public final class Bench {
       Transfer transfer,
       SourceLocation location) {
 
-    /** In ns. */
+    /** Returns the period, in ns. */
     public long period() {
       return Math.round(1e9 / rate);
     }
 
-    /** The fields of its messages that get values; all those of a lidar do. */
+    /** Returns the fields of its messages that get values; for a lidar, all of them. */
     Stream<String> paths() {
       return Stream.concat(
           fields.stream().map(Field::path),
@@ -144,14 +144,14 @@ public final class Bench {
   }
 
   /**
-   * How messages get to the nodes.
+   * Transfer of messages to the nodes.
    *
-   * @param latency from the moment that a message is about to that at which it arrives, in ns
-   * @param lost the part of the messages that never arrive, 0 to 1; empty for none
+   * @param latency from the measurement of a message to its arrival, in ns
+   * @param lost the fraction of the messages that are lost, 0 to 1; empty for none
    */
   public record Transfer(long latency, Optional<Term> lost) {
 
-    /** Whether a message is lost. */
+    /** Returns whether a message is lost. */
     public boolean loses(SampledRun moment, SplittableRandom random) {
       return lost.isPresent()
           && random.nextDouble() < lost.get().values().in(moment).applyAsDouble(0);
@@ -163,11 +163,11 @@ public final class Bench {
   }
 
   /**
-   * What a field does that the vehicle consumes.
+   * Effect of a field that the vehicle consumes.
    *
-   * @param actuator empty if it is only observed
-   * @param unit that of the field
-   * @param required whether the software must write it
+   * @param actuator the actuator; empty if the field is only observed
+   * @param unit the unit of the field
+   * @param required true if the software must write it
    */
   public record Effect(
       String path,
@@ -177,9 +177,9 @@ public final class Bench {
       SourceLocation location) {
 
     /**
-     * Whether a message has the field, of the kind that the actuator needs.
+     * Checks that a message has the field, of the kind that the actuator needs.
      *
-     * @throws IllegalArgumentException says what is wrong
+     * @throws IllegalArgumentException if the field is missing or of another kind
      */
     public void check(MessageValue message) {
       boolean isTruth = message.get(path) instanceof Boolean;
@@ -189,7 +189,7 @@ public final class Bench {
       }
     }
 
-    /** What a number of the field asks of the actuator, in the actuator's unit. */
+    /** Converts a value of the field into the actuator's unit. */
     public double demand(double value) {
       double coherent = Unit.parse(unit).orElseThrow().coherent(value);
       return actuator.orElseThrow().unit().ofCoherent(coherent);
@@ -199,7 +199,7 @@ public final class Bench {
   /** A topic that the vehicle consumes. */
   public record Consumed(String topic, String type, List<Effect> fields, SourceLocation location) {
 
-    /** Whether it does anything to the vehicle. */
+    /** Returns whether a field of it drives an actuator. */
     public boolean commands() {
       return fields.stream().anyMatch(field -> field.actuator().isPresent());
     }
@@ -232,7 +232,7 @@ public final class Bench {
    *
    * @param file {@code bench.yaml}; empty if the project has none
    * @param declared the project's signals
-   * @param messages where the types of the topics are defined
+   * @param messages the definitions of the topics' types
    * @throws DiagnosticException (INPUT) with every problem of the file: {@code bench.syntax},
    *     {@code bench.key.*}, {@code bench.value.*}, {@code bench.formula.*}, {@code bench.unit},
    *     {@code bench.topic.unknown}, {@code bench.type}, {@code bench.actuator.unknown}, {@code
@@ -244,15 +244,15 @@ public final class Bench {
     return BenchReader.read(file, new DeclaredSignals(declared), messages);
   }
 
-  /** The topics of the CARLA ROS bridge, for software whose signals are not known. */
+  /** Returns a bench with the topics of the CARLA ROS bridge, for software with unknown signals. */
   public static Bench carla() {
     return read(Optional.empty(), List.of(), MessageCatalog.of(List.of()));
   }
 
   /**
-   * Whether a chain fits the bench: each topic that it reads from the vehicle has a source, and so
-   * has each field; each topic that it writes to the vehicle is taken, and each required field
-   * written.
+   * Checks whether a chain fits the bench. Each topic and field that it reads from the vehicle
+   * needs a source. Each topic that it writes to the vehicle must be consumed, and each required
+   * field written.
    *
    * @param locator the places of the chain's elements
    * @return {@code bench.topic.unconnected}, {@code bench.field.unset}, {@code
@@ -263,7 +263,8 @@ public final class Bench {
   }
 
   /**
-   * What the world provides and takes, and how a project is connected with it, for people.
+   * Returns a listing, for users, of the topics that the world provides and consumes, and of a
+   * project's connections with them.
    *
    * @param chain the project's chain, if there is one
    */
@@ -272,30 +273,30 @@ public final class Bench {
   }
 
   /**
-   * A file {@code bench.yaml} for a project that has none: what can be told from names and units is
-   * connected, the rest stands in comments.
+   * Returns a {@code bench.yaml} for a project that has none. Fields recognised by name and unit
+   * are connected; the rest is in comments.
    */
   public static String proposal(
       List<dev.eventchain.model.Signal> declared, MessageCatalog messages) {
     return new BenchProposal(declared, messages).text();
   }
 
-  /** The JSON Schema of {@code bench.yaml}. */
+  /** Returns the JSON Schema of {@code bench.yaml}. */
   public static String schema() {
     return BenchReader.resource("bench.schema.json");
   }
 
-  /** The topics that the vehicle provides, by their full names. */
+  /** Returns the provided topics, by their full names. */
   public Map<String, Provided> provided() {
     return provided;
   }
 
-  /** The topics that the vehicle consumes, by their full names. */
+  /** Returns the consumed topics, by their full names. */
   public Map<String, Consumed> consumed() {
     return consumed;
   }
 
-  /** Whether what is sent depends on an input. */
+  /** Returns whether a published value depends on an input. */
   public boolean mayNeed(String input) {
     return provided.values().stream()
         .flatMap(
@@ -307,14 +308,14 @@ public final class Bench {
         .anyMatch(signal -> signal.name().equals(input));
   }
 
-  /** What formulas may read. */
+  /** Returns the signals that formulas may read. */
   public BenchSignals signals() {
     return signals;
   }
 
   /**
-   * Whether the project speaks of a topic: in its own bench, or in its signals. One that speaks of
-   * none may mean any.
+   * Returns whether the project names a topic in its own bench or in its signals; always true for a
+   * project that names no topic.
    */
   public boolean isOwn(String topic) {
     boolean nothingSaid = own.isEmpty() && declared.isEmpty();
@@ -325,7 +326,7 @@ public final class Bench {
     return declared;
   }
 
-  /** The file; nothing if there is none. */
+  /** Returns the location of the file; empty if there is none. */
   SourceLocation location() {
     return location;
   }

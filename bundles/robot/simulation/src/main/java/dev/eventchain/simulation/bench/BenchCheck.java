@@ -27,7 +27,9 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.eclipse.emf.ecore.EObject;
 
-/** Compares what a chain reads from the vehicle and writes to it with what the bench connects. */
+/**
+ * Compares the topics that a chain reads from the vehicle and writes to it with those of the bench.
+ */
 final class BenchCheck {
 
   private static final Set<String> STAMPS = Set.of("stamp.sec", "stamp.nanosec", "stamp");
@@ -61,7 +63,7 @@ final class BenchCheck {
     return List.copyOf(found);
   }
 
-  /** A topic that no component writes must come from the vehicle, and each field of it, too. */
+  /** Checks that the vehicle provides a topic that no component writes, and each of its fields. */
   private void checkRead(Topic topic, Provided provided) {
     Data first = topic.subscribers().get(0).data().get(0);
     if (provided == null) {
@@ -115,7 +117,7 @@ final class BenchCheck {
     }
   }
 
-  /** Both ends must mean the same number; signals.json, which else tells them, may say nothing. */
+  /** Checks that both ends use the same unit, which {@code signals.json} may leave open. */
   private void checkUnit(Data data, String topic, Unit unit) {
     Optional<Unit> other = Optional.ofNullable(data.getUnit()).flatMap(Unit::parse);
     if (other.isPresent() && other.get().relationTo(unit) != Unit.Relation.SAME) {
@@ -155,12 +157,12 @@ final class BenchCheck {
     }
   }
 
-  /** The time of a header is set by itself. */
+  /** Returns whether a field is the time stamp of a header, which is set automatically. */
   private static boolean isStamp(String path) {
     return STAMPS.stream().anyMatch(stamp -> path.endsWith("header." + stamp));
   }
 
-  /** What is written for the vehicle must do something, or be said to do nothing. */
+  /** Checks that a topic written for the vehicle has an effect or is declared to have none. */
   private void checkUntaken(Topic topic) {
     boolean forVehicle =
         bench
@@ -178,7 +180,7 @@ final class BenchCheck {
     }
   }
 
-  /** The paths of a topic's fields that simulated components write. */
+  /** Returns the paths of a topic's fields that simulated components write. */
   private List<String> written(Consumed consumed) {
     return topics.find(consumed.topic()).stream()
         .flatMap(topic -> topic.publishers().stream())
@@ -203,7 +205,7 @@ final class BenchCheck {
     }
   }
 
-  /** Software that neither commands the vehicle nor tells it anything cannot be judged. */
+  /** Reports software that writes nothing to the vehicle and therefore cannot be judged. */
   private void checkAnythingTaken() {
     boolean expected =
         bench.consumed().values().stream()
@@ -219,7 +221,10 @@ final class BenchCheck {
     }
   }
 
-  /** What one file lets drive the same thing is refused when it is read; here it is about two. */
+  /**
+   * Checks for two topics that drive the same actuator; conflicts within one file are found by its
+   * reader.
+   */
   private void checkConflicts() {
     Map<Actuator, String> driven = new EnumMap<>(Actuator.class);
     for (Consumed consumed : bench.consumed().values()) {

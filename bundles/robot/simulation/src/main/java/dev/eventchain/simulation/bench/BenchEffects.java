@@ -13,7 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Reads what single fields do that the vehicle consumes. */
+/** Reads the effects of fields that the vehicle consumes. */
 final class BenchEffects {
 
   private static final String OBSERVED = "observed";
@@ -27,7 +27,7 @@ final class BenchEffects {
     this.fields = fields;
   }
 
-  /** What a field that the vehicle consumes does; nothing if that is wrong. */
+  /** Returns the effect of a consumed field; empty if it is invalid. */
   Optional<Effect> read(
       ObjectReader part, String topic, String path, Optional<MessageType> message) {
     Optional<FieldType> type = BenchFields.type(part, path, message);
@@ -60,17 +60,19 @@ final class BenchEffects {
         });
   }
 
-  /** The unit of a field; one that nobody understands may be observed, but drives nothing. */
+  /**
+   * Returns the unit of a field; a field with an unknown unit may be observed but drives nothing.
+   */
   private Optional<String> unit(ObjectReader part, JsonNode does, String topic, String path) {
     return does.asText().equals(OBSERVED)
         ? declared.unit(topic, path).filter(text -> Unit.parse(text).isPresent())
         : fields.unit(part, Optional.empty(), topic, path);
   }
 
-  /** What a field drives, and in which unit. */
+  /** Actuator that a field drives, and its unit. */
   private record Driven(Optional<Actuator> actuator, String unit) {}
 
-  /** What an effect is about; nothing if it is wrong. */
+  /** Returns the actuator of an effect; empty if it is invalid. */
   private static Optional<Driven> effect(
       ObjectReader section,
       String key,

@@ -24,13 +24,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** Reads what single fields of a bench's topics are connected with. */
+/** Reads the connections of single fields of a bench's topics. */
 final class BenchFields {
 
   private static final String VALUE = "value";
   private static final String CONSTANT = "constant";
 
-  /** Of what is not a string, a number, a Boolean or a list. */
+  /** Message for a value that is not a string, a number, a Boolean or a list. */
   static final String NO_VALUE = "This is not a value that a field can have.";
 
   private static final String UNIT = "unit";
@@ -41,9 +41,9 @@ final class BenchFields {
   private final Signal.Source signals;
 
   /**
-   * A reader.
+   * Creates a reader.
    *
-   * @param inputs what values may depend on besides the world
+   * @param inputs the inputs that values may depend on besides the world
    */
   BenchFields(DeclaredSignals declared, Collection<Signal> inputs, YamlText source) {
     this.declared = declared;
@@ -51,7 +51,7 @@ final class BenchFields {
     this.signals = new Known(List.copyOf(inputs));
   }
 
-  /** The world, and inputs. */
+  /** Signals of the world and of the inputs. */
   private record Known(List<Signal> inputs) implements Signal.Source {
 
     @Override
@@ -68,10 +68,9 @@ final class BenchFields {
   }
 
   /**
-   * What a field that is published is connected with; nothing if something is wrong with it, which
-   * is a finding.
+   * Reads the connection of a published field; returns empty after a finding if it is invalid.
    *
-   * @param message the type of the topic's messages, where that is known already
+   * @param message the type of the topic's messages, if known
    */
   Optional<Field> read(
       ObjectReader part, String topic, String path, Optional<MessageType> message) {
@@ -97,7 +96,7 @@ final class BenchFields {
     return found.map(it -> new Field(path, it, part.atKey(path)));
   }
 
-  /** The type of a field; that there is none is a finding. */
+  /** Returns the type of a field; reports a missing one as a finding. */
   static Optional<FieldType> type(ObjectReader part, String path, Optional<MessageType> message) {
     if (message.isEmpty()) {
       return Optional.empty();
@@ -154,7 +153,7 @@ final class BenchFields {
     return new Bench.Constant(plain(value));
   }
 
-  /** Whether it is a string, a Boolean, a finite number, or a list of these. */
+  /** Returns whether a value is a string, a Boolean, a finite number, or a list of these. */
   private static boolean isPlain(Object value) {
     if (value instanceof List<?> list) {
       return list.stream().allMatch(BenchFields::isPlain);
@@ -177,7 +176,7 @@ final class BenchFields {
             : value.isTextual() ? value.textValue() : value;
   }
 
-  /** Whether a constant can be the field's value. */
+  /** Checks that a constant can be the field's value. */
   private static boolean fits(
       ObjectReader part, String path, Source source, Optional<MessageType> message) {
     if (source instanceof Bench.Constant constant && !isPlain(constant.value())) {
@@ -199,9 +198,9 @@ final class BenchFields {
   }
 
   /**
-   * The unit of a field: as the bench says or as the project says, which must be the same.
+   * Returns the unit of a field, as stated by the bench or the project, which must agree.
    *
-   * @return what people wrote; empty if neither says any, or what is said is wrong
+   * @return the unit as written; empty if none is stated or it is invalid
    */
   Optional<String> unit(ObjectReader section, Optional<String> written, String topic, String path) {
     Optional<String> known = declared.unit(topic, path);
@@ -229,7 +228,10 @@ final class BenchFields {
     return written.or(() -> known).filter(text -> Unit.parse(text).isPresent());
   }
 
-  /** Taken for a plain number, a field would be off by whatever its unit means. */
+  /**
+   * Creates the finding on an unknown unit; read as a plain number, the field would be off by a
+   * factor.
+   */
   private static Diagnostic notUnderstood(
       SourceLocation place, String topic, String path, String unit) {
     return Diagnostic.error(
@@ -240,7 +242,7 @@ final class BenchFields {
         .withHint("Write a unit such as m/s, km/h, % or 1 into signals.json.");
   }
 
-  /** A quantity or a condition for a field. */
+  /** Reads a quantity or a condition for a field. */
   private Optional<Source> source(
       ObjectReader section,
       String key,
@@ -276,15 +278,15 @@ final class BenchFields {
         : quantity(section, place, text, (Term) part, unit, absent);
   }
 
-  /** Whether a field can hold what is true or false, or else a number. */
+  /** Returns whether a field can hold a Boolean, or else a number. */
   static boolean takes(FieldType type, boolean truth) {
     return BenchSignals.isNumberOrTruth(type) && (type.kind() == FieldType.Kind.BOOL) == truth;
   }
 
   /**
-   * A part of something, as a quantity without a unit; nothing if it is none.
+   * Reads a fraction as a quantity without a unit; returns empty if it is invalid.
    *
-   * @param key where it is written as a formula
+   * @param key the key of the formula
    */
   Optional<Term> part(ObjectReader section, String key) {
     Optional<String> text = section.text(key);

@@ -25,8 +25,8 @@ import java.util.Set;
 import java.util.function.IntToDoubleFunction;
 
 /**
- * Reads the inputs of a bench: values that a scenario may script, and values that are computed from
- * others. Each is read when one that needs it is, so that their order in the file does not count.
+ * Reads the inputs of a bench: values that a scenario may script, and values computed from others.
+ * Each input is read when another one needs it, so their order in the file does not matter.
  */
 final class BenchInputs implements Signal.Source {
 
@@ -47,7 +47,7 @@ final class BenchInputs implements Signal.Source {
     this.source = source;
   }
 
-  /** Reads all, in the order of the file; an input in which something is wrong is left out. */
+  /** Reads all inputs in the order of the file; invalid ones are left out. */
   static Map<String, Signal> read(ObjectReader section, YamlText source) {
     BenchInputs inputs = new BenchInputs(section, source);
     Map<String, Signal> ordered = new LinkedHashMap<>();
@@ -80,7 +80,7 @@ final class BenchInputs implements Signal.Source {
         .or(() -> section.names().contains(name) ? input(name) : Optional.empty());
   }
 
-  /** An input, read now if it was not yet. */
+  /** Returns an input, which is read first if necessary. */
   private Optional<Signal> input(String name) {
     if (known.containsKey(name)) {
       return Optional.of(known.get(name));
@@ -145,7 +145,7 @@ final class BenchInputs implements Signal.Source {
     }
   }
 
-  /** A unit; that there is none of the name is a finding. */
+  /** Returns a unit by its name; reports an unknown one as a finding. */
   static Optional<Unit> unit(ObjectReader section, String text) {
     Optional<Unit> unit = Unit.parse(text);
     if (unit.isEmpty()) {
@@ -165,7 +165,7 @@ final class BenchInputs implements Signal.Source {
     return Optional.empty();
   }
 
-  /** Whether the values of a quantity can be converted to a unit. */
+  /** Returns whether the values of a quantity can be converted to a unit. */
   static boolean fits(Term term, Unit unit) {
     Unit.Relation relation = term.dimension().relationTo(unit);
     return relation == Unit.Relation.SAME || relation == Unit.Relation.CONVERTIBLE;

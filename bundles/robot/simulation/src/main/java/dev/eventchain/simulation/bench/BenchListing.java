@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** Tells people what a world provides and takes, and how a project is connected with it. */
+/** Lists the topics that a world provides and consumes, and a project's connections with them. */
 final class BenchListing {
 
   private static final int NAME = 22;

@@ -15,12 +15,12 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * Proposes a bench for described signals. A field whose name and unit say what it is gets
- * connected; any other one is in a comment, so that a chain that reads it is told.
+ * Proposes a bench for described signals. Fields recognised by name and unit are connected; the
+ * others are in comments, so that a check reports a chain that reads them.
  */
 final class BenchProposal {
 
-  /** What a field is that has a unit of the quantity's dimension and such a name. */
+  /** Rule that recognises a field by its name and the dimension of its unit. */
   private record Guess(Pattern name, String quantity, String unit) {
 
     static Guess of(String name, String quantity, String unit) {
@@ -130,7 +130,10 @@ final class BenchProposal {
                     .findFirst());
   }
 
-  /** What says what a field is: in messages of std_msgs that is the topic, the field is "data". */
+  /**
+   * Returns the name that describes a field: in messages of std_msgs, whose field is "data", that
+   * of the topic.
+   */
   private static String nameOf(dev.eventchain.model.Signal signal, Field field) {
     String name = field.path().equals("data") ? signal.topic() : field.path();
     return name.toLowerCase(Locale.ROOT);
@@ -141,7 +144,7 @@ final class BenchProposal {
     return relation == Unit.Relation.SAME || relation == Unit.Relation.CONVERTIBLE;
   }
 
-  /** The kind of a field that is one number or Boolean; empty for any other one. */
+  /** Returns the kind of a field with a single number or Boolean; empty for any other field. */
   private Optional<FieldType.Kind> kind(dev.eventchain.model.Signal signal, String path) {
     Optional<MessageType> type = catalog.find(signal.messageType());
     return type.flatMap(known -> known.resolve(path).type())

@@ -29,7 +29,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 
-/** Reads {@code bench.yaml}, and what it extends. */
+/** Reads {@code bench.yaml} and the bench that it extends. */
 public final class BenchReader {
 
   private static final String RESOURCES = "/dev/eventchain/simulation/";
@@ -57,7 +57,7 @@ public final class BenchReader {
     this.catalog = catalog;
   }
 
-  /** As {@link Bench#read}. */
+  /** Reads a bench as {@link Bench#read} does. */
   static Bench read(Optional<Path> file, DeclaredSignals declared, MessageCatalog messages) {
     BenchReader reader = new BenchReader(declared, messages);
     if (file.isPresent()) {
@@ -76,7 +76,7 @@ public final class BenchReader {
     return new Bench(provided, consumed, own, signals, declared, location);
   }
 
-  /** The topics that are known: those of the bench, and those that the project declares. */
+  /** Returns the known topics: those of the bench and those that the project declares. */
   private Map<String, BenchSignals.Topic> topics() {
     Map<String, BenchSignals.Topic> topics = new TreeMap<>();
     for (String name : declared.names()) {
@@ -103,12 +103,12 @@ public final class BenchReader {
     SourceText text = SourceText.of("carla.yaml", resource("carla.yaml"));
     Document document = Document.parse(text, DocumentFormat.YAML, IDS, problems::add);
     ObjectReader section = document.object("", problems::add).orElseThrow();
-    // Who does not use CARLA's topics need not have its message types.
+    // Projects without CARLA's topics need not have its message types.
     new BenchTopics(declared, Optional.empty(), inputs.values(), new YamlText(text))
         .read(section, provided, consumed);
   }
 
-  /** The text of a resource of this bundle. */
+  /** Returns the text of a resource of this bundle. */
   public static String resource(String name) {
     try (InputStream input = BenchReader.class.getResourceAsStream(RESOURCES + name)) {
       return new String(input.readAllBytes(), StandardCharsets.UTF_8);
@@ -135,7 +135,7 @@ public final class BenchReader {
     }
     section.object("inputs").ifPresent(part -> inputs.putAll(BenchInputs.read(part, source)));
     if (!problems.isEmpty()) {
-      return; // What needs an input that was refused would be refused for it.
+      return; // Values that need a refused input would be refused as well.
     }
     if (base.isPresent()) {
       carla();
@@ -167,14 +167,17 @@ public final class BenchReader {
             .withHint(NearestName.hint(topic, declared.names(direction))));
   }
 
-  /** A signal that leaves the chain may be observed, unless it is another one by a wrong name. */
+  /**
+   * Returns whether an undeclared consumed topic may be observed, and is not a misspelt declared
+   * one.
+   */
   private boolean isOfItsOwn(String topic, Direction direction) {
     return direction == Direction.CONSUMED
         && declared.find(topic).isEmpty()
         && NearestName.of(topic, declared.names()).isEmpty();
   }
 
-  /** The full name of a topic as it is written. */
+  /** Returns the full name of a topic. */
   static String fullName(String topic) {
     return RosNames.resolve(topic, "");
   }

@@ -15,18 +15,18 @@ import java.util.Optional;
 import java.util.TreeMap;
 
 /**
- * What formulas may read: the world, the inputs of the bench, and each field of each topic that is
- * known, as {@code /topic.field}. A field without a unit is taken for a plain number.
+ * Signals that formulas may read: the world, the inputs of the bench, and each field of each known
+ * topic, as {@code /topic.field}. A field without a unit is read as a plain number.
  */
 public final class BenchSignals implements Signal.Source {
 
-  /** A topic whose messages formulas read. */
+  /** A topic with fields that formulas read. */
   public record Topic(String name, String type, Map<String, String> units) {}
 
-  /** The meaning of inputs that are not computed. */
+  /** Meaning of inputs that are not computed. */
   static final String SCRIPTED = "set by scenarios";
 
-  /** Another form of the heading, for messages only. */
+  /** Prefix of the orientation quaternion, another form of the heading, for messages only. */
   private static final String QUATERNION = "ego.orientation.";
 
   private static final WorldSignals WORLD = new WorldSignals();
@@ -56,25 +56,26 @@ public final class BenchSignals implements Signal.Source {
     return names;
   }
 
-  /** The inputs that a scenario may set, by name. */
+  /** Returns the inputs that a scenario may set, by name. */
   public Map<String, Signal> inputs() {
     return inputs;
   }
 
-  /** Whether a scenario may say what people do with an input. */
+  /** Returns whether a scenario may script an input. */
   public boolean isScripted(String name) {
     return inputs.containsKey(name) && inputs.get(name).meaning().equals(SCRIPTED);
   }
 
-  /** The names of the inputs that a scenario may set. */
+  /** Returns the names of the inputs that a scenario may set. */
   public List<String> scripted() {
     return inputs.keySet().stream().filter(this::isScripted).toList();
   }
 
   /**
-   * What a report tells of a scenario, by name: the world, the inputs, and what formulas read.
+   * Returns the signals that a report shows for a scenario, by name: the world, the inputs, and
+   * those that formulas read.
    *
-   * @param read by the formulas of the scenario
+   * @param read signals read by the formulas of the scenario
    */
   public List<Signal> reported(Collection<Signal> read) {
     Map<String, Signal> reported = new TreeMap<>();
@@ -86,7 +87,7 @@ public final class BenchSignals implements Signal.Source {
     return List.copyOf(reported.values());
   }
 
-  /** The topic that a signal is a field of; empty if it is of none. */
+  /** Returns the topic of a signal that is a field; empty for any other signal. */
   public Optional<Topic> topicOf(Signal signal) {
     return signal.topic().map(topics::get);
   }
@@ -116,7 +117,7 @@ public final class BenchSignals implements Signal.Source {
     return ofField(topic.name(), path, topic.type(), known ? unit : "1", truth);
   }
 
-  /** The signal that a field of a topic is. */
+  /** Returns the signal of a topic's field. */
   public static Signal ofField(String topic, String path, String type, String unit, boolean truth) {
     String name = topic + "." + path;
     return new Signal(
@@ -131,7 +132,7 @@ public final class BenchSignals implements Signal.Source {
                 : Optional.empty());
   }
 
-  /** Whether a field is one number, or one Boolean. */
+  /** Returns whether a field is a single number or Boolean. */
   public static boolean isNumberOrTruth(FieldType type) {
     return type.shape() == FieldType.Shape.SINGLE
         && switch (type.kind()) {

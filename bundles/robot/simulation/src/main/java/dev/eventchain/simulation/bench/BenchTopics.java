@@ -41,16 +41,16 @@ final class BenchTopics {
   private final BenchFields fields;
   private final BenchEffects effects;
 
-  /** Where the name of the topic stands that is read. */
+  /** Location of the name of the topic being read. */
   private SourceLocation place = SourceLocation.NONE;
 
   private final Map<Actuator, Effect> driven = new EnumMap<>(Actuator.class);
 
   /**
-   * A reader.
+   * Creates a reader.
    *
-   * @param catalog where the message types are looked up; empty to leave that to a simulation
-   * @param inputs what the values may depend on besides the world
+   * @param catalog the message types; empty to leave their check to a simulation
+   * @param inputs the inputs that values may depend on besides the world
    */
   BenchTopics(
       DeclaredSignals declared,
@@ -63,7 +63,7 @@ final class BenchTopics {
     this.effects = new BenchEffects(declared, fields);
   }
 
-  /** Reads both sections into maps with the topics' full names. */
+  /** Reads both sections into maps by the topics' full names. */
   void read(ObjectReader section, Map<String, Provided> provided, Map<String, Consumed> consumed) {
     section
         .object("provides")
@@ -76,7 +76,7 @@ final class BenchTopics {
     section.refuseOthers();
   }
 
-  /** Each topic of a section once, by its full name. */
+  /** Reads each topic of a section once, by its full name. */
   private void topics(ObjectReader part, BiConsumer<String, ObjectReader> reader) {
     Set<String> read = new HashSet<>();
     for (String written : part.names()) {
@@ -137,7 +137,7 @@ final class BenchTopics {
     return sensor.filter(LIDAR::equals).isPresent();
   }
 
-  /** The type of a topic's messages; what the bench says of it must be what the project says. */
+  /** Returns the type of a topic's messages; bench and project must agree on it. */
   private String type(ObjectReader section, String topic, String usual) {
     Optional<String> written = section.text("type").map(RosNames::fullMessageType);
     Optional<String> known =

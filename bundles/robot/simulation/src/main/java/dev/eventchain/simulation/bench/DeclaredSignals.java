@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** What a project says of its topics in {@code signals.json}. */
+/** Topics that a project declares in {@code signals.json}. */
 final class DeclaredSignals {
 
   private final Map<String, dev.eventchain.model.Signal> topics = new LinkedHashMap<>();
@@ -17,12 +17,12 @@ final class DeclaredSignals {
     signals.forEach(each -> topics.putIfAbsent(RosNames.resolve(each.topic(), ""), each));
   }
 
-  /** Whether nothing is said of any topic, so that none is unknown either. */
+  /** Returns whether no topic is declared, so that none counts as unknown. */
   boolean isEmpty() {
     return topics.isEmpty();
   }
 
-  /** The full names of the topics of a direction. */
+  /** Returns the full names of the topics of a direction. */
   List<String> names(Direction direction) {
     List<String> names = new ArrayList<>();
     topics.forEach(
@@ -34,17 +34,17 @@ final class DeclaredSignals {
     return names;
   }
 
-  /** What is said of the topic with a full name. */
+  /** Returns the declared signal of a topic, by its full name. */
   Optional<dev.eventchain.model.Signal> find(String topic) {
     return Optional.ofNullable(topics.get(topic));
   }
 
-  /** All of them. */
+  /** Returns the full names of all topics. */
   List<String> names() {
     return List.copyOf(topics.keySet());
   }
 
-  /** The unit of a field, as it is written; empty if none is said. */
+  /** Returns the unit of a field, as written; empty if none is declared. */
   Optional<String> unit(String topic, String field) {
     return find(topic)
         .flatMap(signal -> signal.field(field))

@@ -28,9 +28,9 @@ final class ObjectsReader {
   private final Optional<MessageType> message;
 
   /**
-   * A reader.
+   * Creates a reader.
    *
-   * @param message the type of the topic's messages, where that is known already
+   * @param message the type of the topic's messages, if known
    */
   ObjectsReader(DeclaredSignals declared, String topic, Optional<MessageType> message) {
     this.declared = declared;
@@ -110,7 +110,7 @@ final class ObjectsReader {
     return unit.filter(it -> fits);
   }
 
-  /** Whether the field is a sequence of numbers of the right kind. */
+  /** Checks that a field is a sequence of numbers of the right kind. */
   private boolean fits(ObjectReader part, String path, boolean isId) {
     if (message.isEmpty()) {
       return true;

@@ -4,14 +4,14 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
 
-/** A YAML file in which formulas stand, so that the places in them can be found. */
+/** A YAML file with formulas, for the locations of problems within them. */
 public record YamlText(SourceText source) {
 
   /**
-   * Where a text is in the file, whose lines YAML may have folded: the part that has the same
-   * characters but for white space. A text with escapes has none, and stands at one place.
+   * Returns the range of a text in the file: the part with the same characters except white space,
+   * since YAML may have folded its lines. A text with escapes is located at its start only.
    *
-   * @param place where its value begins
+   * @param place the start of its value
    */
   public SourceRange range(SourceLocation place, String text) {
     String file = source.text();

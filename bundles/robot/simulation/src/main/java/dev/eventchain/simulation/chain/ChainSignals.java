@@ -19,9 +19,9 @@ import java.util.Optional;
 import java.util.TreeMap;
 
 /**
- * What the components of a chain tell each other, for reports: the fields of the topics on which
- * they write nothing but single numbers and Booleans. What drives the vehicle is a quantity of the
- * world already, and what is read from sensors is too much to be shown.
+ * Signals between the components of a chain, for reports: the fields of topics that hold only
+ * single numbers and Booleans. Topics that drive the vehicle are left out, since their quantities
+ * belong to the world, and so are sensor topics, which are too large.
  */
 public final class ChainSignals {
 
@@ -29,7 +29,7 @@ public final class ChainSignals {
 
   private ChainSignals() {}
 
-  /** The signals of the topics that components write. */
+  /** Returns the signals of the topics that components write. */
   static ChainSignals of(
       Collection<TopicIndex.Topic> topics, MessageCatalog catalog, Map<String, Bench.Consumed> by) {
     ChainSignals chain = new ChainSignals();
@@ -77,12 +77,12 @@ public final class ChainSignals {
         topic, data.getFieldName(), type, known ? data.getUnit() : "1", truth);
   }
 
-  /** The topics that have any. */
+  /** Returns the topics with such signals. */
   public List<TypedTopic> topics() {
     return signals.keySet().stream().filter(topic -> !signals.get(topic).isEmpty()).toList();
   }
 
-  /** The signals of a topic. */
+  /** Returns the signals of a topic. */
   public List<Signal> on(String topic) {
     return signals.entrySet().stream()
         .filter(each -> each.getKey().name().equals(topic))
@@ -90,7 +90,7 @@ public final class ChainSignals {
         .toList();
   }
 
-  /** These signals next to others, of which each name is one; by name. */
+  /** Returns these and other signals by name, without duplicates. */
   public List<Signal> with(List<Signal> others) {
     Map<String, Signal> all = new TreeMap<>();
     signals.values().forEach(each -> each.forEach(signal -> all.put(signal.name(), signal)));

@@ -20,9 +20,9 @@ public final class NodeConfiguration {
   private final NodePackage generated;
 
   /**
-   * A configuration of the nodes of a chain.
+   * Creates the configuration of the nodes of a chain.
    *
-   * @param generated what was generated for it
+   * @param generated the generated package
    */
   public NodeConfiguration(SimulatedChain chain, NodePackage generated) {
     this.chain = chain;
@@ -30,9 +30,9 @@ public final class NodeConfiguration {
   }
 
   /**
-   * What the process is told at the start of a scenario.
+   * Returns the configuration of the process for a scenario.
    *
-   * @param seed the scenario's
+   * @param seed the seed of the scenario
    * @param published the topics that the world publishes
    * @param received the topics that the world receives
    */
@@ -87,14 +87,14 @@ public final class NodeConfiguration {
     return json.put("topic", topic.name()).put("type", topic.type());
   }
 
-  /** In ms: the model's worst case; none if it does not know one. */
+  /** Returns the worst-case execution time of the model, in ms; 0 if it is not stated. */
   private static double executionTime(SoftwareNode node) {
     return node.isSetWorstCaseExecutionTime() ? node.getWorstCaseExecutionTime() : 0.0;
   }
 
   /**
-   * In ms: somewhere in the node's period, since nodes on a vehicle start when they start. It
-   * depends on the scenario's seed and the node's name only.
+   * Returns the phase of a node within its period, in ms, since nodes on a vehicle start at
+   * arbitrary times. It depends only on the scenario's seed and the node's name.
    */
   private static double phase(SoftwareNode node, long seed) {
     CRC32 digest = new CRC32();

@@ -21,13 +21,13 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** What of a chain is simulated: the nodes that are run, their times and their topics. */
+/** Simulated part of a chain: the nodes that run, their times and their topics. */
 public final class SimulatedChain {
 
   private static final double MILLISECONDS = 1e3;
   private static final double NANOSECONDS = 1e6;
 
-  /** Periods of what writes a topic after which a sample is too old, where nothing else is said. */
+  /** Default maximum age of a sample, in periods of its topic's writer. */
   private static final double USUAL_PERIODS = 5;
 
   private final List<SoftwareNode> nodes;
@@ -38,51 +38,51 @@ public final class SimulatedChain {
   private final boolean attached;
 
   /**
-   * Finds the nodes.
+   * Collects the simulated nodes.
    *
-   * @param bench how the nodes and the world are connected
+   * @param bench the connection of the nodes with the world
    * @param catalog the message types that the nodes use
-   * @param attached whether the nodes are run elsewhere
+   * @param attached true if the nodes run elsewhere
    */
   public SimulatedChain(EventChain chain, Bench bench, MessageCatalog catalog, boolean attached) {
     this.chain = chain;
     this.bench = bench;
     this.catalog = catalog;
     this.attached = attached;
-    // Others may run whatever they like for what is a node by itself.
+    // Elsewhere, nodes that are not components may run as well.
     this.nodes = attached ? List.copyOf(chain.getSoftware()) : components(chain);
     this.topics = TopicIndex.of(chain);
   }
 
-  /** The nodes of a chain that are components, and not nodes by themselves. */
+  /** Returns the nodes of a chain that are components rather than nodes by themselves. */
   public static List<SoftwareNode> components(EventChain chain) {
     return chain.getSoftware().stream()
         .filter(node -> node.getImplementation() == ComponentImplementation.COMPONENT)
         .toList();
   }
 
-  /** How the nodes and the world are connected. */
+  /** Returns the connection of the nodes with the world. */
   public Bench bench() {
     return bench;
   }
 
-  /** Whether the nodes are run elsewhere, so that what happens inside is not visible. */
+  /** Returns whether the nodes run elsewhere, so that their activations are not visible. */
   public boolean isAttached() {
     return attached;
   }
 
-  /** The message types that the nodes use. */
+  /** Returns the message types that the nodes use. */
   public MessageCatalog catalog() {
     return catalog;
   }
 
-  /** The nodes, in chain order. */
+  /** Returns the nodes, in chain order. */
   public List<SoftwareNode> nodes() {
     return nodes;
   }
 
   /**
-   * A finding for each node of the chain that is not simulated, so that it is not taken for tested.
+   * Returns a finding for each node of the chain that is not simulated and therefore not tested.
    */
   public List<Diagnostic> leftOut() {
     return chain.getSoftware().stream()
@@ -99,12 +99,12 @@ public final class SimulatedChain {
         .toList();
   }
 
-  /** The full names of all topics that a node reads. */
+  /** Returns the full names of all topics that nodes read. */
   public Set<String> topicsRead() {
     return topicsOfAll(TopicIndex.Topic::subscribers);
   }
 
-  /** The full names of all topics that a node writes. */
+  /** Returns the full names of all topics that nodes write. */
   public Set<String> topicsWritten() {
     return topicsOfAll(TopicIndex.Topic::publishers);
   }
@@ -116,12 +116,12 @@ public final class SimulatedChain {
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
-  /** All topics that nodes write, with their types. */
+  /** Returns all topics that nodes write, with their types. */
   public List<TypedTopic> typedTopicsWritten() {
     return topics.topics().stream().flatMap(topic -> written(topic).stream()).toList();
   }
 
-  /** The topics that nodes write and the vehicle takes, in the bench's order. */
+  /** Returns the topics that nodes write and the vehicle consumes, in the bench's order. */
   public List<String> taken() {
     Set<String> written = topicsWritten();
     return bench.consumed().keySet().stream().filter(written::contains).toList();
@@ -136,7 +136,7 @@ public final class SimulatedChain {
         .map(type -> new TypedTopic(topic.name(), RosNames.fullMessageType(type)));
   }
 
-  /** What the simulated components write, for reports. */
+  /** Returns the signals that the simulated components write, for reports. */
   public ChainSignals chainSignals() {
     return ChainSignals.of(
         topics.topics().stream()
@@ -146,15 +146,15 @@ public final class SimulatedChain {
         bench.consumed());
   }
 
-  /** The first topic of the bench that a node reads; empty if none reads any. */
+  /** Returns the first topic of the bench that a node reads; empty if none is read. */
   public String entry() {
     Set<String> read = topicsRead();
     return bench.provided().keySet().stream().filter(read::contains).findFirst().orElse("");
   }
 
   /**
-   * The first topic by which a node commands the vehicle, or else the first that the vehicle only
-   * receives, such as a lamp; empty if there is none.
+   * Returns the first topic by which a node commands the vehicle, or else the first that the
+   * vehicle only observes, such as a lamp; empty if there is none.
    */
   public String exit() {
     return Stream.concat(commands().stream(), bench.consumed().keySet().stream())
@@ -164,7 +164,7 @@ public final class SimulatedChain {
   }
 
   /**
-   * The topics that the vehicle is commanded by in this project: those that its bench or its
+   * Returns the topics that command the vehicle in this project: those that its bench or its
    * signals name, or that its nodes write.
    */
   public List<String> commands() {
@@ -177,14 +177,14 @@ public final class SimulatedChain {
         .toList();
   }
 
-  /** Whether a node writes a field of the topic that drives something. */
+  /** Returns whether a node writes a field of the topic that drives an actuator. */
   private boolean isDriven(Bench.Consumed topic) {
     return topic.fields().stream()
         .filter(field -> field.actuator().isPresent())
         .anyMatch(field -> isWritten(topic.topic(), field.path()));
   }
 
-  /** Whether a node writes a field that drives one of the actuators. */
+  /** Returns whether a node writes a field that drives one of the actuators. */
   public boolean drives(Actuator... actuators) {
     Set<Actuator> wanted = Set.of(actuators);
     return bench.consumed().values().stream()
@@ -195,7 +195,7 @@ public final class SimulatedChain {
                     .anyMatch(field -> isWritten(topic.topic(), field.path())));
   }
 
-  /** Whether a node writes a field. */
+  /** Returns whether a node writes a field. */
   public boolean isWritten(String topic, String path) {
     return endpoints(topic, TopicIndex.Topic::publishers)
         .flatMap(endpoint -> endpoint.data().stream())
@@ -203,17 +203,17 @@ public final class SimulatedChain {
         .anyMatch(written -> written != null && RosNames.overlap(written, path));
   }
 
-  /** The latency constraints of the chain. */
+  /** Returns the latency constraints of the chain. */
   public List<LatencyConstraint> latencyConstraints() {
     return chain.getLatencyConstraints();
   }
 
-  /** The full names of the topics that a node reads. */
+  /** Returns the full names of the topics that a node reads. */
   public Set<String> topicsReadBy(SoftwareNode node) {
     return topicsOf(node, TopicIndex.Topic::subscribers);
   }
 
-  /** The full names of the topics that a node writes. */
+  /** Returns the full names of the topics that a node writes. */
   public Set<String> topicsWrittenBy(SoftwareNode node) {
     return topicsOf(node, TopicIndex.Topic::publishers);
   }
@@ -226,7 +226,7 @@ public final class SimulatedChain {
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
-  /** The components of the chain that write a topic, simulated or not. */
+  /** Returns the components of the chain that write a topic, simulated or not. */
   public List<String> writers(String topic) {
     return topics.find(topic).stream()
         .flatMap(found -> found.publishers().stream())
@@ -235,7 +235,7 @@ public final class SimulatedChain {
         .toList();
   }
 
-  /** Name of the first node that reads a topic; empty if none does. */
+  /** Returns the name of the first node that reads a topic; empty if there is none. */
   public String reader(String topic) {
     return endpoints(topic, TopicIndex.Topic::subscribers)
         .findFirst()
@@ -243,7 +243,7 @@ public final class SimulatedChain {
         .orElse("");
   }
 
-  /** Name of the last node that writes a topic; empty if none does. */
+  /** Returns the name of the last node that writes a topic; empty if there is none. */
   public String writer(String topic) {
     return endpoints(topic, TopicIndex.Topic::publishers)
         .reduce((first, second) -> second)
@@ -263,8 +263,8 @@ public final class SimulatedChain {
   }
 
   /**
-   * How old a sample of a topic may be where the model does not say it, in ms: five periods of the
-   * slowest of its writers; 0, which is not a limit, if they are not known.
+   * Returns the default maximum age of a topic's samples, in ms: five periods of its slowest
+   * writer; 0, which is no limit, if the writers are unknown.
    */
   public double usualAge(String topic) {
     List<Double> periods =
@@ -278,8 +278,8 @@ public final class SimulatedChain {
   }
 
   /**
-   * For how long a sample of a topic says something, in ns: as long as the most patient of its ends
-   * takes it, see {@link #usualAge}; 0 is for ever.
+   * Returns the lifetime of a topic's samples, in ns: the longest age that one of its ends accepts,
+   * see {@link #usualAge}; 0 for unlimited.
    */
   public long lifetime(String topic) {
     double stated =
@@ -294,7 +294,7 @@ public final class SimulatedChain {
     return Math.round(Math.max(stated, usualAge(topic)) * NANOSECONDS);
   }
 
-  /** In ms; empty period is taken for none. */
+  /** Returns the period of a node, in ms; 0 if it has none. */
   public static double period(SoftwareNode node) {
     return node.isSetFrequency() && node.getFrequency() > 0
         ? MILLISECONDS / node.getFrequency()

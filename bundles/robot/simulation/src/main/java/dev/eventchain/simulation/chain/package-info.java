@@ -1,5 +1,5 @@
 /**
- * What of a chain is simulated: its nodes, times and topics, the signals on them, and the
- * configuration that its process gets. Runs nothing.
+ * The simulated part of a chain: its nodes, times and topics, the signals on them, and the
+ * configuration of the process. Runs nothing.
  */
 package dev.eventchain.simulation.chain;

@@ -15,15 +15,15 @@ import java.util.OptionalDouble;
 import java.util.zip.CRC32;
 
 /**
- * Something that goes wrong in one run of one scenario.
+ * A fault in one run of one scenario.
  *
- * @param target name of a node or a topic; empty if it happens to none
- * @param start from when on, in ns
- * @param end until when, in ns; that time is no longer part of it; {@link RunLog#NEVER}: to the end
+ * @param target name of a node or a topic; empty if the kind has no target
+ * @param start start of the fault, in ns
+ * @param end end of the fault (exclusive), in ns; {@link RunLog#NEVER}: until the end of the run
  * @param amount ns, messages, or parts of a million; 0 if the kind has none
- * @param expected what must hold in spite of it; empty if it is observed only
- * @param detection whether it must be detected
- * @param location where the file says so
+ * @param expected the criteria that must hold in spite of it; empty if it is observed only
+ * @param detection the required detection; empty if none is required
+ * @param location its location in the file
  */
 public record Fault(
     String name,
@@ -38,10 +38,10 @@ public record Fault(
     SourceLocation location) {
 
   /**
-   * That a fault must be detected.
+   * Requirement that a fault is detected.
    *
-   * @param within s from its start; empty if it does not matter when
-   * @param location where the file asks for it
+   * @param within latest detection after its start, in s; empty for any time
+   * @param location the location of the requirement in the file
    */
   public record Detected(OptionalDouble within, SourceLocation location) {}
 
@@ -50,29 +50,32 @@ public record Fault(
     expected = List.copyOf(expected);
   }
 
-  /** Whether something is asked of the software. */
+  /** Returns whether the software must meet a requirement. */
   public boolean isJudged() {
     return !expected.isEmpty() || detection.isPresent();
   }
 
-  /** Whether there is something wrong at a time, in ns. */
+  /** Returns whether the fault is active at a time, in ns. */
   boolean isActive(long time) {
     return start <= time && time < end;
   }
 
-  /** Of what is random: it depends on the scenario's seed and the fault's name only. */
+  /**
+   * Returns the seed for random effects, which depends only on the scenario's seed and the fault's
+   * name.
+   */
   long seed() {
     CRC32 digest = new CRC32();
     digest.update(name.getBytes(StandardCharsets.UTF_8));
     return scenario.seed() ^ (digest.getValue() << 20);
   }
 
-  /** The time on the clock that the nodes see, in ns. */
+  /** Returns the time on the clock of the nodes, in ns. */
   public long clock(long time) {
     return kind == FaultKind.CLOCK_JUMP && isActive(time) ? time + amount : time;
   }
 
-  /** The part of the configuration that tells the process of the nodes. */
+  /** Returns the part of the configuration for the process of the nodes. */
   public ObjectNode toJson() {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.put("kind", kind.configured()).put("target", target).put("start", start);
@@ -84,7 +87,7 @@ public record Fault(
     return json.put("amount", amount).put("seed", seed());
   }
 
-  /** What happens, for people, such as {@code drop 50 percent of /scan from 2 s to 3 s}. */
+  /** Returns a description for users, such as {@code drop 50 percent of /scan from 2 s to 3 s}. */
   public String words() {
     String what =
         switch (kind) {

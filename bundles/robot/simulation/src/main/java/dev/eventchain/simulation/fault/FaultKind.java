@@ -4,28 +4,28 @@ import dev.eventchain.documents.NumberRange;
 import java.util.Arrays;
 import java.util.List;
 
-/** What can be wrong in a run. */
+/** Kinds of faults. */
 public enum FaultKind {
-  /** A node's process ends. */
+  /** The process of a node ends. */
   KILL("kill", Target.NODE, "", 0),
-  /** A node's process stops and continues, as by SIGSTOP and SIGCONT. */
+  /** The process of a node stops and continues, as by SIGSTOP and SIGCONT. */
   STOP("stop", Target.NODE, "", 0),
   /** Each activation of a node takes longer. */
   DELAY("delay", Target.NODE, "ms", 1e6),
-  /** Everything that a node publishes is published several times more. */
+  /** Everything that a node publishes is repeated several times. */
   FLOOD("flood", Target.NODE, "times", 1),
   /** Messages on a topic get lost. */
   DROP("drop", Target.TOPIC, "percent", 1e4),
-  /** Messages on a topic come several times more. */
+  /** Messages on a topic are repeated several times. */
   REPEAT("repeat", Target.TOPIC, "times", 1),
-  /** Messages on a topic come with other bytes. */
+  /** Messages on a topic arrive with altered bytes. */
   CORRUPT("corrupt", Target.TOPIC, "", 0),
-  /** The clock shows another time, as do the stamps of messages. */
+  /** The clock jumps, and with it the time stamps of messages. */
   CLOCK_JUMP("clock_jump_ms", Target.NOTHING, "", 1e6),
   /** A sensor falls silent. */
   DEAD_SENSOR("dead_sensor", Target.SENSOR, "", 0);
 
-  /** What it happens to. */
+  /** Target of a kind of fault. */
   enum Target {
     NODE,
     TOPIC,
@@ -48,12 +48,12 @@ public enum FaultKind {
     this.unit = unit;
   }
 
-  /** All keys, in the order of this list. */
+  /** Returns all keys, in the order of this list. */
   static List<String> keys() {
     return Arrays.stream(values()).map(FaultKind::key).toList();
   }
 
-  /** The key in the file. */
+  /** Returns the key in the file. */
   String key() {
     return key;
   }
@@ -62,27 +62,33 @@ public enum FaultKind {
     return target;
   }
 
-  /** The key of its amount; empty if it has none, or the key of the kind holds it. */
+  /**
+   * Returns the key of its amount; empty if it has none, or if the key of the kind holds the
+   * amount.
+   */
   String amount() {
     return amount;
   }
 
-  /** What one of the amount is in the configuration: ns, messages, or parts of a million. */
+  /**
+   * Returns the factor from the amount in the file to the configured one: ns, messages, or parts
+   * per million.
+   */
   double unit() {
     return unit;
   }
 
-  /** Whether its amount stands next to its target. */
+  /** Returns whether its amount has a key next to the target's. */
   boolean hasAmount() {
     return !amount.isEmpty();
   }
 
-  /** Whether it is about the messages of a topic. */
+  /** Returns whether it affects the messages of a topic. */
   public boolean isAboutMessages() {
     return target == Target.TOPIC || target == Target.SENSOR;
   }
 
-  /** What its amount may be. */
+  /** Returns the range of its amount. */
   NumberRange range() {
     return switch (this) {
       case DELAY -> NumberRange.of(0.001, MOST_MILLISECONDS);
@@ -92,7 +98,7 @@ public enum FaultKind {
     };
   }
 
-  /** What the process that runs the nodes calls it. */
+  /** Returns its name in the configuration of the process. */
   String configured() {
     return this == CLOCK_JUMP ? "clock_jump" : key;
   }

@@ -12,13 +12,10 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 
-/**
- * The faults that scenarios are also run with, each in a run of its own. Read from a YAML file.
- * Immutable.
- */
+/** Faults to inject into scenarios, each in a run of its own. Read from a YAML file. Immutable. */
 public final class FaultPlan {
 
-  /** No fault. */
+  /** Plan without faults. */
   public static final FaultPlan NONE = new FaultPlan(List.of());
 
   private final List<Fault> faults;
@@ -31,8 +28,8 @@ public final class FaultPlan {
    * Reads a file.
    *
    * @param chain the chain whose nodes and topics the faults name
-   * @param bench what the world sends, and what formulas may read
-   * @param scenarios those that the faults may name
+   * @param bench the topics of the world and the signals that formulas may read
+   * @param scenarios the scenarios that the faults may name
    * @throws DiagnosticException (INPUT) with every problem of the file: {@code fault.syntax},
    *     {@code fault.key.unknown}, {@code fault.key.duplicate}, {@code fault.key.missing}, {@code
    *     fault.value.type}, {@code fault.value.range}, {@code fault.kind}, {@code fault.unknown},
@@ -43,34 +40,39 @@ public final class FaultPlan {
     return parse(SourceText.read(file), chain, bench, scenarios);
   }
 
-  /** As {@link #read} for a text that is in memory already. */
+  /** Reads a text in memory as {@link #read} does. */
   public static FaultPlan parse(
       SourceText text, EventChain chain, Bench bench, List<Scenario> scenarios) {
     return new FaultsReader(text, FaultTargets.of(chain, bench), bench, scenarios).read();
   }
 
-  /** The JSON Schema of such files. */
+  /** Returns the JSON Schema of such files. */
   public static String schema() {
     return BenchReader.resource("faults.schema.json");
   }
 
-  /** In the order of the file; a fault of several scenarios once for each of them. */
+  /**
+   * Returns the faults in the order of the file; a fault of several scenarios once for each of
+   * them.
+   */
   public List<Fault> faults() {
     return faults;
   }
 
-  /** How many runs there are to be. */
+  /** Returns the number of runs. */
   public int size() {
     return faults.size();
   }
 
-  /** The faults of some scenarios only. */
+  /** Returns the plan with the faults of some scenarios only. */
   public FaultPlan within(Collection<String> scenarios) {
     return new FaultPlan(
         faults.stream().filter(it -> scenarios.contains(it.scenario().name())).toList());
   }
 
-  /** That faults of other scenarios are not injected; empty if there are none. */
+  /**
+   * Returns the finding that faults of other scenarios are not injected; empty if there are none.
+   */
   public Optional<Diagnostic> leftOut(Collection<String> scenarios) {
     List<Fault> others =
         faults.stream().filter(it -> !scenarios.contains(it.scenario().name())).toList();

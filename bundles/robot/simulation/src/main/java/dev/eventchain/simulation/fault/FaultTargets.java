@@ -11,11 +11,11 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * What faults can happen to.
+ * Possible targets of faults.
  *
  * @param nodes the simulated nodes
  * @param topics that the world sends or simulated nodes write
- * @param sensors the topics that the world sends
+ * @param sensors topics that the world sends
  */
 record FaultTargets(List<String> nodes, Set<String> topics, Set<String> sensors) {
 

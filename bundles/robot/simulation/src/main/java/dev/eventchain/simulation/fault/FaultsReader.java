@@ -48,10 +48,10 @@ final class FaultsReader {
   private final List<Diagnostic> problems = new ArrayList<>();
   private final Map<String, SourceLocation> names = new HashMap<>();
 
-  /** A time in which something is wrong, in ns. */
+  /** Interval in which a fault is active, in ns. */
   private record Window(long start, long end) {}
 
-  /** What happens, to whom, and how much of it. */
+  /** Kind, target and amount of a fault. */
   private record What(FaultKind kind, String target, long amount) {}
 
   FaultsReader(SourceText text, FaultTargets targets, Bench bench, List<Scenario> scenarios) {
@@ -82,7 +82,7 @@ final class FaultsReader {
     return new FaultPlan(faults);
   }
 
-  /** One for each of its scenarios. */
+  /** Reads a fault, once for each of its scenarios. */
   private List<Fault> fault(ObjectReader section) {
     String name = name(section);
     List<Scenario> where = scenariosOf(section);
@@ -132,7 +132,7 @@ final class FaultsReader {
     return name;
   }
 
-  /** The scenarios that it names: one, or a list. */
+  /** Returns the scenarios that a fault names: one, or a list. */
   private List<Scenario> scenariosOf(ObjectReader section) {
     boolean list = section.value("scenario").filter(JsonNode::isArray).isPresent();
     List<String> wanted =
@@ -206,7 +206,7 @@ final class FaultsReader {
     return new What(kind, target, amount(kind, amount));
   }
 
-  /** How much, as it is written; messages get lost altogether if nothing is stated. */
+  /** Returns the amount as written; by default, all messages are lost. */
   private static double number(ObjectReader part, FaultKind kind) {
     if (kind == FaultKind.DROP) {
       return part.number(kind.amount(), kind.range()).orElse(ALL);

@@ -11,14 +11,14 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 
 /**
- * What a fault does to the world's own messages on their way to the nodes, and to its clock. What
- * nodes publish is changed where they run.
+ * Effect of a fault on the world's own messages to the nodes and on its clock. Messages of nodes
+ * are altered in their process.
  */
 public final class WorldFault {
 
   private static final int CDR_HEADER = 4;
 
-  /** So many bytes of a message for each that is changed. */
+  /** Number of bytes of a message for each altered one. */
   private static final int BYTES_FOR_ONE = 16;
 
   private static final double MILLION = 1e6;
@@ -33,7 +33,7 @@ public final class WorldFault {
     this.random = new SplittableRandom(fault.map(Fault::seed).orElse(0L));
   }
 
-  /** Whether a sensor says nothing at this time, in ns. */
+  /** Returns whether a sensor is silent at a time, in ns. */
   public boolean silences(String topic, long now) {
     boolean silent = concerns(topic, now) && fault.get().kind() == FaultKind.DEAD_SENSOR;
     if (silent) {
@@ -42,7 +42,7 @@ public final class WorldFault {
     return silent;
   }
 
-  /** What comes of a message that arrives at this time: nothing, or messages one after another. */
+  /** Returns the messages that result from one arriving at a time: none, or several in sequence. */
   public List<ByteBuffer> arriving(MessageType type, String topic, long now, ByteBuffer message) {
     if (!concerns(topic, now)) {
       return List.of(message);
@@ -68,7 +68,7 @@ public final class WorldFault {
     };
   }
 
-  /** With other bytes after the header, which says how to read them. */
+  /** Alters bytes after the header, which states the encoding. */
   private byte[] corrupted(ByteBuffer message) {
     byte[] bytes = new byte[message.remaining()];
     message.duplicate().get(bytes);
@@ -79,7 +79,7 @@ public final class WorldFault {
     return bytes;
   }
 
-  /** Whether bytes are a message, in the only form that it has: DDS hands on nothing else. */
+  /** Returns whether bytes are a valid message; DDS delivers no other ones. */
   private static boolean decodes(MessageType type, byte[] bytes) {
     try {
       return Arrays.equals(CdrCodec.encode(CdrCodec.decode(type, bytes)), bytes);
@@ -88,7 +88,7 @@ public final class WorldFault {
     }
   }
 
-  /** The time that the stamp of a message shows, in ns. */
+  /** Returns the time stamp of a message, in ns. */
   public long stamp(long now) {
     long shown = clock(now);
     if (shown != now) {
@@ -97,7 +97,7 @@ public final class WorldFault {
     return shown;
   }
 
-  /** The time that the clock shows, in ns. */
+  /** Returns the time on the clock, in ns. */
   public long clock(long now) {
     return fault.map(it -> it.clock(now)).orElse(now);
   }
@@ -111,12 +111,12 @@ public final class WorldFault {
     first = Math.min(first, now);
   }
 
-  /** How many of its messages were changed or did not come. */
+  /** Returns the number of messages that were altered or lost. */
   public long affected() {
     return affected;
   }
 
-  /** When that was first, in ns; {@link RunLog#NEVER} if it never was. */
+  /** Returns the time of the first of them, in ns; {@link RunLog#NEVER} if there is none. */
   public long first() {
     return first;
   }

@@ -1,5 +1,5 @@
 /**
- * Faults that scenarios are also run with: their plan, its reader, and what they do to the messages
- * of the world. Does not judge what comes of them.
+ * Faults injected into scenarios: their plan, its reader, and their effect on the messages of the
+ * world. Does not judge their consequences.
  */
 package dev.eventchain.simulation.fault;

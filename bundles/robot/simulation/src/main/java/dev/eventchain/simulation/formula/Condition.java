@@ -6,41 +6,43 @@ import java.util.Optional;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.Stream;
 
-/** A formula or a part of one that is true or false at each sample. See {@link Robustness}. */
+/** A formula, or a part of one, with a truth value at each sample. See {@link Robustness}. */
 public interface Condition extends FormulaParser.Part {
 
-  /** What it is made of. */
+  /** Returns the operands. */
   default List<Condition> parts() {
     return List.of();
   }
 
-  /** The truth at each sample, from that of the parts. */
+  /** Returns the truth at each sample, from that of the parts. */
   double[] truth(SampledRun run, List<double[]> parts);
 
-  /** When a part is looked at, seen from samples at which this is. */
+  /**
+   * Returns the interval in which a part is evaluated, relative to the sample of this condition.
+   */
   default Interval window(int part) {
     return new Interval(0, 0, true);
   }
 
   /**
-   * The part, and the sample of it, that gives this its truth at a sample: of several the first
-   * one, but of an implication the conclusion.
+   * Returns the part, and its sample, that decides the truth at a sample: of several the first one,
+   * but of an implication the conclusion.
    */
   default Step decisive(List<double[]> parts, int sample) {
     throw new IllegalStateException("It has no parts.");
   }
 
   /**
-   * Why it is true without saying anything of the software; empty if it says something.
+   * Returns why the truth says nothing about the software; empty if it does.
    *
-   * @param first the first sample at which it is looked at
-   * @param last the last one
+   * @param first the first evaluated sample
+   * @param last the last evaluated sample
    */
   default Optional<String> vacuity(SampledRun run, List<double[]> parts, int first, int last) {
     return Optional.empty();
   }
 
-  /** Whether margins of its comparisons can be compared with each other. */
+  /** Returns whether the margins of its comparisons have the same unit. */
   default boolean oneUnit() {
     List<Comparison> comparisons = comparisons().toList();
     return comparisons.stream()
@@ -50,7 +52,7 @@ public interface Condition extends FormulaParser.Part {
                     && it.ofTruth() == comparisons.get(0).ofTruth());
   }
 
-  /** The last sample that its intervals reach, seen from one; those without a bound reach none. */
+  /** Returns the last sample that its bounded intervals reach from a sample. */
   default long horizon(long sample) {
     long last = sample;
     for (int i = 0; i < parts().size(); i++) {
@@ -61,39 +63,39 @@ public interface Condition extends FormulaParser.Part {
     return last;
   }
 
-  /** Whether its truth at a sample depends on that sample only. */
+  /** Returns whether its truth at a sample depends on that sample only. */
   default boolean ofOneMoment() {
     return parts().stream().allMatch(Condition::ofOneMoment);
   }
 
-  /** The comparisons in it. */
+  /** Returns the comparisons in it. */
   default Stream<Comparison> comparisons() {
     return parts().stream().flatMap(Condition::comparisons);
   }
 
   /**
-   * A step towards what decides.
+   * A step towards the deciding comparison.
    *
-   * @param part the number of the part; -1 if it is the end of the run, or its start, that decides
+   * @param part the number of the part; -1 if the start or the end of the run decides
    */
   record Step(int part, int sample) {
     static final Step OUTSIDE = new Step(-1, -1);
   }
 
-  /** {@code left < right} or {@code left <= right}, with the text that it was written as. */
+  /** {@code left < right} or {@code left <= right}, with its source text. */
   record Comparison(Term left, Term right, boolean strict, String text) implements Condition {
 
-    /** That a signal is true: 1, and not 0. */
+    /** Returns the comparison that a Boolean signal is true, that is 1 and not 0. */
     static Comparison isTrue(Term term, String text) {
       return new Comparison(Term.number(0.5, term.dimension(), "1"), term, true, text);
     }
 
-    /** All that it reads. */
+    /** Returns all signals that it reads. */
     Stream<Signal> signals() {
       return Stream.concat(left.signals().stream(), right.signals().stream());
     }
 
-    /** Whether it is about what is true or false, so that its margin means nothing. */
+    /** Returns whether it compares Boolean signals, so that its margin has no meaning. */
     boolean ofTruth() {
       return left.truth() || right.truth();
     }
@@ -114,7 +116,7 @@ public interface Condition extends FormulaParser.Part {
       return Stream.of(this);
     }
 
-    /** What a signal is compared with, if one side is a signal and the other depends on none. */
+    /** Returns the limit of a signal, if one side is a signal and the other depends on none. */
     Optional<ScenarioVerdict.Limit> limit(SampledRun run) {
       return ofTruth() ? Optional.empty() : left.limit(right, run).or(() -> right.limit(left, run));
     }
@@ -144,7 +146,7 @@ public interface Condition extends FormulaParser.Part {
     }
   }
 
-  /** {@code and}, or else {@code or}. */
+  /** {@code and} if {@code all} is set, otherwise {@code or}. */
   record Junction(boolean all, Condition first, Condition second) implements Condition {
 
     @Override
@@ -167,7 +169,7 @@ public interface Condition extends FormulaParser.Part {
     }
   }
 
-  /** {@code premise implies conclusion}, with the text of the premise. */
+  /** {@code premise implies conclusion}, with the source text of the premise. */
   record Implication(Condition premise, Condition conclusion, String text) implements Condition {
 
     @Override
@@ -197,7 +199,7 @@ public interface Condition extends FormulaParser.Part {
     }
   }
 
-  /** {@code always}, or else {@code eventually}. */
+  /** {@code always}, or {@code eventually}. */
   record Temporal(boolean always, Interval interval, Condition operand) implements Condition {
 
     @Override
@@ -221,7 +223,9 @@ public interface Condition extends FormulaParser.Part {
       return interval;
     }
 
-    /** The first sample of the window with the extreme value; none if that is unknown there. */
+    /**
+     * Returns the first sample of the window with the extreme value; none if that is unknown there.
+     */
     @Override
     public Step decisive(List<double[]> parts, int sample) {
       double[] truth = parts.get(0);
@@ -262,7 +266,7 @@ public interface Condition extends FormulaParser.Part {
       return part == 1 ? interval : new Interval(0, interval.to(), interval.bounded());
     }
 
-    /** The definition itself: the best moment to be reached, or the worst one on the way there. */
+    /** Applies the definition: the best sample for {@code reached}, or the worst one before it. */
     @Override
     public Step decisive(List<double[]> parts, int sample) {
       double best = Double.NEGATIVE_INFINITY;
@@ -286,7 +290,7 @@ public interface Condition extends FormulaParser.Part {
       if (!cut || best >= Robustness.UNKNOWN) {
         return found;
       }
-      // After the run the second may still come, unless the first was abandoned before.
+      // After the run, "reached" may still come unless "kept" failed before.
       if (worst < Robustness.UNKNOWN) {
         return worst >= best ? new Step(0, worstAt) : found;
       }
@@ -294,7 +298,7 @@ public interface Condition extends FormulaParser.Part {
     }
   }
 
-  /** {@code rise}: true now, and false a sample ago. */
+  /** {@code rise}: true at a sample and false at the one before. */
   record Rise(Condition operand) implements Condition {
 
     @Override

@@ -16,20 +16,20 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * A formula of Signal Temporal Logic over what happens in a scenario. A run is a sequence of
- * samples, see {@link SampledRun}; the formula is judged at the first of them.
+ * A formula of Signal Temporal Logic over the run of a scenario. A run is a sequence of samples,
+ * see {@link SampledRun}; the formula is judged at the first of them.
  *
- * <p>The verdict is exact and three-valued: what lies beyond the end of a run that ended early is
- * not known, nor is a comparison of what has no value, such as the difference of two infinite
- * times. A true formula that depends on an implication whose premise never came true, or on signals
- * that say nothing in the run, is not tested either.
+ * <p>The verdict is exact and three-valued. Unknown are samples beyond the end of a run that ended
+ * early, and comparisons without a value, such as the difference of two infinite times. A true
+ * formula is untested if it depends on an implication whose premise never came true, or on signals
+ * without values in the run.
  *
- * <p>The margin is that of the comparison that decides, in its own unit. In a formula of one
- * dimension that is the robustness of Signal Temporal Logic, the smallest (or largest) margin that
- * decides. Margins of several dimensions have no order, so in other formulas verdicts decide: the
- * comparison is the first one, in time and then in the text, without which the verdict would be
- * another; of an implication that fails it is the conclusion. Scaling them to numbers without units
- * would need a scale for each, on which what people are told would depend.
+ * <p>The margin is that of the deciding comparison, in its own unit. In a formula of one dimension
+ * it is the robustness of Signal Temporal Logic, the smallest (or largest) margin that decides.
+ * Margins of several dimensions have no order, so in other formulas verdicts decide: the deciding
+ * comparison is the first one, in time and then in the text, without which the verdict would
+ * differ; of an implication that fails it is the conclusion. Margins are not normalized, since the
+ * reported values would depend on an arbitrary scale for each unit.
  */
 public final class Formula {
 
@@ -55,24 +55,24 @@ public final class Formula {
     return new Formula(condition, FormulaParser.plain(range.text()));
   }
 
-  /** What a bench sends as true or false, see {@link FormulaParser#parseMoment}. */
+  /** Returns a Boolean formula that a bench publishes, see {@link FormulaParser#parseMoment}. */
   public static Formula ofMoment(FormulaParser.Part part, String text) {
     Condition condition =
         part instanceof Term term ? Condition.Comparison.isTrue(term, text) : (Condition) part;
     return new Formula(condition, FormulaParser.plain(text));
   }
 
-  /** Whether it is certainly true at the start of a run. */
+  /** Returns whether it is certainly true at the start of a run. */
   public boolean holds(SampledRun run) {
     return FormulaEvaluation.of(condition, run).verdict() > 0.0;
   }
 
-  /** The formula on one line. */
+  /** Returns the formula on one line. */
   public String text() {
     return text;
   }
 
-  /** All that it reads. */
+  /** Returns all signals that it reads. */
   public Set<Signal> signals() {
     return condition
         .comparisons()
@@ -80,17 +80,19 @@ public final class Formula {
         .collect(Collectors.toCollection(LinkedHashSet::new));
   }
 
-  /** Until when a run is needed to judge it, in ns: as far as its intervals reach. */
+  /**
+   * Returns the end of the part of a run that the verdict needs, in ns: the reach of its intervals.
+   */
   public long horizon() {
     return condition.horizon(0) * World.TRACE_STEP;
   }
 
-  /** What the formula is made of. */
+  /** Returns the parsed condition. */
   Condition condition() {
     return condition;
   }
 
-  /** The numbers that it compares single signals with. */
+  /** Returns the numbers that it compares single signals with. */
   public List<Limit> limits() {
     SampledRun none = new SampledRun(new Trace());
     return condition.comparisons().flatMap(each -> each.limit(none).stream()).distinct().toList();

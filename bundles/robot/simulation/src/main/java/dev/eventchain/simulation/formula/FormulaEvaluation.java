@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The truth of a condition in a run, and that of its parts. If all that it compares is of one
- * dimension, the truth has margins; if not, it is a verdict: 1, -1 or 0.
+ * Truth of a condition and of its parts in a run. If all comparisons have one dimension, the truth
+ * has margins; otherwise it is a verdict: 1, -1 or 0.
  */
 final class FormulaEvaluation {
 
@@ -16,7 +16,7 @@ final class FormulaEvaluation {
   private final List<FormulaEvaluation> parts;
   private final Optional<String> vacuity;
 
-  /** The margins of a comparison, also where only verdicts go up to what it is a part of. */
+  /** Margins of a comparison, also where its parents have verdicts only. */
   private final double[] margins;
 
   private FormulaEvaluation(
@@ -38,8 +38,8 @@ final class FormulaEvaluation {
   }
 
   /**
-   * As {@link #of}, but what is true without saying anything of the software is not known: an
-   * implication whose premise never came true, and what compares signals that say nothing.
+   * Evaluates as {@link #of} does, but truth that says nothing about the software is unknown: an
+   * implication whose premise never came true, or a comparison of signals without values.
    */
   static FormulaEvaluation strictly(Condition condition, SampledRun run) {
     return new Evaluator(run, true, condition.oneUnit()).evaluate(condition, 0, 0);
@@ -50,14 +50,17 @@ final class FormulaEvaluation {
   }
 
   /**
-   * How a whole formula is evaluated.
+   * Evaluation of a whole formula.
    *
-   * @param strictly whether what is vacuous is unknown
-   * @param oneUnit whether margins go up, or else verdicts
+   * @param strictly true if vacuous truth is unknown
+   * @param oneUnit true if margins are propagated, false if verdicts are
    */
   private record Evaluator(SampledRun run, boolean strictly, boolean oneUnit) {
 
-    /** Evaluates at all samples; it is looked at from the first to the last of those given. */
+    /**
+     * Evaluates a condition at all samples; {@code first} and {@code last} bound the samples that
+     * count.
+     */
     FormulaEvaluation evaluate(Condition condition, int first, int last) {
       int size = run.size();
       List<FormulaEvaluation> parts = new ArrayList<>();
@@ -74,18 +77,20 @@ final class FormulaEvaluation {
     }
   }
 
-  /** The truth at the start, see {@link Robustness}. */
+  /** Returns the truth at the start, see {@link Robustness}. */
   double verdict() {
     return truth[0];
   }
 
   /**
-   * What gave a condition its truth.
+   * Reason for the truth of a condition.
    *
-   * @param comparison empty if none did, but the start or the end of the run, or a vacuous part
-   * @param sample when
-   * @param truth that of the comparison then: under a negation it holds where the formula fails
-   * @param vacuity why that part says nothing; empty if it does not
+   * @param comparison the deciding comparison; empty if the start or the end of the run or a
+   *     vacuous part decides
+   * @param sample its sample
+   * @param truth the truth of the comparison at that sample: under a negation it holds where the
+   *     formula fails
+   * @param vacuity the reason why that part is vacuous; empty if it is not
    */
   record Decision(
       Optional<Condition.Comparison> comparison,
@@ -93,7 +98,7 @@ final class FormulaEvaluation {
       double truth,
       Optional<String> vacuity) {}
 
-  /** Goes down from the condition at the start, each time to the part that decides. */
+  /** Follows the deciding parts from the condition at the start down to a comparison. */
   Decision decision() {
     FormulaEvaluation here = this;
     int sample = 0;

@@ -6,13 +6,15 @@ import dev.eventchain.simulation.formula.FormulaTokens.Token;
 import java.util.Map;
 
 /**
- * Reads what is true or false in a formula. From loose to tight: {@code implies} (to the right),
- * {@code or}, {@code and}, {@code until}, the operators in front, comparisons; {@link TermParser}
- * reads the rest.
+ * Parses the conditions of a formula. From loose to tight: {@code implies} (right-associative),
+ * {@code or}, {@code and}, {@code until}, prefix operators, comparisons; {@link TermParser} reads
+ * the rest.
  */
 public final class FormulaParser {
 
-  /** A part of a formula: a {@link Condition} or a {@link Term}, which parentheses do not tell. */
+  /**
+   * A part of a formula, a {@link Condition} or a {@link Term}; either may stand in parentheses.
+   */
   public interface Part {}
 
   private static final Map<String, String> NO_EQUALITY =
@@ -35,7 +37,7 @@ public final class FormulaParser {
     return (Condition) part;
   }
 
-  /** Reads a quantity or a condition of the bench, which has no past and no future. */
+  /** Parses a quantity or a condition of the bench, which has no temporal operators. */
   public static Part parseMoment(SourceRange range, Signal.Source signals) {
     FormulaParser parser = new FormulaParser(range, FormulaTokens.Place.BENCH, signals, 0);
     Token first = parser.tokens.peek();
@@ -49,7 +51,7 @@ public final class FormulaParser {
     return part;
   }
 
-  /** A text on one line. */
+  /** Returns a text on one line. */
   static String plain(String text) {
     return text.strip().replaceAll("\\s+", " ");
   }
@@ -125,7 +127,10 @@ public final class FormulaParser {
     return left;
   }
 
-  /** {@code not p or q} is how some write {@code p implies q}, and says as little without p. */
+  /**
+   * Parses {@code or}; {@code not p or q} counts as {@code p implies q}, which is vacuous without
+   * p.
+   */
   private Condition alternative(Condition before, String text, Condition after, Token second) {
     boolean isPremise = before instanceof Condition.Negation;
     if (isPremise == after instanceof Condition.Negation) {
@@ -189,7 +194,10 @@ public final class FormulaParser {
     return operand;
   }
 
-  /** People disagree how far an operator in front reaches, so they have to say it. */
+  /**
+   * Parses a temporal operator, whose operand needs parentheses since its reach is ambiguous
+   * otherwise.
+   */
   private Condition temporal(Token operator) {
     Interval interval = intervals.parse();
     int start = tokens.position();

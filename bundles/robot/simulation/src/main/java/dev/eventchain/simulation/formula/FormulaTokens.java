@@ -10,10 +10,10 @@ import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** The tokens of a formula, one after the other. */
+/** Tokens of a formula, in sequence. */
 public final class FormulaTokens {
 
-  /** Words with a meaning of their own, which no unit and no signal has. */
+  /** Reserved words, which no unit and no signal may use. */
   static final Set<String> KEYWORDS =
       Set.of(
           "always",
@@ -29,7 +29,7 @@ public final class FormulaTokens {
           "min",
           "max");
 
-  /** Beyond it, parentheses could be nested deeper than a thread's stack is. */
+  /** Limit on nested parentheses, which keeps the parser from a stack overflow. */
   private static final int MOST = 300;
 
   private static final Pattern TOKEN =
@@ -38,10 +38,10 @@ public final class FormulaTokens {
               + "|(?<word>[A-Za-z_]\\w*(?:\\.[A-Za-z_]\\w*)*)"
               + "|(?<sign><=|>=|<>|==|!=|[=<>+*/()\\[\\],-])");
 
-  /** A field of a topic; only where no operand stands before it, or it would be a division. */
+  /** A field of a topic; matched only where no operand precedes it, or it would be a division. */
   private static final Pattern TOPIC = Pattern.compile("(?:/[A-Za-z_]\\w*)+(?:\\.[A-Za-z_]\\w*)+");
 
-  /** A division of units has no blanks; between a number and its unit there may be some. */
+  /** A unit, without blanks in its division; blanks may separate it from its number. */
   private static final Pattern UNIT =
       Pattern.compile("\\s*(%|\u00b0|[A-Za-z]\\w*(?:\\^[0-9]+)?(?:/[A-Za-z]\\w*(?:\\^[0-9]+)?)*)");
 
@@ -53,10 +53,10 @@ public final class FormulaTokens {
     END
   }
 
-  /** A token and its offsets in the text. */
+  /** A token with its offsets in the text. */
   record Token(Kind kind, String text, int start, int end) {}
 
-  /** Where formulas are, as the ids of their problems begin. */
+  /** Places of formulas, the prefixes of the ids of their problems. */
   enum Place {
     SCENARIO("scenario.formula."),
     BENCH("bench.formula.");
@@ -111,7 +111,7 @@ public final class FormulaTokens {
     return kind == Kind.NUMBER ? unit(token.end(), end) : token.end();
   }
 
-  /** Whether formulas can name something so. */
+  /** Returns whether a text is a valid name in formulas. */
   public static boolean isName(String text) {
     return text.matches("[A-Za-z_]\\w*(?:\\.[A-Za-z_]\\w*)*") && !KEYWORDS.contains(text);
   }
@@ -145,7 +145,7 @@ public final class FormulaTokens {
     return token;
   }
 
-  /** How many tokens were read. */
+  /** Returns the number of tokens that were read. */
   int position() {
     return position;
   }
@@ -170,7 +170,7 @@ public final class FormulaTokens {
     }
   }
 
-  /** Whether the tokens read since a position are one pair of parentheses and what is in it. */
+  /** Returns whether the tokens read since a position are enclosed in one pair of parentheses. */
   boolean enclosedSince(int start) {
     int depth = 0;
     for (int i = start; i < position; i++) {
@@ -182,7 +182,7 @@ public final class FormulaTokens {
     return false;
   }
 
-  /** What was read from a token on, on one line. */
+  /** Returns the text read since a token, on one line. */
   String textSince(Token first) {
     int end = tokens.get(position - 1).end();
     return FormulaParser.plain(source.text().substring(first.start(), end));

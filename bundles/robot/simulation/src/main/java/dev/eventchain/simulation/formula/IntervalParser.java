@@ -6,7 +6,7 @@ import dev.eventchain.simulation.formula.FormulaTokens.Token;
 import dev.eventchain.simulation.world.World;
 import java.util.IdentityHashMap;
 
-/** Reads the intervals of a formula, and checks that a scenario can reach them. */
+/** Parses the intervals of a formula, and checks that a scenario can reach them. */
 final class IntervalParser {
 
   private static final Unit SECOND = Unit.parse("s").orElseThrow();
@@ -20,7 +20,7 @@ final class IntervalParser {
     this.duration = duration;
   }
 
-  /** The interval that stands here; all of the run if none does. */
+  /** Parses an interval; returns the whole run if there is none. */
   Interval parse() {
     Token opening = tokens.peek();
     if (!tokens.take("[")) {
@@ -39,7 +39,7 @@ final class IntervalParser {
     return interval;
   }
 
-  /** In samples. */
+  /** Parses a bound, in samples. */
   private int bound(String hint) {
     Token sign = tokens.peek();
     boolean negative = tokens.take("-");
@@ -86,7 +86,7 @@ final class IntervalParser {
     return RootLocale.format("The scenario lasts at most %s s.", duration);
   }
 
-  /** Refuses intervals that begin after others and end after the scenario with them. */
+  /** Rejects nested intervals that together reach beyond the end of the scenario. */
   void requireReached(Condition condition) {
     requireReached(condition, 0);
   }

@@ -4,12 +4,12 @@ import dev.eventchain.simulation.verdict.ScenarioVerdict.Margin;
 import java.util.Optional;
 
 /**
- * What a judgement of a scenario found.
+ * Outcome of a judgement in a scenario.
  *
- * @param tested whether what it is about ever came up; if not, it neither holds nor fails
- * @param passed whether it was tested and holds
- * @param detail the figures that say so
- * @param margin how far what decides is from the other verdict; empty where it has no size
+ * @param tested true if its premise came true; if not, it neither holds nor fails
+ * @param passed true if it was tested and holds
+ * @param detail the measured figures
+ * @param margin the distance from the opposite verdict; empty if it has no size
  */
 public record Outcome(boolean tested, boolean passed, String detail, Optional<Margin> margin) {
 
@@ -21,7 +21,7 @@ public record Outcome(boolean tested, boolean passed, String detail, Optional<Ma
     this(true, passed, detail, Optional.of(margin));
   }
 
-  /** Of a criterion whose premise never came true. */
+  /** Returns the outcome of a criterion whose premise never came true. */
   public static Outcome untested(String why) {
     return new Outcome(false, false, why, Optional.empty());
   }

@@ -1,11 +1,11 @@
 package dev.eventchain.simulation.formula;
 
 /**
- * Truth with a margin, in one number: true above zero, false below, and zero if it is not known.
- * The size is how far the values compared are from changing the verdict (the robustness of Signal
- * Temporal Logic). Where both are equal, the margin is nothing and the verdict is none the less
- * exact: it is in the sign of the smallest number there is. So {@code not}, {@code and} and {@code
- * or} are the negative, the minimum and the maximum, both of Kleene's three-valued logic and of the
+ * Truth with a margin, in one number: positive if true, negative if false, and zero if unknown. The
+ * size is the distance of the compared values from a change of the verdict (the robustness of
+ * Signal Temporal Logic). If both values are equal, the margin is zero but the verdict is exact: it
+ * is the sign of the smallest representable number. Thus {@code not}, {@code and} and {@code or}
+ * are the negative, the minimum and the maximum, both of Kleene's three-valued logic and of the
  * margins.
  */
 final class Robustness {
@@ -15,7 +15,7 @@ final class Robustness {
 
   private Robustness() {}
 
-  /** Whether one value is less than another, or in a comparison that is not strict equal to it. */
+  /** Returns whether one value is less than another or, in a non-strict comparison, equal to it. */
   static double less(double smaller, double larger, boolean strict) {
     if (Double.isNaN(smaller) || Double.isNaN(larger)) {
       return UNKNOWN;
@@ -26,7 +26,7 @@ final class Robustness {
     return larger - smaller;
   }
 
-  /** The margin without a sign. */
+  /** Returns the margin without its sign. */
   static double margin(double truth) {
     double size = Math.abs(truth);
     return size == NO_MARGIN ? 0.0 : size;
@@ -52,14 +52,14 @@ final class Robustness {
     return not(and(not(first), not(second)));
   }
 
-  /** Whether it is true at one of the samples of an interval after each. */
+  /** Returns whether the condition is true at some sample of the interval, for each sample. */
   static double[] eventually(double[] values, Interval interval) {
     if (!interval.bounded()) {
       return eventuallyUntilTheEnd(values);
     }
     int size = values.length;
     double[] result = new double[size];
-    // Samples of the window whose values fall with the time that they are still in it.
+    // Indices of the window's samples by decreasing value, for a sliding maximum.
     int[] candidates = new int[size];
     int first = 0;
     int end = 0;
@@ -93,9 +93,9 @@ final class Robustness {
   }
 
   /**
-   * Whether the second is true at a sample in an interval and the first at all samples before it.
-   * That is as much as: the second comes within the interval at all, and the first holds from now
-   * until the second, be it ever so late. Each of the two takes one pass.
+   * Returns whether the second is true at a sample in the interval and the first at all samples
+   * before it. This equals: the second is true in the interval at all, and the first holds until
+   * the second at any time. Each of the two takes one pass.
    */
   static double[] until(double[] first, double[] second, Interval interval) {
     int size = first.length;
@@ -121,7 +121,9 @@ final class Robustness {
     return and(always(first, new Interval(0, from - 1, true)), shifted);
   }
 
-  /** Whether it is true and was false one sample before; nothing comes before the first one. */
+  /**
+   * Returns whether it is true and was false one sample before; nothing precedes the first sample.
+   */
   static double[] rise(double[] values) {
     double[] result = new double[values.length];
     for (int i = 0; i < values.length; i++) {

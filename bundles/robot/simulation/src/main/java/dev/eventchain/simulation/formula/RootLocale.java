@@ -2,12 +2,12 @@ package dev.eventchain.simulation.formula;
 
 import java.util.Locale;
 
-/** Text with numbers in it that is the same on every machine. */
+/** Formatting of numbers in text, independent of the machine's locale. */
 public final class RootLocale {
 
   private RootLocale() {}
 
-  /** As {@link String#format(Locale, String, Object...)} in the root locale. */
+  /** Formats as {@link String#format(Locale, String, Object...)} does in the root locale. */
   public static String format(String pattern, Object... values) {
     return String.format(Locale.ROOT, pattern, values);
   }

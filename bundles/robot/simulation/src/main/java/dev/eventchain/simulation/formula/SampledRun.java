@@ -6,8 +6,8 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * A trace as formulas see it: a sample every 10 ms, each holding until the next one. The instant of
- * an impact, which ends a trace between two samples, counts as the one that was due next.
+ * A trace sampled for formulas every 10 ms; each sample holds until the next one. The instant of an
+ * impact, which ends a trace between two samples, counts as the next sample.
  */
 public final class SampledRun {
 
@@ -22,7 +22,7 @@ public final class SampledRun {
     return trace.states().size();
   }
 
-  /** When a sample was taken, in s. */
+  /** Returns the time of a sample, in s. */
   double seconds(int sample) {
     return World.seconds(trace.states().get(sample).time());
   }

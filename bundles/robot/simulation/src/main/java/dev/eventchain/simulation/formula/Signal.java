@@ -12,14 +12,13 @@ import java.util.stream.Stream;
 /**
  * A quantity that formulas may read.
  *
- * @param name how they name it
- * @param unit its unit, as it is written
- * @param truth whether it is true or false: 1 or 0
- * @param meaning what it is, for people
- * @param samples its values in coherent units, one for each state of the trace; NaN where it has
- *     none
- * @param absence why it says nothing in a trace, "nothing ahead"; empty if it says something
- * @param basis the signals that it is computed from; empty if it is computed from none
+ * @param name its name in formulas
+ * @param unit its unit, as written
+ * @param truth true if it is Boolean: 1 or 0
+ * @param meaning its description, for users
+ * @param samples its values in coherent units, one for each state of the trace; NaN for no value
+ * @param absence why it has no values in a trace, such as "nothing ahead"; empty if it has some
+ * @param basis the signals that it is computed from; may be empty
  */
 public record Signal(
     String name,
@@ -30,17 +29,17 @@ public record Signal(
     Function<Trace, Optional<String>> absence,
     Set<Signal> basis) {
 
-  /** Where formulas look names up. */
+  /** Lookup of signals by name. */
   public interface Source {
 
-    /** The signal of a name, if there is one. */
+    /** Returns the signal of a name, if there is one. */
     Optional<Signal> find(String name);
 
-    /** Names for hints. */
+    /** Returns the known names, for hints. */
     Collection<String> names();
   }
 
-  /** A signal that is computed from no other. */
+  /** Creates a signal that is not computed from others. */
   public Signal(
       String name,
       String unit,
@@ -51,37 +50,37 @@ public record Signal(
     this(name, unit, truth, meaning, samples, absence, Set.of());
   }
 
-  /** This one, and all that it is computed from. */
+  /** Returns this signal and all signals that it is computed from. */
   public Stream<Signal> origins() {
     return Stream.concat(Stream.of(this), basis.stream().flatMap(Signal::origins));
   }
 
-  /** The name of the topic that it is a field of; empty if it is of none. */
+  /** Returns the name of its topic; empty if it is no field of a topic. */
   public Optional<String> topic() {
     return name.startsWith("/") ? Optional.of(topicOf(name)) : Optional.empty();
   }
 
-  /** The path of its field, if it is one of a topic. */
+  /** Returns the path of its field, if it is a field of a topic. */
   public String field() {
     return name.substring(name.indexOf('.') + 1);
   }
 
-  /** The name of the topic in the name of a topic's signal. */
+  /** Returns the topic in the name of a topic's signal. */
   public static String topicOf(String signal) {
     int dot = signal.indexOf('.');
     return dot < 0 ? signal : signal.substring(0, dot);
   }
 
-  /** A value of it in its own unit. */
+  /** Converts a coherent value into its own unit. */
   public double inUnit(double coherent) {
     double zero = dimension().coherent(0.0);
     return (coherent - zero) / (dimension().coherent(1.0) - zero);
   }
 
   /**
-   * The values of samples that hold until the next one.
+   * Returns the values of samples that hold until the next one.
    *
-   * @param before what holds before the first one
+   * @param before the value before the first sample
    * @return one for each state of a trace
    */
   public static double[] held(Trace trace, List<Trace.Sample> samples, double before) {

@@ -12,18 +12,18 @@ import java.util.function.DoubleUnaryOperator;
 import java.util.function.IntToDoubleFunction;
 
 /**
- * Something that has a value at each sample.
+ * An expression with a value at each sample.
  *
- * @param dimension its unit; of the values only the dimension counts, since they are coherent
- * @param unit the unit in which people wrote it or read it; empty if that cannot be told
- * @param truth whether it is a signal that is true or false, and nothing is computed from it
- * @param signals what it depends on
+ * @param dimension its unit; only the dimension matters, since the values are coherent
+ * @param unit the unit for output, as written; empty if there is no such unit
+ * @param truth true if it is a single Boolean signal
+ * @param signals the signals that it depends on
  * @param values its values in coherent units
  */
 public record Term(Unit dimension, String unit, boolean truth, Set<Signal> signals, Values values)
     implements FormulaParser.Part {
 
-  /** Gives the values in a run. */
+  /** Provides the values in a run. */
   public interface Values {
     IntToDoubleFunction in(SampledRun run);
   }
@@ -38,7 +38,7 @@ public record Term(Unit dimension, String unit, boolean truth, Set<Signal> signa
         signal.dimension(), signal.unit(), signal.truth(), Set.of(signal), new Reading(signal));
   }
 
-  /** What a signal says, as it is. */
+  /** Values of a single signal, unchanged. */
   private record Reading(Signal signal) implements Values {
 
     @Override
@@ -48,7 +48,7 @@ public record Term(Unit dimension, String unit, boolean truth, Set<Signal> signa
     }
   }
 
-  /** What a plain signal is compared with, if this is one and the other depends on none. */
+  /** Returns the limit of a plain signal, if this is one and the other term depends on none. */
   Optional<ScenarioVerdict.Limit> limit(Term other, SampledRun run) {
     return values instanceof Reading reading && other.signals.isEmpty()
         ? Optional.of(
@@ -70,12 +70,12 @@ public record Term(Unit dimension, String unit, boolean truth, Set<Signal> signa
         });
   }
 
-  /** Of two terms of one dimension: their sum, or the smaller of them. */
+  /** Combines two terms of one dimension, such as to their sum or minimum. */
   Term with(Term other, DoubleBinaryOperator operator) {
     return combined(other, dimension, commonUnit(other), operator);
   }
 
-  /** A product, or with power -1 a quotient. */
+  /** Returns the product, or with power -1 the quotient. */
   Term times(Term other, int power) {
     String name = other.isPlain() ? unit : isPlain() && power == 1 ? other.unit : "";
     return combined(
@@ -101,7 +101,10 @@ public record Term(Unit dimension, String unit, boolean truth, Set<Signal> signa
         });
   }
 
-  /** What a number of the other term or of this one is written in: numbers go before signals. */
+  /**
+   * Returns the unit for output of the two terms: that of a number takes precedence over a
+   * signal's.
+   */
   String commonUnit(Term other) {
     List<Term> numbersFirst = signals.isEmpty() ? List.of(this, other) : List.of(other, this);
     return numbersFirst.stream()
@@ -121,7 +124,7 @@ public record Term(Unit dimension, String unit, boolean truth, Set<Signal> signa
         || unit.equals("%");
   }
 
-  /** Why it says nothing in a trace; empty if it does. */
+  /** Returns why it has no values in a trace; empty if it has some. */
   public Optional<String> absence(Trace trace) {
     return signals.stream().flatMap(signal -> signal.absence().apply(trace).stream()).findFirst();
   }

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.Supplier;
 
-/** Reads the quantities of a formula, and checks their units. */
+/** Parses the quantities of a formula, and checks their units. */
 final class TermParser {
 
   private static final List<String> UNITS =
@@ -21,9 +21,9 @@ final class TermParser {
   private final Supplier<Part> parenthesized;
 
   /**
-   * A parser of quantities.
+   * Creates a parser of quantities.
    *
-   * @param parenthesized reads what is in parentheses, which need not be a quantity
+   * @param parenthesized parses the content of parentheses, which need not be a quantity
    */
   TermParser(FormulaTokens tokens, Signal.Source signals, Supplier<Part> parenthesized) {
     this.tokens = tokens;
@@ -31,7 +31,7 @@ final class TermParser {
     this.parenthesized = parenthesized;
   }
 
-  /** A sum; or what is in parentheses, if that is true or false. */
+  /** Parses a sum, or a condition in parentheses. */
   Part sum() {
     Token first = tokens.peek();
     Part left = product();
@@ -162,7 +162,7 @@ final class TermParser {
     throw tokens.syntax(first, "'" + text + "' is true or false, not a quantity.", "");
   }
 
-  /** Refuses metres next to seconds. */
+  /** Rejects terms of different dimensions, such as metres and seconds. */
   void requireSameDimension(Term before, Term after, Token second) {
     if (!before.comparesWith(after)) {
       String message =

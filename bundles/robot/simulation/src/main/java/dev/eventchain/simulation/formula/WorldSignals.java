@@ -12,7 +12,7 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 
-/** What the road and the vehicle have to say, and what the vehicle is told. */
+/** Signals of the road, the vehicle and its commands. */
 public final class WorldSignals implements Signal.Source {
 
   private static final Map<String, Signal> SIGNALS = new LinkedHashMap<>();
@@ -24,7 +24,7 @@ public final class WorldSignals implements Signal.Source {
         "how far along the road the front bumper is",
         ofStates(Trace.State::position));
     add("ego.speed", "m/s", "speed along its own axis", ofStates(Trace.State::speed));
-    // 0.0 - x and not -x, since nobody wants to read of an acceleration of -0.
+    // 0.0 - x instead of -x, to avoid an acceleration of -0
     add("ego.acceleration", "m/s2", "negative in braking", ofStates(s -> 0.0 - s.deceleration()));
     add("ego.offset", "m", "front bumper left of the lane's centre", ofPose(Trace.Pose::offset));
     add("ego.heading", "rad", "to the left of the road", ofPose(Trace.Pose::heading));
@@ -97,7 +97,7 @@ public final class WorldSignals implements Signal.Source {
     return ofStates(state -> value.applyAsDouble(state.pose()));
   }
 
-  /** A command holds until the next one; before the first one the pedals are not pressed. */
+  /** Returns values of commands, which hold until the next one; before the first one they are 0. */
   private static Function<Trace, double[]> ofCommands(ToDoubleFunction<Trace.Command> value) {
     return trace ->
         Signal.held(
@@ -126,12 +126,12 @@ public final class WorldSignals implements Signal.Source {
     return SIGNALS.keySet();
   }
 
-  /** Whether a signal is one of the world, and no input. */
+  /** Returns whether a signal is one of the world, and not an input. */
   public static boolean isKnown(String name) {
     return SIGNALS.containsKey(name);
   }
 
-  /** All of them, in the order in which people read of them. */
+  /** Returns all signals, in the order for display. */
   public static List<Signal> all() {
     return List.copyOf(SIGNALS.values());
   }

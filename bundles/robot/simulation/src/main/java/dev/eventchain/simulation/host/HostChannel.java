@@ -11,8 +11,8 @@ import java.nio.ByteOrder;
 import java.util.List;
 
 /**
- * Frames between a host of nodes and who drives it, over a pair of streams: u32 length of what
- * follows, u8 kind, payload; all numbers little-endian.
+ * Frames between a host of nodes and its driver, over a pair of streams: u32 length of the rest, u8
+ * kind, payload; all numbers little-endian.
  */
 public final class HostChannel {
 
@@ -32,7 +32,7 @@ public final class HostChannel {
   public static final int START = 14;
   public static final int STOP = 15;
 
-  /** Longer frames are taken for garbage. */
+  /** Maximum length of a frame; longer ones violate the protocol. */
   private static final int LONGEST = 1 << 25;
 
   private static final int HEADER = 5;
@@ -47,7 +47,7 @@ public final class HostChannel {
     }
   }
 
-  /** What arrives is not the protocol. */
+  /** Violation of the protocol by the other side. */
   public static final class GarbageException extends IOException {
     private static final long serialVersionUID = 1L;
 
@@ -64,14 +64,14 @@ public final class HostChannel {
     this.output = output;
   }
 
-  /** Sends a frame whole. */
+  /** Sends a complete frame. */
   public void send(int kind, byte[] payload) throws IOException {
     byte[] frame = new byte[HEADER + payload.length];
     header(frame, kind).put(payload);
     write(frame);
   }
 
-  /** Sends the messages of an instant and lets time pass. */
+  /** Sends the messages of an instant and advances time. */
   void sendStep(long until, List<Inbound> messages) throws IOException {
     int length = HEADER + Long.BYTES + Short.BYTES;
     for (Inbound message : messages) {

@@ -10,25 +10,25 @@ import java.util.List;
 import java.util.function.Supplier;
 
 /**
- * What went wrong in a process that runs nodes, as findings that point to the place in the user's
- * code, as far as that is known.
+ * Failures in a process that runs nodes, as findings that point to the location in the user's code,
+ * if known.
  *
- * @param who the process, for people, as the subject of a sentence
- * @param lastWords ends the process and says how it ended
- * @param files turns the process's file names into those that people know
+ * @param who the process, for users, as the subject of a sentence
+ * @param lastWords ends the process and returns how it ended
+ * @param files translates the file names of the process into those of the user
  */
 public record HostFailures(String who, Supplier<LastWords> lastWords, UserFiles files) {
 
   private static final int LAST_LINES = 12;
 
   /**
-   * What there is to say of a process that has ended.
+   * Cause and error output of an ended process.
    *
-   * @param standardError what it complained about
+   * @param standardError its output on standard error
    */
   public record LastWords(ConfinedProcess.Cause cause, String standardError) {
 
-    /** Ends a process and hears what it has to say. */
+    /** Ends a process and returns its cause and error output. */
     public static LastWords of(ConfinedProcess process) {
       process.close();
       ConfinedProcess.Cause cause = process.await().cause();
@@ -36,12 +36,12 @@ public record HostFailures(String who, Supplier<LastWords> lastWords, UserFiles 
     }
   }
 
-  /** The process said what went wrong in the user's code. */
+  /** Creates the exception for a reported failure in the user's code. */
   public DiagnosticException failed(JsonNode failure) {
     return finding(inUserCode(failure, files));
   }
 
-  /** What went wrong in the user's code, as a finding. */
+  /** Creates the finding for a failure in the user's code. */
   public static Diagnostic inUserCode(JsonNode failure, UserFiles files) {
     String node = failure.path("node").asText("");
     String message = Printable.line(failure.path("message").asText(""));
@@ -58,9 +58,9 @@ public record HostFailures(String who, Supplier<LastWords> lastWords, UserFiles 
   }
 
   /**
-   * The process has ended, or was ended.
+   * Creates the exception for a process that has ended, or was ended.
    *
-   * @param usedUp the time that it may use for an answer, if it was ended for that; else empty
+   * @param usedUp the exceeded time limit for an answer, if it was ended for that; else empty
    */
   public DiagnosticException ended(String usedUp) {
     LastWords last = lastWords.get();
@@ -83,7 +83,7 @@ public record HostFailures(String who, Supplier<LastWords> lastWords, UserFiles 
     return finding(Diagnostic.error(id, message, files.folder()).withHint(text(last)));
   }
 
-  /** The process broke the protocol. */
+  /** Creates the exception for a violation of the protocol. */
   public DiagnosticException garbage(String what) {
     String message = who + " sent " + what + ".";
     return finding(

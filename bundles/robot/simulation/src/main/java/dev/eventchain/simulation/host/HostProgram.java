@@ -10,28 +10,28 @@ import java.nio.file.Path;
 import java.time.Duration;
 
 /**
- * The ROS 2 runtime's programs that host nodes.
+ * Programs of the ROS 2 runtime that host nodes.
  *
- * @param generated the nodes that they run, within their limits
+ * @param generated the nodes to run, with their limits
  */
 public record HostProgram(
     NodePackage generated, PythonEnvironment python, Confinement confinement) {
 
-  /** Where the ROS 2 runtime's Python sources are among the resources. */
+  /** Path of the ROS 2 runtime's Python sources among the resources. */
   private static final String RUNTIME = "eventchain/ros2";
 
   private static final int MEMORY_MIB = 1024;
 
-  /** The files that the user's code is in. */
+  /** Returns the files with the user's code. */
   public UserFiles userFiles() {
     return new UserFiles(generated.folder());
   }
 
   /**
-   * A process of a program, to be started: it may read the package and the message definitions.
+   * Returns a process to start, which may read the package and the message definitions.
    *
-   * @param module the program
-   * @param turn which of the processes that run at the same time it is
+   * @param module the module of the program
+   * @param turn the index among parallel processes
    */
   public ConfinedProcess.Builder process(String module, int turn, WorkFolder workFolder) {
     Path runtime = PythonSources.unpack(HostProgram.class.getClassLoader(), RUNTIME);

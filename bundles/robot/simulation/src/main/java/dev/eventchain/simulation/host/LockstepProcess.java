@@ -4,7 +4,7 @@ import dev.eventchain.sandbox.ConfinedProcess;
 import dev.eventchain.sandbox.WorkFolder;
 import dev.eventchain.simulation.node.NodeLimits;
 
-/** A confined Python process with the lock-step host of the ROS 2 runtime in it. */
+/** A confined Python process with the lock-step host of the ROS 2 runtime. */
 public final class LockstepProcess implements NodeHosts {
 
   private static final String HOST = "eventchain_ros2.lockstep";
@@ -17,8 +17,8 @@ public final class LockstepProcess implements NodeHosts {
   /**
    * Starts the process.
    *
-   * @param nodes how many there are in it at most
-   * @param turn which of the processes that simulate at the same time it is
+   * @param nodes the maximum number of its nodes
+   * @param turn the index among parallel processes
    */
   public LockstepProcess(HostProgram program, int nodes, int turn) {
     this.process = program.process(HOST, turn, workFolder).start();
@@ -34,8 +34,8 @@ public final class LockstepProcess implements NodeHosts {
   }
 
   /**
-   * The host itself ends components and interrupts nodes that take too long, and says where they
-   * were; this is for what it cannot interrupt, when each of them might have used up its time.
+   * Creates the watchdog for code that the host cannot interrupt. The host itself ends slow
+   * components and nodes and reports their location; the limit allows for all of them in sequence.
    */
   private static Watchdog watchdog(NodeLimits limits, int all, ConfinedProcess process) {
     return new Watchdog(

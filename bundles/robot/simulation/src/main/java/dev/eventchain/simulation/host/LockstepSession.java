@@ -14,9 +14,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * One process that runs the nodes in lock-step with a world: question and answer. Whatever goes
- * wrong in it becomes a finding that points to the place in the user's code, as far as that is
- * known.
+ * A process that runs the nodes in lock-step with a world, by request and response. Failures become
+ * findings that point to the location in the user's code, if known.
  */
 final class LockstepSession implements NodeSession {
 
@@ -31,10 +30,10 @@ final class LockstepSession implements NodeSession {
   private List<Outbound> commands = new ArrayList<>();
 
   /**
-   * Over an open channel.
+   * Creates a session over an open channel.
    *
-   * @param watchdog ends the other side when an answer takes too long
-   * @param failures of the other side
+   * @param watchdog ends the other side if an answer takes too long
+   * @param failures the failures of the other side
    */
   LockstepSession(HostChannel channel, Watchdog watchdog, HostFailures failures) {
     this.channel = channel;
@@ -65,7 +64,7 @@ final class LockstepSession implements NodeSession {
       earliest = command.time();
     }
     now = until;
-    // What they say would fill the memory: whole sensor data, if they are recorded.
+    // Recorded sensor data would fill the memory.
     published.forEach(each -> commands.add(new Outbound(each.time(), each.topic(), NOTHING)));
     return published;
   }
@@ -86,7 +85,7 @@ final class LockstepSession implements NodeSession {
         return published;
       }
     } catch (BufferUnderflowException | IllegalArgumentException | IndexOutOfBoundsException e) {
-      // Said below.
+      // handled below
     }
     throw failures.garbage("an answer to a step that is not as long as it says");
   }
@@ -125,7 +124,7 @@ final class LockstepSession implements NodeSession {
       throw failures.ended(watchdog.reason());
     } catch (IOException e) {
       throw failures.ended(
-          watchdog.reason()); // a broken pipe: the other side has gone while we wrote
+          watchdog.reason()); // a broken pipe: the other side has ended during the write
     } finally {
       watchdog.stop();
     }

@@ -3,10 +3,10 @@ package dev.eventchain.simulation.host;
 /** Processes that run the nodes of a chain. */
 public interface NodeHosts extends AutoCloseable {
 
-  /** The nodes. */
+  /** Returns the session with the nodes. */
   NodeSession session();
 
-  /** Ends the processes, also while somebody waits for their answers. */
+  /** Ends the processes, even while a thread waits for their answers. */
   @Override
   void close();
 }

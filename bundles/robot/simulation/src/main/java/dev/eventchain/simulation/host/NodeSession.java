@@ -7,50 +7,46 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The nodes of a chain as the world sees them, scenario after scenario: it publishes, lets time
- * pass, and gets what they published. All of it throws a {@link DiagnosticException} when the nodes
- * cannot be driven any further.
+ * The nodes of a chain, as the world drives them, scenario after scenario. The world publishes,
+ * advances time, and receives the nodes' messages. All methods throw a {@link DiagnosticException}
+ * if the nodes cannot be driven any further.
  */
 public interface NodeSession {
 
   /** A message for the topic with this index in {@code world_publishes}. */
   record Inbound(int topic, ByteBuffer message) {}
 
-  /**
-   * A message that the nodes published, when, in ns, and on which topic of {@code
-   * world_subscribes}.
-   */
+  /** A message of the nodes, its topic's index in {@code world_subscribes}, and its time in ns. */
   record Outbound(long time, int topic, ByteBuffer message) {}
 
   /**
-   * Something that DDS noticed.
+   * An event that DDS reported.
    *
-   * @param kind {@code deadline}, missed, or {@code liveliness}, lost
-   * @param node the reader's
+   * @param kind {@code deadline} for a missed one, or {@code liveliness} for a lost one
+   * @param node the node of the reader
    */
   record Notice(String kind, String node, String topic, long count) {}
 
   /**
-   * Starts with fresh nodes at time 0.
+   * Starts fresh nodes at time 0.
    *
-   * @return what there is to say of them: {@code python}, its version, and {@code warnings}, the
-   *     connections that were not made
+   * @return {@code python}, its version, and {@code warnings}, the connections that were not made
    */
   JsonNode configure(JsonNode configuration);
 
   /**
-   * Publishes messages now and lets time pass.
+   * Publishes messages now and advances time.
    *
-   * @param until what is due then belongs to the next step
-   * @return what the nodes published meanwhile, in the order of time
+   * @param until end of the step (exclusive): events at that time belong to the next one
+   * @return the messages that the nodes published meanwhile, in the order of time
    */
   List<Outbound> step(long until, List<Inbound> messages);
 
-  /** Ends the scenario; answers what the nodes did. */
+  /** Ends the scenario and returns the log of the nodes. */
   RunLog finish();
 
   /**
-   * What clocks and stamps show at time 0 of the scenario that was configured last, in ns; 0 where
+   * Returns the time on clocks and stamps at time 0 of the last configured scenario, in ns; 0 if
    * the nodes have no other time.
    */
   default long epoch() {
@@ -58,19 +54,19 @@ public interface NodeSession {
   }
 
   /**
-   * How far the world, or a node at its start, fell behind the clock at most, in ns; 0 where nobody
-   * follows one.
+   * Returns the largest delay of the world, or of a node at its start, behind the clock, in ns; 0
+   * without real time.
    */
   default long overrun() {
     return 0;
   }
 
-  /** What DDS noticed of deadlines and liveliness in the scenario. */
+  /** Returns the deadline and liveliness events of DDS in the scenario. */
   default List<Notice> notices() {
     return List.of();
   }
 
-  /** How many messages got lost on the way in the scenario, by topic; none where none can. */
+  /** Returns the number of lost messages in the scenario, by topic; empty if none can be lost. */
   default Map<String, Long> lost() {
     return Map.of();
   }

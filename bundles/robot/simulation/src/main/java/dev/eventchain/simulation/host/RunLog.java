@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** What the nodes did in a scenario: each activation with the samples that it read and wrote. */
+/** Log of the nodes in a scenario: each activation with the samples that it read and wrote. */
 public record RunLog(
     Map<String, List<Activation>> nodes,
     Map<String, Map<Long, Long>> publications,
@@ -15,17 +15,17 @@ public record RunLog(
   /** A time, in ns, that no scenario reaches. */
   public static final long NEVER = 1L << 62;
 
-  /** Of a run without a fault. */
+  /** Creates the log of a run without a fault. */
   public RunLog(Map<String, List<Activation>> nodes, Map<String, Map<Long, Long>> publications) {
     this(nodes, publications, Map.of());
   }
 
   /**
-   * What a fault has done to a node.
+   * Effect of a fault on a node.
    *
-   * @param count how many activations or messages it has changed
-   * @param first when it was first, in ns
-   * @param loss why the node is no more, as the process said it; missing if it is
+   * @param count number of altered activations or messages
+   * @param first time of the first of them, in ns
+   * @param loss why the node was lost, as the process reported it; missing if it was not
    */
   public record Affected(long count, long first, JsonNode loss) {}
 
@@ -37,9 +37,9 @@ public record RunLog(
       long start, long end, long host, List<SampleId> reads, List<SampleId> writes) {}
 
   /**
-   * From the content of a FINISHED frame.
+   * Parses the content of a FINISHED frame.
    *
-   * @throws IllegalArgumentException if it is not as the protocol says
+   * @throws IllegalArgumentException if it violates the protocol
    */
   public static RunLog parse(JsonNode json) {
     Map<String, List<Activation>> nodes = new LinkedHashMap<>();
@@ -106,13 +106,13 @@ public record RunLog(
   }
 
   /**
-   * When the samples of a topic could be seen, in ns, by their numbers; empty if there are none.
+   * Returns the publication times of a topic's samples, in ns, by sequence number; may be empty.
    */
   public Map<Long, Long> publicationsOf(String topic) {
     return publications.getOrDefault(topic, Map.of());
   }
 
-  /** When a sample could be seen, in ns. */
+  /** Returns the publication time of a sample, in ns. */
   public long time(SampleId sample) {
     return publications.get(sample.topic()).get(sample.sequence());
   }

@@ -12,9 +12,9 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Whether a record can be one of the scenario that was driven: its nodes are those of the
- * configuration, times are those that the protocol gives, and what was read and written is what was
- * published. A measurement rests on it, so that it is not believed without.
+ * Checks that a log is consistent with the driven scenario, since measurements rely on it. Its
+ * nodes must be those of the configuration, its times those of the protocol, and its samples those
+ * that were published.
  */
 public final class RunLogCheck {
 
@@ -26,10 +26,10 @@ public final class RunLogCheck {
   private final Set<SampleId> written = new HashSet<>();
 
   /**
-   * A check of one record.
+   * Creates a check of one log.
    *
-   * @param configuration what the process was told
-   * @param end until when the scenario was driven, in ns
+   * @param configuration the configuration of the process
+   * @param end end of the driven time, in ns
    */
   public RunLogCheck(RunLog log, JsonNode configuration, long end) {
     this.log = log;
@@ -38,10 +38,10 @@ public final class RunLogCheck {
   }
 
   /**
-   * Checks.
+   * Checks a log of simulated time.
    *
-   * @param commands all that was received from the nodes
-   * @throws IllegalArgumentException says what cannot be
+   * @param commands all messages received from the nodes
+   * @throws IllegalArgumentException with the contradiction
    */
   public void check(List<Outbound> commands) {
     List<String> names = new ArrayList<>();
@@ -61,10 +61,10 @@ public final class RunLogCheck {
   }
 
   /**
-   * Checks a record of real time, in which execution times are what they are, samples get lost and
-   * nothing happens exactly when it should.
+   * Checks a log of real time, in which execution times vary, samples get lost and times are not
+   * exact.
    *
-   * @throws IllegalArgumentException says what cannot be
+   * @throws IllegalArgumentException with the contradiction
    */
   public void checkInRealTime() {
     List<String> names = new ArrayList<>();
@@ -102,7 +102,7 @@ public final class RunLogCheck {
     }
   }
 
-  /** When an activation ends: a fault may stop it on its way, or let it take longer. */
+  /** Returns the end of an activation, which a fault may stop or delay. */
   private long end(String node, long start, long executionTime) {
     JsonNode fault = configuration.path("fault");
     long usual = start + executionTime;
@@ -119,7 +119,7 @@ public final class RunLogCheck {
     };
   }
 
-  /** When a sample could be seen; never if it was not published. */
+  /** Returns the publication time of a sample; {@code NEVER} if it was not published. */
   private long time(SampleId sample) {
     Long time = log.publications().getOrDefault(sample.topic(), Map.of()).get(sample.sequence());
     return time == null ? Long.MAX_VALUE : time;
@@ -138,7 +138,7 @@ public final class RunLogCheck {
             });
   }
 
-  /** What moved the vehicle has to be in the record. */
+  /** Checks that the log contains the messages that moved the vehicle. */
   private void checkCommands(List<Outbound> commands) {
     Map<Integer, Map<Long, Integer>> known = new HashMap<>();
     int index = 0;

@@ -3,17 +3,15 @@ package dev.eventchain.simulation.host;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.nio.file.Path;
 
-/**
- * Names of the user's files: the process that runs the nodes knows them by their absolute paths.
- */
+/** Names of the user's files, which the process of the nodes knows by absolute paths. */
 public record UserFiles(Path packageFolder) {
 
-  /** The folder of the generated package. */
+  /** Returns the folder of the generated package. */
   public SourceLocation folder() {
     return SourceLocation.of(packageFolder);
   }
 
-  /** A file as the user named its folder; unchanged if it is somewhere else. */
+  /** Returns a file relative to the folder as the user named it; unchanged if it is elsewhere. */
   String name(String file) {
     Path absolute = packageFolder.toAbsolutePath().normalize();
     if (file.isEmpty() || !Path.of(file).normalize().startsWith(absolute)) {

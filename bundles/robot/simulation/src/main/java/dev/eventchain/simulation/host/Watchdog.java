@@ -5,15 +5,15 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Supplier;
 
 /**
- * Ends something that takes too long: more processor time than it may use, or, since waiting uses
- * none, far more time on the clock. Starting and stopping cost next to nothing, since a step of a
- * simulation takes less than a millisecond; a thread of its own looks now and then.
+ * Ends a task that takes too long: more processor time than allowed or, since waiting uses none,
+ * far more wall time. Starting and stopping are cheap, since a step of a simulation takes less than
+ * a millisecond; a separate thread polls.
  */
 final class Watchdog implements AutoCloseable {
 
   private static final long LOOK_NANOS = 20_000_000L;
 
-  /** How long nobody asks for processor time, which takes a while to find out. */
+  /** Time before processor time is first polled, which is slow. */
   private static final long FIRST_LOOK_NANOS = 500_000_000L;
 
   private static final long NEVER = Long.MAX_VALUE;
@@ -27,10 +27,10 @@ final class Watchdog implements AutoCloseable {
   private volatile boolean closed;
 
   /**
-   * Watches from now on.
+   * Starts to watch.
    *
-   * @param clock processor time that was used up to now
-   * @param end what ends it; run once
+   * @param clock processor time used so far
+   * @param end ends the task; run once
    */
   Watchdog(Duration processorTime, Duration wallTime, Supplier<Duration> clock, Runnable end) {
     this.processorTime = processorTime;
@@ -50,7 +50,7 @@ final class Watchdog implements AutoCloseable {
     started = NEVER;
   }
 
-  /** What was used up, for people; empty if nothing was. */
+  /** Returns the exceeded limit, for users; empty if there is none. */
   String reason() {
     return reason;
   }

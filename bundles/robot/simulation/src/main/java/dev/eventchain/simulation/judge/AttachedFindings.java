@@ -9,12 +9,15 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 
-/** Findings about a result that was had with nodes of others. */
+/** Findings on results with nodes that run elsewhere. */
 public final class AttachedFindings {
 
   private AttachedFindings() {}
 
-  /** Nothing came to the vehicle in a scenario, which says nothing about the software then. */
+  /**
+   * Returns findings on a scenario in which the vehicle received nothing, so that it says nothing
+   * about the software.
+   */
   public static List<Diagnostic> silentIn(ScenarioRun run, SimulatedChain chain) {
     List<String> taken = chain.taken();
     if (taken.stream().anyMatch(topic -> !run.log().publicationsOf(topic).isEmpty())) {
@@ -28,7 +31,10 @@ public final class AttachedFindings {
             taken.isEmpty() ? "" : chain.writer(taken.get(0))));
   }
 
-  /** What the vehicle takes and nothing wrote in any scenario, although other messages came. */
+  /**
+   * Returns findings on topics of the vehicle that nothing wrote in any scenario, although other
+   * messages came.
+   */
   public static List<Diagnostic> neverHeard(List<ScenarioRun> runs, SimulatedChain chain) {
     List<String> taken = chain.taken();
     boolean anything = runs.stream().anyMatch(run -> silentIn(run, chain).isEmpty());
@@ -46,9 +52,9 @@ public final class AttachedFindings {
   }
 
   /**
-   * What has to be known of a result that was had with nodes of others.
+   * Returns the findings on the limits of a result with nodes that run elsewhere.
    *
-   * @param driver how the nodes were run, for people
+   * @param driver the driver of the nodes, for users
    */
   public static List<Diagnostic> about(
       List<ScenarioRun> runs, SimulatedChain chain, String driver) {

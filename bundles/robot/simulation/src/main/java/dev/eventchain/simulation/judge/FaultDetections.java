@@ -21,10 +21,10 @@ import java.util.OptionalDouble;
 import java.util.Set;
 
 /**
- * What tells of a fault in a run that does not do so in the run without it. That components did not
- * work at all is no such thing: that is known here because the fault is. Nor is what DDS notices of
- * deadlines and liveliness: its clock is not the simulated one. Nor is that a run could not
- * continue, which a limit of the simulation itself may have ended.
+ * Detections of a fault: findings of the run with the fault that the run without it lacks. Excluded
+ * are: silent components, whose finding presupposes knowledge of the fault; deadline and liveliness
+ * events of DDS, whose clock is not simulated; and the end of a run, which may be due to a limit of
+ * the simulation.
  */
 final class FaultDetections {
 
@@ -40,7 +40,7 @@ final class FaultDetections {
     this.without = without;
   }
 
-  /** In the order of time; those without one last. */
+  /** Returns all detections in the order of time; those without one come last. */
   List<Detection> all() {
     List<Detection> all = new ArrayList<>();
     inputs(all);
@@ -51,7 +51,7 @@ final class FaultDetections {
     return all;
   }
 
-  /** The first time at which each input was too old and was not without the fault. */
+  /** Collects the first time at which each input was too old only because of the fault. */
   private void inputs(List<Detection> all) {
     Set<String> known = new HashSet<>();
     InputAges.tooOld(without, chain, time -> time).forEach(it -> known.add(key(it) + it.time()));
@@ -75,7 +75,7 @@ final class FaultDetections {
     return each.node() + " " + each.topic() + " " + each.command() + " ";
   }
 
-  /** The nodes that have failed. */
+  /** Collects the nodes that failed. */
   private void losses(List<Detection> all) {
     for (Map.Entry<String, Affected> each : faulty.run().log().affected().entrySet()) {
       if (each.getValue().loss().isObject()) {

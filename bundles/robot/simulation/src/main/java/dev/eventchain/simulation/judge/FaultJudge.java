@@ -30,10 +30,10 @@ public final class FaultJudge {
   private final boolean worked;
 
   /**
-   * A judge.
+   * Creates a judge.
    *
-   * @param files those that the user's code is in
-   * @param worked whether every component works without faults, or people accept that it does not
+   * @param files the files with the user's code
+   * @param worked true if every component works without faults, or its finding is accepted
    */
   public FaultJudge(SimulatedChain chain, UserFiles files, boolean worked) {
     this.chain = chain;
@@ -80,7 +80,7 @@ public final class FaultJudge {
     }
     long count = faulty.affected();
     if (faulty.ended().isPresent()) {
-      return ""; // There is no record of it.
+      return ""; // An ended run has no log.
     }
     return switch (fault.kind()) {
       case DROP, DEAD_SENSOR -> counted(count, "message") + " did not arrive";
@@ -109,7 +109,7 @@ public final class FaultJudge {
     return ScenarioJudge.result(criterion, Outcome.untested(why));
   }
 
-  /** A fault that changed nothing says nothing, whatever held. */
+  /** Judges the expected criteria; they are untested if the fault had no effect. */
   private List<CriterionResult> expected(
       FaultRun faulty, boolean effective, List<Detection> detections) {
     Fault fault = faulty.fault();
@@ -131,7 +131,10 @@ public final class FaultJudge {
     return "the run was ended: " + end.message();
   }
 
-  /** What ended the run may be a limit of the simulation, and what came after it is not known. */
+  /**
+   * Returns an untested detection: a limit of the simulation may have ended the run, and later
+   * events are unknown.
+   */
   private static CriterionResult endedEarly(Detected wanted, Diagnostic end) {
     return new CriterionResult(
         text(wanted),
@@ -192,8 +195,8 @@ public final class FaultJudge {
   }
 
   /**
-   * As long as both runs last; a vehicle that was stationary at the end of the shorter one would
-   * still be.
+   * Returns the deviation while both runs last; a vehicle at standstill at the end of the shorter
+   * run counts as remaining there.
    */
   private static Deviation deviation(Trace faulty, Trace without) {
     Deviation largest = new Deviation(0, 0);

@@ -28,7 +28,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 
-/** Judges what happened in a scenario. */
+/** Judges the run of a scenario. */
 public final class ScenarioJudge {
 
   private static final double MILLISECOND = 1e6;
@@ -42,7 +42,7 @@ public final class ScenarioJudge {
   /**
    * Judges a scenario.
    *
-   * @param worked whether every component worked, or people accept that it did not
+   * @param worked true if every component worked, or its finding is accepted
    */
   public ScenarioVerdict verdict(ScenarioRun run, boolean worked) {
     Scenario scenario = run.scenario();
@@ -68,7 +68,7 @@ public final class ScenarioJudge {
         WhatHappened.series(scenario.situation(), trace, signals));
   }
 
-  /** The criteria of the run's scenario, as far as they apply, as {@link #verdict} has them. */
+  /** Judges the applicable criteria of the run's scenario, as for {@link #verdict}. */
   List<CriterionResult> criteria(ScenarioRun run, boolean worked) {
     return run.scenario().criteria().stream()
         .filter(this::applies)
@@ -76,7 +76,10 @@ public final class ScenarioJudge {
         .toList();
   }
 
-  /** What holds for every scenario holds for software that commands the vehicle. */
+  /**
+   * Returns whether a criterion applies; those of every scenario need software that commands the
+   * vehicle.
+   */
   private boolean applies(Expectation expectation) {
     if (!(expectation instanceof Criterion criterion) || !criterion.kind().always()) {
       return true;
@@ -125,7 +128,7 @@ public final class ScenarioJudge {
         criterion.location());
   }
 
-  /** A formula that reads what components write is about that only if it would not hold without. */
+  /** Returns untested if a formula on signals that components write holds without them, too. */
   private Optional<Outcome> unlessItHoldsAnyway(FormulaCriterion formula, Trace trace) {
     Set<String> written =
         formula.signals().stream()
@@ -142,7 +145,7 @@ public final class ScenarioJudge {
     return expectation instanceof Criterion criterion && criterion.kind().isAboutMotion();
   }
 
-  /** Where the software changed nothing, how the vehicle moved is the merit of the scenario. */
+  /** Returns untested if the vehicle moved as it does without the software. */
   private static Optional<Outcome> unlessNothingWasDone(ScenarioRun run) {
     return UntouchedVehicle.movedAs(run.trace(), run.scenario().situation())
         ? Optional.of(
@@ -151,7 +154,7 @@ public final class ScenarioJudge {
         : Optional.empty();
   }
 
-  /** Whether the chain can make a difference to something that a formula reads. */
+  /** Returns whether the chain can influence a signal that a formula reads. */
   private boolean dependsOnSoftware(FormulaCriterion criterion) {
     return criterion.signals().stream().flatMap(Signal::origins).anyMatch(this::dependsOnSoftware);
   }
@@ -171,7 +174,7 @@ public final class ScenarioJudge {
     };
   }
 
-  /** A named criterion is about software that can brake; what cannot has not kept to it. */
+  /** Returns whether a named criterion needs the brake while no component drives it. */
   private boolean needsBrake(Expectation expectation) {
     return expectation instanceof Criterion criterion
         && !criterion.kind().always()
@@ -182,7 +185,10 @@ public final class ScenarioJudge {
     return statistics(ChainLatency.reactions(log, chain.entry(), chain.exit()));
   }
 
-  /** What was measured of a constraint; an incomplete one is a finding of the model. */
+  /**
+   * Returns the measured latency of a constraint; an incomplete constraint is a finding of the
+   * model.
+   */
   private static Optional<ScenarioVerdict.Latency> latency(
       RunLog log, LatencyConstraint constraint) {
     if (constraint.getFirst() == null || constraint.getLast() == null) {
@@ -198,7 +204,7 @@ public final class ScenarioJudge {
         .map(statistics -> new ScenarioVerdict.Latency(statistics, slowest(found)));
   }
 
-  /** What the longest time consists of; of several, the first one. */
+  /** Returns the parts of the longest latency; of equal ones, the first. */
   private static List<ScenarioVerdict.Part> slowest(List<ChainLatency.Latency> latencies) {
     ChainLatency.Latency slowest = latencies.get(0);
     for (ChainLatency.Latency each : latencies) {

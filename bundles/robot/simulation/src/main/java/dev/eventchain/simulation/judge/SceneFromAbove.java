@@ -15,7 +15,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 
-/** What a scenario looked like from above. */
+/** Scene of a scenario from above. */
 final class SceneFromAbove {
 
   private final Situation situation;
@@ -29,9 +29,9 @@ final class SceneFromAbove {
   }
 
   /**
-   * The scene.
+   * Creates the scene.
    *
-   * @param states those of the trace that are shown
+   * @param states the displayed states of the trace
    */
   static Scene of(Situation situation, Trace trace, List<Trace.State> states) {
     SceneFromAbove above = new SceneFromAbove(situation, trace, states);
@@ -85,7 +85,7 @@ final class SceneFromAbove {
         column(places, Road.Place::heading));
   }
 
-  /** A single value for what never changes. */
+  /** Returns a column, with a single value for a constant. */
   private static List<Double> column(List<Road.Place> places, ToDoubleFunction<Road.Place> value) {
     List<Double> values = places.stream().map(value::applyAsDouble).toList();
     boolean constant = values.stream().distinct().count() == 1;

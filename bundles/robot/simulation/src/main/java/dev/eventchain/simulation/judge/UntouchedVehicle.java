@@ -5,15 +5,18 @@ import dev.eventchain.simulation.world.Trace;
 import dev.eventchain.simulation.world.World;
 import java.util.List;
 
-/** The vehicle of a scenario as its driver alone moves it, to tell what the software changed. */
+/**
+ * Motion of a scenario's vehicle under its driver alone, for comparison with that under the
+ * software.
+ */
 final class UntouchedVehicle {
 
-  /** What two ways of cutting time into pieces may differ by, in m, m/s or rad. */
+  /** Tolerance for different step sizes, in m, m/s or rad. */
   private static final double ROUNDING = 1e-6;
 
   private UntouchedVehicle() {}
 
-  /** Whether the ego moved as it does without any command, from the start to the end. */
+  /** Returns whether the ego moved as it does without any command, from the start to the end. */
   static boolean movedAs(Trace trace, Situation situation) {
     World world = new World(situation, new Trace());
     world.advanceTo(trace.end().time());

@@ -11,14 +11,14 @@ import dev.eventchain.simulation.world.World;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What a trace tells of each signal, whatever function is tested. */
+/** Figures and curves of the signals of a trace, independent of the tested function. */
 final class WhatHappened {
 
   private static final long SERIES_STEP = 50_000_000L;
 
   private WhatHappened() {}
 
-  /** The smallest and the largest value of each signal, and how fast an impact was. */
+  /** Returns the minimum and maximum of each signal, and the speed of an impact. */
   static List<Figure> figures(Trace trace, List<Signal> signals) {
     List<Figure> figures = new ArrayList<>();
     for (Signal signal : signals) {
@@ -36,7 +36,7 @@ final class WhatHappened {
     return figures;
   }
 
-  /** Infinite values, such as the time to collision with what is not approached, are left out. */
+  /** Adds an extreme value; infinite ones, such as the TTC without an approach, are left out. */
   private static void extreme(
       List<Figure> figures, Signal signal, Statistic statistic, Trace trace, double[] values) {
     double sign = statistic == Statistic.MINIMUM ? 1 : -1;
@@ -53,7 +53,7 @@ final class WhatHappened {
     }
   }
 
-  /** What happened, and where everything was. */
+  /** Returns the curves of the signals, and the scene. */
   static Series series(Situation situation, Trace trace, List<Signal> signals) {
     List<Trace.State> states = trace.states();
     List<Integer> kept = new ArrayList<>();

@@ -7,15 +7,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 
-/** What there is to say of the wire in a scenario that went on all the same. */
+/** Findings on DDS communication in a scenario that ran to its end. */
 public final class WireFindings {
 
   private WireFindings() {}
 
   /**
-   * The findings.
+   * Returns the findings.
    *
-   * @param lost how many messages got lost, by topic
+   * @param lost number of lost messages, by topic
    */
   public static List<Diagnostic> of(
       Scenario scenario, Map<String, Long> lost, List<Notice> notices) {

@@ -13,9 +13,9 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Which nodes come after which, seen from the first ones, by what they read and wrote and not by
- * where they are in the model. In a loop, the nodes that are fewer steps away from the first ones
- * come first: what leads back is feedback.
+ * Order of nodes from the first ones along the samples that they read and wrote, independent of
+ * their order in the model. In a loop, nodes fewer steps away from the first ones come first;
+ * connections back are feedback.
  */
 final class ActivationOrder {
 
@@ -50,8 +50,8 @@ final class ActivationOrder {
   }
 
   /**
-   * The positions of the first nodes and all behind them: what is written at one position is read
-   * at higher ones, unless it is feedback.
+   * Returns the positions of the first nodes and all nodes behind them. Samples written at one
+   * position are read at higher ones, except for feedback.
    */
   static Map<String, Integer> of(RunLog log, Set<String> first) {
     ActivationOrder order = new ActivationOrder(log, first);
@@ -59,7 +59,7 @@ final class ActivationOrder {
     return order.positions;
   }
 
-  /** The longest way to a node without feedback. */
+  /** Returns the length of the longest path to a node without feedback. */
   private int position(String node) {
     Integer known = positions.get(node);
     if (known != null) {
@@ -84,7 +84,7 @@ final class ActivationOrder {
     return new HashSet<>(distancesFrom(Set.of(node)).keySet());
   }
 
-  /** How many steps each node is away. */
+  /** Returns the distance of each node, in steps. */
   private Map<String, Integer> distancesFrom(Set<String> start) {
     Map<String, Integer> found = new LinkedHashMap<>();
     readers.keySet().stream().filter(start::contains).forEach(node -> found.put(node, 0));

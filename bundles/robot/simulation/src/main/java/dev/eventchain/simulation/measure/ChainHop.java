@@ -13,11 +13,11 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * A topic that leads from one that writes it to one that reads it, and what the model states of it.
+ * A topic from one of its writers to one of its readers, with the limits of the model.
  *
  * @param writer a component's name, or {@link MessageFlow#VEHICLE}
  * @param reader a component's name, or {@link MessageFlow#VEHICLE}
- * @param maximumAge how old what is read may be, in ms; empty if there is no limit
+ * @param maximumAge maximum age of a sample that is read, in ms; empty if there is no limit
  * @param deadline the longest time between two messages, in ms; empty if none is stated
  */
 record ChainHop(
@@ -28,8 +28,8 @@ record ChainHop(
     OptionalDouble deadline) {
 
   /**
-   * All hops of the simulated components: by the components that read, in chain order, and then
-   * those to the vehicle.
+   * Returns all hops of the simulated components: by the reading components, in chain order, and
+   * then those to the vehicle.
    */
   static List<ChainHop> of(SimulatedChain chain) {
     List<ChainHop> hops = new ArrayList<>();
@@ -73,7 +73,7 @@ record ChainHop(
     return node.map(each -> deadline(each.getOutput(), each, topic)).orElse(OptionalDouble.empty());
   }
 
-  /** The shortest one that a side states for a topic. */
+  /** Returns the shortest deadline that a node states for a topic. */
   private static OptionalDouble deadline(Collection<Data> data, SoftwareNode node, String topic) {
     return data.stream()
         .filter(each -> TopicIndex.nameOf(each, node).filter(topic::equals).isPresent())

@@ -17,17 +17,17 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 
 /**
- * The time from a stimulus to what is based on it, along the activation graph: an activation's
- * outputs are based on all that it read from nodes before it; what it reads from itself or from
- * later nodes is feedback and not followed ({@link ActivationOrder}). Where paths of different
- * length join, the oldest stimulus counts.
+ * Latency from a stimulus to the outputs based on it, along the activation graph. The outputs of an
+ * activation are based on all that it read from nodes before it; samples from itself or later nodes
+ * are feedback and not followed ({@link ActivationOrder}). Where paths of different length join,
+ * the oldest stimulus counts.
  *
  * <p>The reaction time counts the first output that is based on a stimulus (first-to-first, as in
- * the maximum reaction time); the data age counts every output. Both end when the activation does
- * and its outputs can be seen.
+ * the maximum reaction time); the data age counts every output. Both end with the activation, when
+ * its outputs are published.
  *
- * <p>A time is the sum of its hops: how old each sample on the way was when it was read, and how
- * long its reader took from there to the next sample ({@link MessageFlow}).
+ * <p>A latency is the sum of its hops: the age of each sample on the path when it was read, and the
+ * time from there to its reader's next sample ({@link MessageFlow}).
  */
 public final class ChainLatency {
 
@@ -35,13 +35,13 @@ public final class ChainLatency {
   private record Step(String node, int position, Activation activation) {}
 
   /**
-   * What an activation is based on: the oldest stimulus behind it, and the way from there. Where
-   * several ways lead there, it is the one whose sample came last.
+   * Path from the oldest stimulus of an activation to it; of several paths, the one whose sample
+   * came last.
    *
-   * @param origin when the stimulus was, in ns
-   * @param topic that of the sample that led to this activation; empty if none did
-   * @param since when that sample could be seen, in ns; that of the stimulus if none did
-   * @param before the activation whose sample led to this one; null if the stimulus did
+   * @param origin time of the stimulus, in ns
+   * @param topic topic of the sample that led to this activation; empty if none did
+   * @param since publication time of that sample, in ns; that of the stimulus if there is none
+   * @param before the activation that wrote that sample; null if it is the stimulus
    */
   private record Passage(Step step, long origin, String topic, long since, Passage before) {
 
@@ -55,20 +55,19 @@ public final class ChainLatency {
   }
 
   /**
-   * What a node contributes to a latency, in ns: the hop to it, and what it makes of the sample.
+   * Part of a node in a latency, in ns: the hop to it, and its processing of the sample.
    *
-   * @param topic that of the hop; empty if the node's activation is the stimulus
-   * @param waiting how old the sample was at the node's start
-   * @param execution from its start to the moment at which its sample could be seen by the next
-   *     node; to its end for the last one
+   * @param topic the topic of the hop; empty if the node's activation is the stimulus
+   * @param waiting age of the sample at the node's start
+   * @param execution from its start to the publication of its sample; to its end for the last node
    */
   public record Part(String topic, String node, long waiting, long execution) {}
 
   /**
-   * A time from a stimulus to what is based on it.
+   * Latency from a stimulus to an output based on it.
    *
    * @param time in ns
-   * @param parts what it consists of, in the order of the data; they sum up to it
+   * @param parts its parts, in the order of the data; they add up to it
    */
   public record Latency(long time, List<Part> parts) {
 
@@ -97,9 +96,9 @@ public final class ChainLatency {
   }
 
   /**
-   * Reaction times from the samples of a sensor to the commands that are based on them.
+   * Returns the reaction times from the samples of a sensor to the commands based on them.
    *
-   * @param source the sensor's topic, whichever nodes read it
+   * @param source the sensor's topic, for any reading node
    * @param target the command's topic
    * @return latencies in ns, in the order of the commands
    */
@@ -123,13 +122,13 @@ public final class ChainLatency {
   }
 
   /**
-   * The times between two nodes: from each sample that comes to the first one from outside, or from
-   * its activation if none does, to the outputs of the last one.
+   * Returns the latencies between two nodes: from each external sample of the first one, or from
+   * its activation if it has none, to the outputs of the last one.
    *
-   * @param first the node whose inputs start the time
-   * @param last the node whose outputs end it; its activation if it writes nothing at all
-   * @param dataAge whether every output counts, not only the first one based on a sample
-   * @return none if nothing that the last node did is based on an input of the first
+   * @param first the node whose inputs are the stimuli
+   * @param last the node with the outputs; its activation counts if it writes nothing at all
+   * @param dataAge true if every output counts, not only the first one based on a sample
+   * @return empty if no output of the last node is based on an input of the first
    */
   public static List<Latency> between(RunLog log, String first, String last, boolean dataAge) {
     List<Latency> latencies = new ArrayList<>();
@@ -150,7 +149,10 @@ public final class ChainLatency {
     return latencies;
   }
 
-  /** The topics that a node reads and no node behind it writes; an empty name if there is none. */
+  /**
+   * Returns the topics that a node reads and no node behind it writes; an empty name if there is
+   * none.
+   */
   private static Set<String> stimuli(RunLog log, String first, Set<String> behind) {
     Set<String> topics = reads(log, first);
     log.nodes()
@@ -171,13 +173,13 @@ public final class ChainLatency {
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
-  /** Whether an activation of the last node is one that counts. */
+  /** Returns whether an activation of the last node counts. */
   private boolean ends(Step step) {
     return !step.activation().writes().isEmpty()
         || log.nodes().get(step.node()).stream().allMatch(each -> each.writes().isEmpty());
   }
 
-  /** All activations, each after those whose samples it can have read. */
+  /** Returns all activations, each after those whose samples it can have read. */
   private List<Step> steps() {
     List<Step> steps = new ArrayList<>();
     log.nodes()
@@ -196,11 +198,10 @@ public final class ChainLatency {
   }
 
   /**
-   * Notes what the outputs of an activation are based on.
+   * Records the stimuli of an activation's outputs.
    *
-   * @param stimulus the topic whose samples the first node is stimulated by; empty for its
-   *     activation
-   * @return how the oldest stimulus came to the activation; null if none did
+   * @param stimulus the topic with the stimuli of the first node; empty for its activation
+   * @return the path from the oldest stimulus to the activation; null if there is none
    */
   private Passage follow(Step step, String stimulus) {
     Passage oldest = null;
@@ -230,7 +231,7 @@ public final class ChainLatency {
     return oldest;
   }
 
-  /** Whether one stimulus is older than another, or the same one that took a longer way. */
+  /** Returns whether one stimulus is older than another, or the same with a longer path. */
   private static boolean isBehind(Passage one, Passage other) {
     if (one.origin() != other.origin()) {
       return one.origin() < other.origin();

@@ -11,16 +11,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** What the record of a scenario says of hops and of nodes. Times are in ns. */
+/** Hops and processing times in the log of a scenario. Times are in ns. */
 final class HopLog {
 
   /**
-   * What happened on a hop.
+   * Samples of a hop.
    *
-   * @param isKnown whether it is known what the reader read: it was activated at least once
-   * @param waiting of each sample that was read, how long it had been there when it was first
-   * @param ages how old the sample was at each activation that read one
-   * @param samples what became of the samples; all zero if that is not known
+   * @param isKnown true if the reader was activated at least once, so that its reads are known
+   * @param waiting age of each read sample at its first reading
+   * @param ages age of the sample at each activation that read one
+   * @param samples the fate of the samples; all zero if unknown
    */
   record Passed(
       boolean isKnown, List<Long> waiting, List<Long> ages, MessageFlow.Samples samples) {}
@@ -37,12 +37,15 @@ final class HopLog {
                     each -> each.writes().forEach(sample -> writers.put(sample, node))));
   }
 
-  /** Samples that were written by no activation are the vehicle's. */
+  /**
+   * Returns whether a writer wrote a sample; samples without a writing activation are the
+   * vehicle's.
+   */
   private boolean isBy(String writer, SampleId sample) {
     return writers.getOrDefault(sample, MessageFlow.VEHICLE).equals(writer);
   }
 
-  /** What happened on the way of a topic's samples from one that writes it to one that reads it. */
+  /** Returns the samples of a topic from a writer to a reader. */
   Passed passed(String topic, String writer, String reader) {
     List<Activation> activations = log.nodes().getOrDefault(reader, List.of());
     List<Long> waiting = new ArrayList<>();
@@ -81,12 +84,12 @@ final class HopLog {
     return new MessageFlow.Samples(published, read.size(), neverRead, unreadAtEnd);
   }
 
-  /** Whether a node was activated at least once. */
+  /** Returns whether a node was activated at least once. */
   boolean isActive(String node) {
     return !log.nodes().getOrDefault(node, List.of()).isEmpty();
   }
 
-  /** The times between one sample of a writer on a topic and the next one. */
+  /** Returns the times between consecutive samples of a writer on a topic. */
   List<Long> gaps(String topic, String writer) {
     List<Long> times =
         log.publicationsOf(topic).entrySet().stream()
@@ -101,7 +104,7 @@ final class HopLog {
     return gaps;
   }
 
-  /** From the start of an activation to what it published, for each sample. */
+  /** Returns the time from the start of its activation to the publication, for each sample. */
   List<Long> processing(String node) {
     return log.nodes().getOrDefault(node, List.of()).stream()
         .flatMap(each -> each.writes().stream().map(sample -> log.time(sample) - each.start()))

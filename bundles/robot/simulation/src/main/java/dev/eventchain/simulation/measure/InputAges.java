@@ -18,14 +18,14 @@ import java.util.Map;
 import java.util.function.LongUnaryOperator;
 
 /**
- * Whether inputs were older than they may be when a component was due. Generated nodes do not
- * execute then, so that what the scenario shows is not what the component does.
+ * Checks whether inputs were too old when a component was due. Generated nodes do not execute then,
+ * so the scenario says nothing about the component.
  */
 public final class InputAges {
 
   private static final double MILLISECOND = 1e6;
 
-  /** The oldest sample that a component was due with, of all scenarios. */
+  /** The oldest sample with which a component was due, over all scenarios. */
   private record Worst(String scenario, long time, double age, long times) {
 
     Worst with(Worst other) {
@@ -35,12 +35,12 @@ public final class InputAges {
   }
 
   /**
-   * Something that was older than it may be.
+   * A sample beyond its maximum age.
    *
-   * @param node who should have had something newer, or should have commanded
-   * @param time since when it was, or when the component was due with it, in ns
-   * @param command whether it is a command that the vehicle still followed
-   * @param words what happened, for people
+   * @param node the node that lacked a newer input, or a newer command to write
+   * @param time the time since when it was too old, or when the component was due, in ns
+   * @param command true if it is a command that the vehicle still followed
+   * @param words description for users
    */
   public record TooOld(String node, String topic, long time, boolean command, String words) {}
 
@@ -52,7 +52,10 @@ public final class InputAges {
     this.runs = runs;
   }
 
-  /** A warning for each component and topic whose sample was too old, with the oldest one. */
+  /**
+   * Returns a warning for each component and topic with a sample beyond its maximum age, with the
+   * oldest one.
+   */
   public static List<Diagnostic> in(List<ScenarioRun> runs, SimulatedChain chain) {
     InputAges ages = new InputAges(chain, runs);
     List<Diagnostic> found = new ArrayList<>();
@@ -62,9 +65,10 @@ public final class InputAges {
   }
 
   /**
-   * Everything that was too old in a run, by nodes and topics, each in the order of time.
+   * Returns all samples beyond their maximum age in a run, by nodes and topics, each in the order
+   * of time.
    *
-   * @param clock what the nodes' clocks show at a time, both in ns
+   * @param clock the nodes' clock at a time, both in ns
    */
   public static List<TooOld> tooOld(
       ScenarioRun run, SimulatedChain chain, LongUnaryOperator clock) {
@@ -129,7 +133,7 @@ public final class InputAges {
                         }));
   }
 
-  /** How old what a component reads of a topic may be, in ms, for the topics that have a limit. */
+  /** Returns the maximum ages of a component's inputs, in ms, for the topics that have a limit. */
   static Map<String, Double> limits(SoftwareNode node, SimulatedChain chain) {
     Map<String, Double> limits = new LinkedHashMap<>();
     for (Data input : node.getInput()) {
@@ -146,7 +150,7 @@ public final class InputAges {
     return limits;
   }
 
-  /** How often a component was due in all scenarios. */
+  /** Returns how often a component was due in all scenarios. */
   private long activations(SoftwareNode node) {
     return runs.stream()
         .mapToLong(run -> run.log().nodes().getOrDefault(node.getName(), List.of()).size())
@@ -154,8 +158,8 @@ public final class InputAges {
   }
 
   /**
-   * Whether the model says how old what a component reads of a topic may be, and what is published
-   * for each output then: that a topic falls silent is one of the cases that it is made for.
+   * Returns whether the model states a maximum age of the input, and the substitute for each
+   * output: the component is designed for a silent topic.
    */
   private static boolean isPlannedFor(SoftwareNode node, String topic) {
     return node.getOutput().stream().allMatch(output -> output.getSafeValue() != null)
@@ -164,7 +168,7 @@ public final class InputAges {
             .allMatch(Data::isSetMaximumAge);
   }
 
-  /** The vehicle keeps to the last command that it was given, however old. */
+  /** Checks the commands; the vehicle follows the last command, whatever its age. */
   private void checkCommands(String topic, List<Diagnostic> found) {
     double limit = chain.lifetime(topic) / MILLISECOND;
     if (limit > 0) {
@@ -206,7 +210,10 @@ public final class InputAges {
         .withHint("Find out why the component fell silent; another vehicle may release the brake.");
   }
 
-  /** An age below zero, after a jump of the clock, is none that a node trusts. */
+  /**
+   * Returns the samples beyond their maximum age; negative ages, after a clock jump, count as too
+   * old.
+   */
   private static List<Worst> tooOld(
       ScenarioRun run, SoftwareNode node, String topic, double limit, LongUnaryOperator clock) {
     List<Worst> found = new ArrayList<>();

@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * How messages went in a scenario, as numbers of a measured model: {@code waiting on /scan from A
- * to B}. What was not measured has no number, so that a constraint on it is not tested.
+ * Message flow of a scenario as values of a measured model: {@code waiting on /scan from A to B}.
+ * Missing measurements have no value, so that constraints on them are untested.
  */
 final class MeasuredFlow {
 

@@ -76,7 +76,7 @@ public final class MeasuredModel {
     return measurement(figure.name(), figure.unit(), statistic, figure.value(), figure.time());
   }
 
-  /** A margin without a bound is not a number of a model. */
+  /** Returns the margin as a measurement; empty if it is infinite. */
   private static Optional<Measurement> margin(ScenarioVerdict.CriterionResult criterion) {
     return criterion
         .margin()

@@ -13,7 +13,7 @@ import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.function.Function;
 
-/** Sums up how messages went in some scenarios. */
+/** Sums up the message flow of scenarios. */
 public final class MessageFlows {
 
   private static final double MILLISECOND = 1e6;
@@ -28,9 +28,9 @@ public final class MessageFlows {
     this.logs = runs.stream().map(run -> new HopLog(run.log())).toList();
   }
 
-  /** How messages went in these scenarios together. */
+  /** Returns the message flow of the scenarios together. */
   public static MessageFlow of(List<ScenarioRun> runs, SimulatedChain chain) {
-    if (chain.isAttached()) { // who read what, and what got lost, is not seen
+    if (chain.isAttached()) { // reads and losses are not visible
       return new MessageFlow(List.of(), List.of(), List.of());
     }
     MessageFlows flows = new MessageFlows(chain, runs);
@@ -69,7 +69,7 @@ public final class MessageFlows {
         one.unreadAtEnd() + other.unreadAtEnd());
   }
 
-  /** Nothing that could exceed a limit is no proof that it was kept. */
+  /** Counts the times beyond a limit; empty without times or without a limit. */
   private static Optional<MessageFlow.Exceeded> exceeded(List<Long> times, OptionalDouble limit) {
     if (times.isEmpty() || limit.isEmpty()) {
       return Optional.empty();
@@ -94,7 +94,7 @@ public final class MessageFlows {
         OptionalLong.of(sum(run -> run.lost().getOrDefault(name, 0L))));
   }
 
-  /** Nothing is known of what was published where nobody who writes it was seen at work. */
+  /** Returns the number of published messages; unknown if no activation of a writer was logged. */
   private OptionalLong published(String topic) {
     long count = sum(run -> (long) run.log().publicationsOf(topic).size());
     boolean isKnown =

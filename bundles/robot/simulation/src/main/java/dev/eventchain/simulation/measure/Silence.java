@@ -18,22 +18,22 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
- * Finds the components that did not work in any scenario: a component executes when each of its
- * inputs has come, so one whose input never comes does nothing, and what the vehicle then does says
- * nothing about it. Where one waits for another that waits itself, the first one is the cause.
+ * Finds the components that did not work in any scenario. A component executes once each of its
+ * inputs has come, so one with a missing input does nothing, and the scenario says nothing about
+ * it. Of components that wait for each other, the first one is the cause.
  */
 public final class Silence {
 
-  /** Who takes the command. */
+  /** Reader of the commands. */
   private static final String VEHICLE = "the vehicle";
 
   private final SimulatedChain chain;
   private final List<RunLog> logs;
 
-  /** The topics that each silent component waited for in vain. */
+  /** Missing topics of each silent component. */
   private final Map<String, Set<String>> waiting = new LinkedHashMap<>();
 
-  /** The topics that components which waited for nothing did not write. */
+  /** Topics that a component failed to write although all its inputs came. */
   private final Map<String, Set<String>> mute = new LinkedHashMap<>();
 
   private Silence(SimulatedChain chain, List<RunLog> logs) {
@@ -41,7 +41,9 @@ public final class Silence {
     this.logs = logs;
   }
 
-  /** A finding for each component that did not work and for which no other one is to blame. */
+  /**
+   * Returns a finding for each component that did not work, unless another component is the cause.
+   */
   public static List<Diagnostic> in(List<RunLog> logs, SimulatedChain chain) {
     Silence silence = new Silence(chain, logs);
     chain.nodes().forEach(silence::listen);
@@ -49,7 +51,9 @@ public final class Silence {
     return silence.findings();
   }
 
-  /** It must be told something by one of the topics that command it, if there are any. */
+  /**
+   * Checks that the vehicle received a message on at least one commanding topic, if there are any.
+   */
   private void listenAtTheVehicle() {
     List<String> commands = chain.commands();
     if (!commands.isEmpty() && commands.stream().noneMatch(this::isPublished)) {

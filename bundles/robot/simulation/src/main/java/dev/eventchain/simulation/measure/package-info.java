@@ -1,5 +1,5 @@
 /**
- * Figures of runs: latencies along the chain, hops of messages, ages of inputs, silent components,
- * and the model that holds the numbers. Decides no criterion.
+ * Measurements of runs: latencies along the chain, hops of messages, ages of inputs, silent
+ * components, and the measured model. Decides no criterion.
  */
 package dev.eventchain.simulation.measure;

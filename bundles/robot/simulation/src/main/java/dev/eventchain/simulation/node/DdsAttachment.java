@@ -7,31 +7,31 @@ import dev.eventchain.diagnostics.SourceLocation;
 import java.util.Map;
 
 /**
- * Where to find nodes that are run elsewhere.
+ * DDS domain of nodes that run elsewhere.
  *
  * @param domain the number of the DDS domain
- * @param configuration of Cyclone DDS, XML or what {@code CYCLONEDDS_URI} may hold; empty for its
- *     defaults
- * @param distribution the release of ROS 2 of the nodes, as {@code ROS_DISTRO} has it; empty for
- *     the newest
+ * @param configuration the Cyclone DDS configuration, XML or any value of {@code CYCLONEDDS_URI};
+ *     empty for its defaults
+ * @param distribution the ROS 2 release of the nodes, as in {@code ROS_DISTRO}; empty for the
+ *     newest
  */
 public record DdsAttachment(int domain, String configuration, String distribution) {
 
-  /** With nodes of the newest release of ROS 2. */
+  /** Creates an attachment to nodes of the newest ROS 2 release. */
   public DdsAttachment(int domain, String configuration) {
     this(domain, configuration, "");
   }
 
-  /** The variable that holds the configuration of Cyclone DDS. */
+  /** Environment variable with the configuration of Cyclone DDS. */
   public static final String CONFIGURATION = "CYCLONEDDS_URI";
 
   private static final String DOMAIN = "ROS_DOMAIN_ID";
   private static final String DISTRIBUTION = "ROS_DISTRO";
 
   /**
-   * As the environment says, as for nodes of ROS 2: {@code ROS_DOMAIN_ID}, {@code CYCLONEDDS_URI},
-   * {@code ROS_DISTRO}, and the loopback interface only if {@code ROS_LOCALHOST_ONLY} is 1 or
-   * {@code ROS_AUTOMATIC_DISCOVERY_RANGE} is LOCALHOST.
+   * Reads the environment variables of ROS 2: {@code ROS_DOMAIN_ID}, {@code CYCLONEDDS_URI} and
+   * {@code ROS_DISTRO}. Restricts DDS to the loopback interface if {@code ROS_LOCALHOST_ONLY} is 1
+   * or {@code ROS_AUTOMATIC_DISCOVERY_RANGE} is LOCALHOST, and only then.
    *
    * @throws dev.eventchain.diagnostics.DiagnosticException (INPUT) {@code dds.domain.unusable}:
    *     there is no such domain
@@ -51,12 +51,13 @@ public record DdsAttachment(int domain, String configuration, String distributio
             || environment.getOrDefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "").equals("LOCALHOST");
     String own = environment.getOrDefault(CONFIGURATION, "");
     String loopback = local ? DdsParticipant.loopbackConfiguration() : "";
-    // What comes later wins, as where the middleware of ROS 2 puts its own before the user's.
+    // Later entries take precedence, so the user's configuration comes last, as in the ROS 2
+    // middleware.
     String both = loopback + (loopback.isEmpty() || own.isEmpty() ? "" : ",") + own;
     return new DdsAttachment(domain, both, environment.getOrDefault(DISTRIBUTION, ""));
   }
 
-  /** The refusal of a domain or of a configuration that cannot be used. */
+  /** Creates the exception for an unusable domain or configuration. */
   public static DiagnosticException unusable(String message, String hint) {
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,

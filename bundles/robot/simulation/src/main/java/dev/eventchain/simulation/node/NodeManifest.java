@@ -13,9 +13,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What a template set generated for a chain: the module and the class of each node, and the
- * component that it executes. The templates write it next to the package; nothing else knows their
- * rules for names.
+ * Generated nodes of a chain: the module and the class of each node, and the component that it
+ * executes. The templates write it next to the package; no other code knows their naming rules.
  *
  * @param location the file
  * @param packageName the name of the Python package
@@ -23,10 +22,10 @@ import java.util.Optional;
  */
 public record NodeManifest(SourceLocation location, String packageName, List<Node> nodes) {
 
-  /** What the file is called, in the folder of the generated package. */
+  /** Name of the file in the folder of the generated package. */
   public static final String FILE = "eventchain-manifest.json";
 
-  /** The id of everything that can be wrong with a manifest. */
+  /** Id of all findings on manifests. */
   public static final String ID = "simulation.manifest";
 
   static final String GENERATE_AGAIN =
@@ -35,20 +34,20 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
   /**
    * A node around a component.
    *
-   * @param name that of the model
+   * @param name its name in the model
    * @param module the Python module, with its package
    * @param className its class in that module
    */
   public record Node(String name, String module, String className, Component component) {}
 
   /**
-   * What a node executes.
+   * Component that a node executes.
    *
    * @param module the Python module, with its packages
    * @param className its class in that module
-   * @param file where that module is, relative to the manifest's folder, with {@code /}
-   * @param inputs the keyword arguments of {@code execute()}; none twice
-   * @param outputs what it returns; no name twice
+   * @param file the file of the module, relative to the manifest's folder, with {@code /}
+   * @param inputs the keyword arguments of {@code execute()}; no duplicates
+   * @param outputs the returned values; no duplicate names
    */
   public record Component(
       String module, String className, String file, List<String> inputs, List<Output> outputs) {
@@ -64,7 +63,7 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
    * A value that a component returns.
    *
    * @param name its key
-   * @param type that of the model, such as {@code float32}; empty if the model states none
+   * @param type its type in the model, such as {@code float32}; empty if the model states none
    */
   public record Output(String name, String type) {}
 
@@ -74,8 +73,8 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
   }
 
   /**
-   * Reads a manifest strictly: nothing missing, unknown, of another type or there twice, and no
-   * path that leads out of its folder.
+   * Reads a manifest strictly: no missing, unknown or duplicate keys, no wrong types, and no paths
+   * that leave its folder.
    *
    * @throws DiagnosticException (INPUT) {@code simulation.manifest}, a finding for each mistake
    */
@@ -84,21 +83,21 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
   }
 
   /**
-   * The node of this name.
+   * Returns the node with a name.
    *
-   * @param name that of the model
+   * @param name its name in the model
    */
   public Optional<Node> find(String name) {
     return nodes.stream().filter(node -> node.name().equals(name)).findFirst();
   }
 
   /**
-   * What keeps the chain from being run as the manifest says.
+   * Returns the contradictions between chain and manifest.
    *
    * @param folder the folder of the manifest
-   * @param components those of the chain that are to be run
+   * @param components the components of the chain to run
    * @return empty if each component has a node, each node is one of the chain, and the files of
-   *     their modules are there
+   *     their modules exist
    */
   List<Diagnostic> problems(EventChain chain, Path folder, List<SoftwareNode> components) {
     List<Diagnostic> problems = new ArrayList<>();
@@ -123,12 +122,12 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
     return problems;
   }
 
-  /** The finding that a component of the chain has no node. */
+  /** Returns the finding that a component of the chain has no node. */
   public Diagnostic missing(String component) {
     return problem("It names no node for the component '" + component + "'.", "/nodes");
   }
 
-  /** Where a module is, relative to the folder that Python looks in. */
+  /** Returns the file of a module, relative to the folder on the Python path. */
   static String file(String module) {
     return module.replace('.', '/') + ".py";
   }

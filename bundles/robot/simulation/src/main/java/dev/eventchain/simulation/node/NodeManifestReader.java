@@ -18,9 +18,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.IntFunction;
 
-/**
- * Reads a {@link NodeManifest}; problems are collected, and reading continues with a neutral value.
- */
+/** Reads a {@link NodeManifest}; collects problems and continues with a neutral value. */
 final class NodeManifestReader {
 
   private static final FindingIds IDS = FindingIds.all(NodeManifest.ID);
@@ -42,7 +40,7 @@ final class NodeManifestReader {
     return new NodeManifest(SourceLocation.of(text.name()), reader.packageName, nodes);
   }
 
-  /** The files are generated: whatever is wrong, hints at single keys would not help. */
+  /** Adds a problem, without hints at single keys, since the file is generated. */
   private void add(Diagnostic problem) {
     problems.add(problem.withHint(NodeManifest.GENERATE_AGAIN));
   }
@@ -137,7 +135,7 @@ final class NodeManifestReader {
     return "";
   }
 
-  /** A key that is required, though its value may be empty. */
+  /** Requires a key, whose value may be empty. */
   private void requireKey(ObjectReader json, String key) {
     if (json.value(key).isEmpty()) {
       problem(json, key, "'" + key + "' is missing.");

@@ -1,5 +1,5 @@
 /**
- * The nodes before they run: the manifest of what was generated, their limits, and where those are
- * that others run. Knows no world and no scenario.
+ * Nodes before they run: the manifest of the generated nodes, their limits, and the domain of nodes
+ * that run elsewhere. Knows no world and no scenario.
  */
 package dev.eventchain.simulation.node;

@@ -7,8 +7,8 @@ import java.util.Arrays;
 import java.util.Map;
 
 /**
- * One record of an MCAP file while it is put together: an opcode, a length, and fields. All numbers
- * are little-endian; texts, byte arrays, maps and arrays come after their length in bytes.
+ * One record of an MCAP file under construction: an opcode, a length, and fields. All numbers are
+ * little-endian; texts, byte arrays, maps and arrays are prefixed with their length in bytes.
  */
 final class McapRecord {
 
@@ -26,7 +26,7 @@ final class McapRecord {
   static final int SUMMARY_OFFSET = 0x0E;
   static final int DATA_END = 0x0F;
 
-  /** Length of opcode and length. */
+  /** Length of the opcode and the length field. */
   static final int HEAD = 1 + Long.BYTES;
 
   private ByteBuffer buffer = ByteBuffer.allocate(256).order(ByteOrder.LITTLE_ENDIAN);
@@ -64,7 +64,7 @@ final class McapRecord {
     return this;
   }
 
-  /** Bytes without a length before them. */
+  /** Appends bytes without a length prefix. */
   McapRecord raw(ByteBuffer bytes) {
     room(bytes.remaining()).put(bytes.duplicate());
     return this;
@@ -79,12 +79,12 @@ final class McapRecord {
     return sized(() -> texts.forEach((key, value) -> text(key).text(value)));
   }
 
-  /** Numbers by the ids of channels. */
+  /** Appends a map from channel ids to numbers. */
   McapRecord numbers(Map<Integer, Long> numbers) {
     return sized(() -> numbers.forEach((id, value) -> u16(id).u64(value)));
   }
 
-  /** What some calls add, after its length. */
+  /** Appends the content that some calls write, prefixed with its length. */
   McapRecord sized(Runnable content) {
     u32(0);
     int start = buffer.position();
@@ -93,7 +93,7 @@ final class McapRecord {
     return this;
   }
 
-  /** The whole record. */
+  /** Returns the complete record. */
   byte[] bytes() {
     buffer.putLong(1, buffer.position() - HEAD);
     return Arrays.copyOf(buffer.array(), buffer.position());

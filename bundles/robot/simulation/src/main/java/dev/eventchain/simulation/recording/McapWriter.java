@@ -14,15 +14,15 @@ import java.util.TreeMap;
 import java.util.zip.CRC32;
 
 /**
- * Writes an MCAP file (format version 0, profile ros2) from beginning to end: messages in chunks
- * without compression, an index of each chunk after it, and a summary at the end. Holds one chunk
- * in memory, and some bytes for each chunk that was written.
+ * Writes an MCAP file (format version 0, profile ros2) sequentially: messages in uncompressed
+ * chunks, an index after each chunk, and a summary at the end. Holds one chunk in memory, and some
+ * bytes for each written one.
  */
 final class McapWriter {
 
   private static final byte[] MAGIC = {(byte) 0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
 
-  /** A chunk that is longer is written. */
+  /** Length at which a chunk is written. */
   private static final int CHUNK_LENGTH = 1 << 20;
 
   private final OutputStream output;
@@ -44,7 +44,7 @@ final class McapWriter {
   /**
    * Begins a file.
    *
-   * @param output stays open
+   * @param output the stream, which stays open
    */
   McapWriter(OutputStream output) throws IOException {
     this.output = output;
@@ -59,11 +59,11 @@ final class McapWriter {
   }
 
   /**
-   * A channel for the messages of one type on a topic.
+   * Adds a channel for the messages of one type on a topic.
    *
    * @param type the full name of the message type
-   * @param definition its definition, with those that it uses
-   * @return its id
+   * @param definition its definition, with those of the types that it uses
+   * @return the id of the channel
    */
   int channel(String topic, String type, String definition) throws IOException {
     Integer schema = schemas.get(List.of(type, definition));
@@ -83,10 +83,9 @@ final class McapWriter {
   }
 
   /**
-   * A message.
+   * Adds a message.
    *
-   * @param time when it was published, in ns; mostly not before the last one, which is for the
-   *     reader's good
+   * @param time publication time, in ns; ascending order is preferred, for efficient reading
    */
   void message(int channel, long time, ByteBuffer message) throws IOException {
     chunkFirst = chunk.size() == 0 ? time : Math.min(chunkFirst, time);
@@ -128,7 +127,7 @@ final class McapWriter {
     index.clear();
   }
 
-  /** What is to be said of the file. */
+  /** Adds metadata of the file. */
   void metadata(String name, SortedMap<String, String> values) throws IOException {
     endChunk();
     long start = position;
@@ -137,7 +136,7 @@ final class McapWriter {
     metadataIndexes.add(record.u64(position - start).text(name).bytes());
   }
 
-  /** Writes the summary, without which the file is not whole. */
+  /** Writes the summary, which completes the file. */
   void finish() throws IOException {
     endChunk();
     write(new McapRecord(McapRecord.DATA_END).u32(crc.getValue()).bytes());

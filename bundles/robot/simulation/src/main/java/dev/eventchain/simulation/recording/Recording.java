@@ -23,28 +23,28 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * The messages of one scenario, and where everything was, in an MCAP file with simulated time. The
- * file has another name until it is whole.
+ * Recording of one scenario's messages and poses in an MCAP file with simulated time. The file has
+ * a temporary name until it is complete.
  */
 public final class Recording implements AutoCloseable {
 
-  /** What the name of a file ends with. */
+  /** Suffix of the file's name. */
   static final String SUFFIX = ".mcap";
 
   private static final String UNFINISHED = ".part";
 
   /**
-   * What is recorded.
+   * Recorded topics.
    *
    * @param published the topics that the world publishes, by the index of a message's topic
    * @param received the topics that the world receives, by the index of a message's topic
-   * @param lidarFrame the frame that the lidar's messages name; empty if there are none
-   * @param epoch what clocks show at time 0 of the scenario, in ns
+   * @param lidarFrame the frame of the lidar's messages; empty if there are none
+   * @param epoch time on the clocks at time 0 of the scenario, in ns
    */
   public record Topics(
       List<TypedTopic> published, List<TypedTopic> received, String lidarFrame, long epoch) {
 
-    /** What clocks show at a time of the scenario, in ns. */
+    /** Returns the time on the clocks at a time of the scenario, in ns. */
     private long shown(long time) {
       return epoch + time;
     }
@@ -69,8 +69,8 @@ public final class Recording implements AutoCloseable {
   /**
    * Begins a recording.
    *
-   * @param folder the file is NAME.mcap in it, where NAME is the scenario's
-   * @param topics what is published and received, all of which is recorded
+   * @param folder the folder of the file, which is named NAME.mcap after the scenario
+   * @param topics published and received topics, all of which are recorded
    * @throws DiagnosticException {@code simulation.recording.unwritable}, as from all methods
    */
   public Recording(Path folder, Scenario scenario, Topics topics, MessageCatalog catalog) {
@@ -102,7 +102,7 @@ public final class Recording implements AutoCloseable {
     return writer.channel(topic, type.name(), catalog.text(type));
   }
 
-  /** Where everything is at this moment. */
+  /** Records the current poses. */
   public void scene(World world) {
     ScenePoses scene = ScenePoses.of(world, scenario.situation().ego());
     long now = topics.shown(world.now());
@@ -113,14 +113,14 @@ public final class Recording implements AutoCloseable {
         });
   }
 
-  /** What the world published at this moment, and where everything was. */
+  /** Records the messages that the world has just published, and the current poses. */
   public void sensed(World world, List<NodeSession.Inbound> messages) {
     scene(world);
     writing(
         () -> {
           for (NodeSession.Inbound message : messages) {
             TypedTopic topic = topics.published().get(message.topic());
-            // What the world listens to itself comes back to it.
+            // The world also receives the messages on its own topics.
             if (!topics.received().contains(topic)) {
               writer.message(channels.get(topic), topics.shown(world.now()), message.message());
             }
@@ -128,7 +128,7 @@ public final class Recording implements AutoCloseable {
         });
   }
 
-  /** What the nodes published, in the order of time. */
+  /** Records a message of the nodes; calls are in the order of time. */
   public void took(NodeSession.Outbound message) {
     TypedTopic topic = topics.received().get(message.topic());
     long time = topics.shown(message.time());
@@ -138,7 +138,7 @@ public final class Recording implements AutoCloseable {
   /**
    * Completes the file.
    *
-   * @param ended how the scenario ended
+   * @param ended the end of the scenario, in words
    */
   public void finish(String ended) {
     TreeMap<String, String> about = new TreeMap<>();
@@ -155,7 +155,10 @@ public final class Recording implements AutoCloseable {
         });
   }
 
-  /** As {@link #finish} where the scenario could not be driven to its end. */
+  /**
+   * Completes the file as {@link #finish} does, after a scenario that could not be driven to its
+   * end.
+   */
   public void finishAfter(DiagnosticException failure) {
     if (!closed) {
       try {
@@ -181,7 +184,7 @@ public final class Recording implements AutoCloseable {
     }
   }
 
-  /** Gives the file up unless it is whole. */
+  /** Discards the file unless it is complete. */
   @Override
   public void close() {
     closed = true;
@@ -189,7 +192,7 @@ public final class Recording implements AutoCloseable {
       output.close();
       Files.deleteIfExists(unfinished);
     } catch (IOException e) {
-      // It has no name of a recording, so that nobody takes it for one.
+      // Its temporary name keeps it from being taken for a recording.
       return;
     }
   }

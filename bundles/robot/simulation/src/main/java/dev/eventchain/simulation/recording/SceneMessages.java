@@ -11,7 +11,7 @@ import dev.eventchain.simulation.world.Road;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What a recording shows besides messages: where everything is, as RViz and Foxglove know it. */
+/** Poses and bodies as messages, for RViz and Foxglove. */
 final class SceneMessages {
 
   /** The frame of the road. */
@@ -24,7 +24,7 @@ final class SceneMessages {
   private static final String BODIES = "visualization_msgs/msg/MarkerArray";
   private static final int CUBE = 1;
 
-  /** After which a body is no longer shown, in ns: it is gone. */
+  /** Lifetime of a body on display after its last message, in ns. */
   private static final long LIFETIME = 200_000_000L;
 
   private static final long SECOND = 1_000_000_000L;
@@ -35,15 +35,15 @@ final class SceneMessages {
   private final String lidarFrame;
 
   /**
-   * Messages of scenes.
+   * Creates the messages of scenes.
    *
-   * @param lidarFrame the frame that the lidar's messages name; empty if there are none
+   * @param lidarFrame the frame of the lidar's messages; empty if there are none
    */
   SceneMessages(String lidarFrame) {
     this.lidarFrame = lidarFrame;
   }
 
-  /** The definitions of the types, which a project cannot change. */
+  /** Returns the definitions of the types, which are independent of the project. */
   MessageCatalog catalog() {
     return catalog;
   }
@@ -57,7 +57,8 @@ final class SceneMessages {
   }
 
   /**
-   * The frames of everything: those of the ego and the others in the map, the lidar's in the ego's.
+   * Returns the transforms: those of the ego and the others in the map, the lidar's in the ego's
+   * frame.
    */
   byte[] transforms(ScenePoses scene, long time) {
     MessageType type = elementOf(transforms, "transforms");
@@ -81,7 +82,7 @@ final class SceneMessages {
     return turned(message, "transform.rotation", place.heading());
   }
 
-  /** A box for each body. */
+  /** Returns a box for each body. */
   byte[] bodies(ScenePoses scene, long time) {
     MessageType type = elementOf(bodies, "markers");
     List<MessageValue> all = new ArrayList<>();

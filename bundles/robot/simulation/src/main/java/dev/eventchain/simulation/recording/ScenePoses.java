@@ -11,21 +11,21 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Where everything is at a moment, in the plane of the road.
+ * Poses at a moment, in the plane of the road.
  *
  * @param ego the ego's frame, at the middle of its front bumper on the road
  * @param lidarBehind from the ego's frame back to the lidar, in m
  * @param lidarAbove from the ego's frame up to the lidar, in m
- * @param egoBody the ego's body, which ends where its frame is
+ * @param egoBody the ego's body, with its frame at the front end
  * @param actors the others
  */
 record ScenePoses(
     Road.Place ego, double lidarBehind, double lidarAbove, Named egoBody, List<Named> actors) {
 
-  /** Somebody with a body; the frame is in its middle, on the road. */
+  /** A named body; its frame is in the middle of it, on the road. */
   record Named(String name, Body body) {}
 
-  /** The world at this moment. */
+  /** Returns the current poses of the world. */
   static ScenePoses of(World world, EgoVehicle vehicle) {
     double now = World.seconds(world.now());
     List<Named> actors = new ArrayList<>();

@@ -37,20 +37,20 @@ import java.util.PriorityQueue;
 import java.util.Set;
 
 /**
- * Connects the nodes with a world in one scenario, as the bench says: publishes what the vehicle
- * provides when it is due, and turns what it consumes into commands.
+ * Connects the nodes with a world in one scenario, as the bench defines: publishes the provided
+ * topics when they are due, and turns messages on consumed topics into commands.
  */
 final class BenchDriver {
 
   private static final TypedTopic CLOCK = new TypedTopic("/clock", "rosgraph_msgs/msg/Clock");
 
   /**
-   * A message that was measured and has not arrived yet.
+   * A measured message that has not arrived yet.
    *
    * @param arrival in ns
-   * @param number in the order in which they were measured
+   * @param number sequence number of the measurement
    * @param publisher index of the topic
-   * @param values what is recorded of it, in coherent units, by the names of the signals
+   * @param values its recorded values, in coherent units, by the names of the signals
    */
   private record Underway(
       long arrival, long number, int publisher, ByteBuffer bytes, Map<String, Double> values) {}
@@ -80,13 +80,13 @@ final class BenchDriver {
   private long epoch;
 
   /**
-   * Offers what is asked for, so that nothing is computed in vain; the clock is always offered.
+   * Creates a driver that publishes only the topics that nodes read, and always the clock.
    *
-   * @param chain what the nodes read and write
-   * @param fault what is wrong with its messages
-   * @param recorded whether everything is recorded that the nodes write
+   * @param chain the topics that the nodes read and write
+   * @param fault the fault in its messages
+   * @param recorded true if all topics of the nodes are recorded
    * @throws DiagnosticException (INPUT) {@code message.unknown} or {@code message.field.missing}: a
-   *     message type is not defined, or is not as the bench needs it
+   *     message type is undefined, or does not fit the bench
    */
   BenchDriver(SimulatedChain chain, Scenario scenario, WorldFault fault, boolean recorded) {
     this.fault = fault;
@@ -124,7 +124,7 @@ final class BenchDriver {
     TypedTopic topic = new TypedTopic(consumed.topic(), consumed.type());
     MessageType type = type(topic);
     checked(topic, () -> consumed.fields().forEach(it -> it.check(MessageValue.of(type))));
-    // What no component writes has the default of its type, which nobody asked for.
+    // Fields that no component writes hold the default of their type, which is no demand.
     List<Effect> effects =
         consumed.fields().stream()
             .filter(it -> it.actuator().isPresent())
@@ -133,7 +133,7 @@ final class BenchDriver {
     add(topic, type, effects);
   }
 
-  /** Listens to the topics between components that formulas ask for, or that reports show. */
+  /** Subscribes to the topics between components that formulas read or reports show. */
   private void observe() {
     scenario.signals().stream()
         .flatMap(signal -> bench.signals().topicOf(signal).stream())
@@ -156,7 +156,7 @@ final class BenchDriver {
     receivers.add(new Receiver(topic, type, effects, recorded, lifetime));
   }
 
-  /** The fields of a topic that formulas of the scenario read or that reports show. */
+  /** Returns the fields of a topic that formulas of the scenario read or reports show. */
   private List<Signal> recorded(String topic) {
     Map<String, Signal> recorded = new LinkedHashMap<>();
     chainSignals.on(topic).forEach(signal -> recorded.put(signal.name(), signal));
@@ -193,17 +193,17 @@ final class BenchDriver {
     }
   }
 
-  /** The topics it publishes; the index of a message's topic is the position here. */
+  /** Returns the published topics; the index of a message's topic is the position here. */
   List<TypedTopic> published() {
     return publishers.stream().map(Publisher::topic).toList();
   }
 
-  /** The topics it receives; the index of a message's topic is the position here. */
+  /** Returns the received topics; the index of a message's topic is the position here. */
   List<TypedTopic> received() {
     return receivers.stream().map(Receiver::topic).toList();
   }
 
-  /** The frame that the lidar's messages name; empty if there are none. */
+  /** Returns the frame of the lidar's messages; empty if there are none. */
   private String lidarFrame() {
     return publishers.stream()
         .filter(Publisher::isLidar)
@@ -212,23 +212,23 @@ final class BenchDriver {
         .orElse("");
   }
 
-  /** Lets clocks and stamps show this at time 0, in ns. */
+  /** Sets the time on clocks and stamps at time 0, in ns. */
   void startAt(long time) {
     epoch = time;
   }
 
-  /** What is recorded of it, once it is known what clocks show. */
+  /** Returns the topics to record, once the time on the clocks is known. */
   Recording.Topics recorded() {
     return new Recording.Topics(published(), received(), lidarFrame(), epoch);
   }
 
-  /** When the next message is due, in ns; after what was sensed last. */
+  /** Returns the time of the next message, in ns, later than the last measurement. */
   long nextDue() {
     long due = publishers.stream().mapToLong(Publisher::due).min().orElseThrow();
     return underway.isEmpty() ? due : Math.min(due, underway.peek().arrival());
   }
 
-  /** What the sensors see at this moment: a message on each topic where one is due. */
+  /** Returns the current messages of the sensors: one on each topic where one is due. */
   List<NodeSession.Inbound> sense(World world) {
     SampledRun moment = new SampledRun(world.moment());
     for (int i = 0; i < publishers.size(); i++) {
@@ -271,7 +271,7 @@ final class BenchDriver {
             values(publisher.recorded(), publisher.message())));
   }
 
-  /** Takes what the nodes published: the vehicle follows it from when it was published on. */
+  /** Receives a message of the nodes, which the vehicle follows from its publication on. */
   void take(NodeSession.Outbound outbound, World world) {
     Receiver receiver = receivers.get(outbound.topic());
     if (receiver.effects().isEmpty() && receiver.recorded().isEmpty()) {
@@ -291,7 +291,7 @@ final class BenchDriver {
     }
   }
 
-  /** No more messages come: what is too old from now on means nothing. */
+  /** Ends the reception of messages; values beyond their lifetime expire. */
   void finish(World world) {
     receivers.forEach(receiver -> expire(receiver, world.trace().end().time(), world));
   }
@@ -302,7 +302,7 @@ final class BenchDriver {
         .forEach(signal -> world.trace().expire(signal.name(), now, receiver.lifetime()));
   }
 
-  /** The fields of a message that are recorded, in coherent units. */
+  /** Returns the recorded fields of a message, in coherent units. */
   private static Map<String, Double> values(List<Signal> signals, MessageValue message) {
     Map<String, Double> values = new LinkedHashMap<>();
     for (Signal signal : signals) {
@@ -312,7 +312,7 @@ final class BenchDriver {
     return values;
   }
 
-  /** A field's number; 1 and 0 for what is true or false. */
+  /** Returns the value of a field; 1 or 0 for a Boolean. */
   private static double number(MessageValue message, String path) {
     return message.get(path) instanceof Boolean truth ? (truth ? 1.0 : 0.0) : message.number(path);
   }
@@ -333,7 +333,7 @@ final class BenchDriver {
     }
   }
 
-  /** The place is the file that defines the type, or should. */
+  /** Creates the exception for a message type, located in the file that defines it or should. */
   private DiagnosticException refused(String id, String message, TypedTopic topic) {
     Optional<Path> file =
         catalog

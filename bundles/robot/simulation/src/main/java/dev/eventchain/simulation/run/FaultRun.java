@@ -10,19 +10,22 @@ import java.util.Optional;
 /**
  * A run with a fault.
  *
- * @param run what happened; without a log if it was ended
- * @param world what the fault did to the world's messages
- * @param ended why it could not go on to its end; empty if it did
+ * @param run the run; without a log if it was ended
+ * @param world the fault's effect on the messages of the world
+ * @param ended why the run ended early; empty if it did not
  */
 public record FaultRun(Fault fault, ScenarioRun run, WorldFault world, Optional<Diagnostic> ended) {
 
-  /** How many activations or messages the fault has changed. */
+  /** Returns the number of activations or messages that the fault altered. */
   public long affected() {
     return world.affected()
         + run.log().affected().values().stream().mapToLong(Affected::count).sum();
   }
 
-  /** When the fault first made a difference, in ns; {@link RunLog#NEVER} if it never did. */
+  /**
+   * Returns the time of the first effect of the fault, in ns; {@link RunLog#NEVER} if there was
+   * none.
+   */
   long first() {
     return run.log().affected().values().stream()
         .mapToLong(Affected::first)
@@ -30,8 +33,8 @@ public record FaultRun(Fault fault, ScenarioRun run, WorldFault world, Optional<
   }
 
   /**
-   * Whether it made a difference to something before the run was over. Of one that was ended there
-   * is no record; a fault that had begun is what ended it.
+   * Returns whether the fault had an effect before the end of the run. A run that ended early has
+   * no log; a fault that had begun counts as its cause.
    */
   public boolean tookEffect() {
     long end = run.trace().end().time();

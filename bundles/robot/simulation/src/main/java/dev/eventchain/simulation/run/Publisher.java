@@ -18,14 +18,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 
-/** A topic that is published, the message that is filled again and again, and when it is due. */
+/** A published topic, its reused message, and the time when it is due. */
 final class Publisher {
 
   private static final String HEADER = "std_msgs/msg/Header";
   private static final long SECOND = 1_000_000_000L;
   private static final long CLOCK_PERIOD = SECOND / 20;
 
-  /** How often people are shown what the lidar sees, in ns. */
+  /** Interval of the lidar outlines for display, in ns. */
   private static final long OUTLINE = SECOND * 2 / 5;
 
   private final TypedTopic topic;
@@ -52,7 +52,7 @@ final class Publisher {
     stamps(message.type(), "");
   }
 
-  /** Each header that the message has, whatever other messages it is in. */
+  /** Collects the paths of all headers in the message, including nested messages. */
   private void stamps(MessageType type, String prefix) {
     for (MessageType.Field field : type.fields()) {
       if (field.type().shape() == FieldType.Shape.SINGLE && field.type().message().isPresent()) {
@@ -74,38 +74,38 @@ final class Publisher {
     return topic;
   }
 
-  /** Whether its messages hold the time. */
+  /** Returns whether its messages have a time stamp. */
   boolean isStamped() {
     return !stamps.isEmpty();
   }
 
-  /** Whether its messages are scans. */
+  /** Returns whether its messages are lidar scans. */
   boolean isLidar() {
     return provided.filter(Provided::lidar).isPresent();
   }
 
-  /** What was filled last. */
+  /** Returns the last message. */
   MessageValue message() {
     return message;
   }
 
-  /** The fields that formulas read or reports show. */
+  /** Returns the fields that formulas read or reports show. */
   List<Signal> recorded() {
     return recorded;
   }
 
-  /** Whether the message gets to the nodes. */
+  /** Returns whether the message reaches the nodes. */
   boolean arrives(SampledRun moment) {
     return provided.filter(it -> it.transfer().loses(moment, random)).isEmpty();
   }
 
-  /** How long it takes, in ns. */
+  /** Returns the latency of the transfer, in ns. */
   long latency() {
     return provided.map(it -> it.transfer().latency()).orElse(0L);
   }
 
   /**
-   * What there is to say at this moment.
+   * Fills the message with the current values.
    *
    * @param shown the time on the clock, in ns
    */
@@ -133,7 +133,10 @@ final class Publisher {
     }
   }
 
-  /** A number that its field cannot hold ends the simulation: something else would be sent. */
+  /**
+   * Writes a number into its field; one that does not fit ends the simulation instead of being
+   * altered.
+   */
   private static void send(MessageValue message, Bench.Field field, double value) {
     boolean whole =
         !(message.get(field.path()) instanceof Float

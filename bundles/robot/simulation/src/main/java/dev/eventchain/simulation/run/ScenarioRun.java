@@ -9,13 +9,13 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A scenario that was driven, and what happened in it.
+ * A driven scenario and its results.
  *
- * @param ready what the process said of itself and the connections of the nodes
- * @param lost how many messages got lost on the way between nodes, by topic
- * @param notices what DDS noticed of deadlines and liveliness
- * @param overrun how far the world fell behind the clock at most, in ns
- * @param hostNanos time on this machine for the steps
+ * @param ready the Python version and the missing connections, as the process reported them
+ * @param lost number of messages lost between nodes, by topic
+ * @param notices deadline and liveliness events of DDS
+ * @param overrun largest delay of the world behind the clock, in ns
+ * @param hostNanos wall time of the steps, in ns
  */
 public record ScenarioRun(
     Scenario scenario,
@@ -27,15 +27,15 @@ public record ScenarioRun(
     long overrun,
     long hostNanos) {
 
-  /** From here on the world was not the one that the nodes were to meet. */
+  /** Largest delay behind the clock at which results are valid, in ns. */
   private static final long MOST_OVERRUN = 20_000_000L;
 
-  /** The same, judged by another scenario's criteria. */
+  /** Returns a copy with the criteria of another scenario. */
   public ScenarioRun with(Scenario other) {
     return new ScenarioRun(other, trace, log, ready, lost, notices, overrun, hostNanos);
   }
 
-  /** Whether the world fell so far behind the clock that nothing can be concluded. */
+  /** Returns whether the world fell too far behind the clock for valid results. */
   public boolean isOverrun() {
     return overrun > MOST_OVERRUN;
   }

@@ -23,13 +23,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** Drives one scenario: the vehicle senses, the nodes think, the vehicle moves. */
+/**
+ * Drives one scenario in a loop: the world publishes sensor data, the nodes react, the vehicle
+ * moves.
+ */
 public final class ScenarioRunner {
 
-  /** How long it continues after the ego has stopped, in ns. */
+  /** Time until the end after the ego has stopped, in ns. */
   private static final long AFTER_STOP = 1_000_000_000L;
 
-  /** How long it continues after a fault, at least, in ns. */
+  /** Minimum time until the end after a fault, in ns. */
   private static final long AFTER_FAULT = 2_000_000_000L;
 
   private final SimulatedChain chain;
@@ -38,10 +41,10 @@ public final class ScenarioRunner {
   private final NodeSession session;
 
   /**
-   * Drives nodes.
+   * Creates a runner.
    *
    * @param nodes their configuration
-   * @param recordings where recordings go; nowhere if none are wanted
+   * @param recordings the folder of the recordings; empty for none
    */
   public ScenarioRunner(
       SimulatedChain chain,
@@ -67,7 +70,7 @@ public final class ScenarioRunner {
       recording.ifPresent(it -> it.finish("at its end"));
       return run;
     } catch (DiagnosticException e) {
-      // What led to it is worth more than any other recording.
+      // The recording before a failure is the most useful one.
       recording.ifPresent(it -> it.finishAfter(e));
       throw e;
     } finally {
@@ -76,8 +79,8 @@ public final class ScenarioRunner {
   }
 
   /**
-   * Drives the scenario of a fault with it. A node that fails is gone, and the run continues; what
-   * ends the run besides is a part of the result. Nothing is recorded.
+   * Drives the scenario of a fault with the fault. The run continues without a node that fails; any
+   * other cause of an early end is part of the result. Nothing is recorded.
    */
   public FaultRun run(Fault fault) {
     List<Expectation> criteria = new ArrayList<>(fault.scenario().criteria());
@@ -123,7 +126,7 @@ public final class ScenarioRunner {
     return World.nanoseconds(scenario.duration());
   }
 
-  /** Lets time pass; answers how much of it passed on this machine, in ns. */
+  /** Advances time; returns the wall time that this took, in ns. */
   private long drive(
       World world, BenchDriver driver, long least, long end, Optional<Recording> recording) {
     long stoppedAt = world.egoSpeed() > 0 ? Long.MAX_VALUE : end;

@@ -1,5 +1,5 @@
 /**
- * Drives one scenario: the bench publishes what the sensors see, the nodes answer, the vehicle
- * moves. Judges nothing.
+ * Drives one scenario: the bench publishes sensor data, the nodes answer, the vehicle moves. Judges
+ * nothing.
  */
 package dev.eventchain.simulation.run;

@@ -21,7 +21,10 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 
-/** Reads the sections {@code actors} and {@code furniture} of a scenario, and what all do in it. */
+/**
+ * Reads the sections {@code actors} and {@code furniture} of a scenario, and the scripts of all
+ * actors.
+ */
 final class ActorsReader {
 
   /** Factor from km/h to m/s. */
@@ -45,15 +48,15 @@ final class ActorsReader {
   private final Map<String, SourceLocation> places = new HashMap<>();
 
   /**
-   * A reader.
+   * Creates a reader.
    *
-   * @param duration of the scenario, in s: what is to happen later never happens
+   * @param duration of the scenario, in s: later changes are rejected
    */
   ActorsReader(double duration) {
     this.duration = duration;
   }
 
-  /** All that is on the road or over it, in the order of the file. */
+  /** Reads all actors and furniture, in the order of the file. */
   List<Actor> read(ObjectReader scenario) {
     List<Actor> actors = new ArrayList<>();
     scenario.objects("actors").forEach(each -> actor(each).ifPresent(actors::add));
@@ -76,7 +79,7 @@ final class ActorsReader {
     return kind.map(each -> new Actor(name, each, size.orElseThrow(), gap, heading, profile, line));
   }
 
-  /** Where it says how far away an actor is. */
+  /** Returns the location of an actor's distance. */
   SourceLocation place(Actor actor) {
     return places.get(actor.name());
   }
@@ -171,12 +174,12 @@ final class ActorsReader {
     return name.get();
   }
 
-  /** As in "car 2". */
+  /** Returns a numbered name, such as "car 2". */
   private String numbered(ActorKind kind) {
     return kind.id().replace('_', ' ') + " " + unnamed.merge(kind.id(), 1, Integer::sum);
   }
 
-  /** The driver of the ego: what he does stands among the ego's keys. */
+  /** Reads the driver of the ego, whose script is among the ego's keys. */
   HumanDriver driver(ObjectReader ego, double speed, double offset) {
     SpeedProfile profile = new SpeedProfile(speed, speeds(ego));
     List<LateralProfile.Change> changes = line(ego, offset, profile);
@@ -207,7 +210,7 @@ final class ActorsReader {
     List<LateralProfile.Change> changes = new ArrayList<>();
     for (ObjectReader each : maneuvers(section, "lateral_offset_m", "speed_kmh")) {
       if (!each.has("lateral_offset_m")) {
-        continue; // Said already: it is read as a change of the speed.
+        continue; // already reported: it is read as a change of the speed
       }
       double time = time(each, new LateralProfile(start, changes).end());
       double offset = each.requiredNumber("lateral_offset_m", ASIDE);

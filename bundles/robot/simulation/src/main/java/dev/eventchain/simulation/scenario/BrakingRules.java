@@ -12,22 +12,25 @@ import java.util.Optional;
 import java.util.function.Predicate;
 
 /**
- * Compares brake commands with the true time to collision (TTC). A command can only follow what the
- * sensors saw a while ago, so it is compared with the true values of the reaction time before it: a
- * command is wrong if no moment of that time justifies it. At walking speed and below, neither
- * braking nor not braking is wrong: the difference of two nearly equal distances says nothing.
+ * Compares brake commands with the true time to collision (TTC). A command lags behind the sensors,
+ * so it is compared with the true values within the reaction time before it: it is wrong if no
+ * moment of that time justifies it. At walking speed and below, neither braking nor coasting is
+ * wrong, since the difference of two nearly equal distances is meaningless.
  */
 final class BrakingRules {
 
-  /** Slowest ego speed at which commands are compared with the TTC, in m/s. */
+  /** Minimum ego speed for the comparison of commands with the TTC, in m/s. */
   private static final double SLOWEST = 1.5;
 
-  /** Longest time without any control command, in ns. */
+  /** Maximum time without any control command, in ns. */
   private static final long LONGEST_SILENCE = 1_000_000_000L;
 
   private BrakingRules() {}
 
-  /** No such command, unless the TTC was below the limit within the reaction time before it. */
+  /**
+   * Judges that there is no such command, unless the TTC was below the limit within the reaction
+   * time before it.
+   */
   static Outcome forbidden(Trace trace, Criterion criterion, Predicate<Trace.Command> kind) {
     double limit = criterion.limit() + criterion.tolerances().timeToCollision();
     Optional<Margin> least = Optional.empty();
@@ -66,12 +69,15 @@ final class BrakingRules {
     return least.filter(it -> it.value() <= margin.value()).or(() -> Optional.of(margin));
   }
 
-  /** Without a command, or where the ego was too slow, there is no size. */
+  /** Returns a passed outcome; without a command, or if the ego was too slow, it has no margin. */
   private static Outcome kept(String text, Optional<Margin> margin) {
     return new Outcome(true, true, text, margin.filter(it -> Double.isFinite(it.value())));
   }
 
-  /** How far the TTC was below the limit within the reaction time, in s; not above 0 if never. */
+  /**
+   * Returns by how much the TTC was below the limit within the reaction time, in s; at most 0 if it
+   * never was.
+   */
   private static double justification(Trace trace, long time, Criterion criterion, double limit) {
     double most = Double.NEGATIVE_INFINITY;
     long start = Math.max(0, time - World.nanoseconds(criterion.tolerances().reaction()));
@@ -86,9 +92,10 @@ final class BrakingRules {
   }
 
   /**
-   * A pedal position in force whenever the TTC has been below the limit for the reaction time.
+   * Judges that a pedal position is in force whenever the TTC has been below the limit for the
+   * reaction time.
    *
-   * @param needed the smallest position that will do, or 0 if any above it will
+   * @param needed the smallest sufficient position, or 0 if any position above it is
    */
   static Outcome demanded(
       Trace trace, Criterion criterion, Predicate<Trace.Command> kind, double needed) {

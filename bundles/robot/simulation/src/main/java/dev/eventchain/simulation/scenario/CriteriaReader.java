@@ -13,13 +13,14 @@ public final class CriteriaReader {
   private static final NumberRange TOLERANCE = NumberRange.of(0, 10);
   private static final NumberRange LIMIT = NumberRange.of(0, 1000);
 
-  /** A command that may come two seconds late is none. */
+  /** Range of the reaction time, in s; a command that is two seconds late counts as missing. */
   private static final NumberRange REACTION = NumberRange.of(0, 2);
 
   private CriteriaReader() {}
 
   /**
-   * The criteria in the order of their kinds, with those that every scenario has; formulas last.
+   * Reads the criteria in the order of their kinds, including those of every scenario; formulas
+   * come last.
    */
   static List<Expectation> read(ObjectReader section, FormulasReader formulas) {
     List<Expectation> all = read(section, formulas, true);
@@ -39,7 +40,9 @@ public final class CriteriaReader {
     return expectation instanceof Criterion criterion && criterion.kind().always();
   }
 
-  /** Only the criteria that are written, in the same order; there may be none, and other keys. */
+  /**
+   * Reads only the criteria that are present, in the same order; there may be none, and other keys.
+   */
   public static List<Expectation> readWritten(ObjectReader section, FormulasReader formulas) {
     return read(section, formulas, false);
   }
@@ -66,7 +69,7 @@ public final class CriteriaReader {
     return all;
   }
 
-  /** With a tolerance of the whole limit every command would pass. */
+  /** Checks that a tolerance is less than its limit, or every command would pass. */
   private static void checkTolerance(
       ObjectReader section, Criterion.Tolerances tolerances, List<Criterion> criteria) {
     criteria.stream()

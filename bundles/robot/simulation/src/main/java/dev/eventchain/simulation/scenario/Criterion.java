@@ -10,30 +10,32 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * One thing that must hold in a scenario.
+ * A requirement on a scenario.
  *
- * @param kind what must hold
- * @param limit the number it is compared with, in SI units; unused by kinds without one
- * @param tolerances what is granted to the sensors and to the chain
- * @param location where the scenario asks for it
+ * @param kind the kind of the requirement
+ * @param limit the limit, in SI units; unused by kinds without one
+ * @param tolerances tolerances for the sensors and the chain
+ * @param location its location in the scenario
  */
 public record Criterion(
     CriterionKind kind, double limit, Tolerances tolerances, SourceLocation location)
     implements Expectation {
 
   /**
-   * What a comparison with the true time to collision grants.
+   * Tolerances of a comparison with the true time to collision.
    *
    * @param timeToCollision for the noise of the sensors, in s
-   * @param reaction the time that the command may lie behind the truth, in s
+   * @param reaction maximum delay of the command behind the true values, in s
    */
   record Tolerances(double timeToCollision, double reaction) {
 
-    /** A tenth of a second; and 250 ms of the chain after at most 50 ms until the next scan. */
+    /** 0.1 s; and 250 ms of the chain after at most 50 ms until the next scan. */
     static final Tolerances USUAL = new Tolerances(0.1, 0.3);
   }
 
-  /** What holds for every scenario says nothing about a requirement. */
+  /**
+   * Returns whether it depends on topics; criteria of every scenario do not count for requirements.
+   */
   @Override
   public boolean dependsOn(Set<String> topics, boolean commanding) {
     return commanding && !kind.always();

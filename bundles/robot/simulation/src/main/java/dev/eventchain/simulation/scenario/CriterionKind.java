@@ -1,6 +1,6 @@
 package dev.eventchain.simulation.scenario;
 
-/** What a scenario can ask for, by its key in the scenario's section {@code accept}. */
+/** Kinds of criteria, by their keys in the scenario's section {@code accept}. */
 public enum CriterionKind {
   /** The ego hits nothing. */
   NO_IMPACT("no_impact", 0),
@@ -22,7 +22,7 @@ public enum CriterionKind {
   FULL_BRAKE_BELOW_TTC("full_brake_below_ttc_s", 1),
   /** Always: each brake command is between 0 and 1. */
   BRAKE_NORMALIZED("brake_normalized", -1),
-  /** Always: commands keep coming, so that a dead chain passes nothing. */
+  /** Always: commands keep coming, so that a dead chain passes no criterion. */
   COMMANDS_ARRIVE("commands_arrive", -1);
 
   private final String key;
@@ -37,22 +37,22 @@ public enum CriterionKind {
     return key;
   }
 
-  /** SI units in one unit of the key's number. */
+  /** Returns the factor from the unit of the key's number to SI units. */
   double unit() {
     return unit;
   }
 
-  /** Whether the key has a number; else it has {@code true}. */
+  /** Returns whether the key has a number rather than {@code true}. */
   boolean hasLimit() {
     return unit > 0;
   }
 
-  /** Whether its limit is one of the time to collision. */
+  /** Returns whether its limit is a time to collision. */
   boolean comparesTimeToCollision() {
     return key.endsWith("_ttc_s");
   }
 
-  /** Whether it asks how the vehicle moves, and not what it is told. */
+  /** Returns whether it is about the motion of the vehicle, and not about its commands. */
   public boolean isAboutMotion() {
     return switch (this) {
       case NO_IMPACT, STOPS, MINIMAL_GAP, MAXIMAL_IMPACT_SPEED -> true;
@@ -60,7 +60,7 @@ public enum CriterionKind {
     };
   }
 
-  /** Whether it holds for every scenario and has no key. */
+  /** Returns whether it holds for every scenario and has no key. */
   public boolean always() {
     return unit < 0;
   }

@@ -8,37 +8,38 @@ import dev.eventchain.simulation.world.Trace;
 import java.util.List;
 import java.util.Set;
 
-/** One thing that must hold in a scenario: a {@link Criterion} or a formula. */
+/** A requirement on a scenario: a {@link Criterion} or a formula. */
 public interface Expectation {
 
-  /** What must hold, in words. */
+  /** Returns the requirement in words. */
   String text();
 
-  /** Where the scenario asks for it. */
+  /** Returns its location in the scenario. */
   SourceLocation location();
 
-  /** The numbers that it compares signals with; none where it compares in other ways. */
+  /** Returns the numbers that it compares signals with; empty for other comparisons. */
   List<ScenarioVerdict.Limit> limits();
 
-  /** The signals that it reads besides the world's own record. */
+  /** Returns the signals that it reads besides the world's own record. */
   default Set<Signal> signals() {
     return Set.of();
   }
 
   /**
-   * Whether it depends on what is written on some topics.
+   * Returns whether it depends on the messages on some topics.
    *
-   * @param commanding whether one of them commands the vehicle
+   * @param commanding true if one of them commands the vehicle
    */
   boolean dependsOn(Set<String> topics, boolean commanding);
 
   /**
-   * Until when a run is needed to judge it, in ns; 0 if what happens until standstill is enough.
+   * Returns the end of the part of a run that the verdict needs, in ns; 0 if the run until
+   * standstill is enough.
    */
   default long horizon() {
     return 0;
   }
 
-  /** What was found. */
+  /** Judges a trace. */
   Outcome judge(Trace trace);
 }

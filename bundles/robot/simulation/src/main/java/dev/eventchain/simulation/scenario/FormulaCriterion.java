@@ -14,8 +14,8 @@ import java.util.Set;
 /**
  * A formula that must hold in a scenario.
  *
- * @param name what people call it; may be empty
- * @param location where the scenario asks for it
+ * @param name its name for users; may be empty
+ * @param location its location in the scenario
  */
 public record FormulaCriterion(String name, Formula formula, SourceLocation location)
     implements Expectation {
@@ -52,7 +52,7 @@ public record FormulaCriterion(String name, Formula formula, SourceLocation loca
     return formula.horizon();
   }
 
-  /** Whether it is certainly true. */
+  /** Returns whether it is certainly true. */
   public boolean holds(Trace trace) {
     return formula.holds(new SampledRun(trace));
   }

@@ -23,10 +23,10 @@ public final class FormulasReader {
   private final double duration;
 
   /**
-   * A reader.
+   * Creates a reader.
    *
-   * @param source the file, in which the places of problems are looked for
-   * @param signals what the formulas may read
+   * @param source the file, for the locations of problems
+   * @param signals the signals that the formulas may read
    * @param duration of the scenario, in s
    */
   public FormulasReader(SourceText source, Signal.Source signals, double duration) {
@@ -53,15 +53,15 @@ public final class FormulasReader {
     return criteria;
   }
 
-  /** In s. */
+  /** Returns the duration of the scenario, in s. */
   double duration() {
     return duration;
   }
 
   /**
-   * A criterion whose formula is not written in the file; problems are those of a key.
+   * Parses a criterion whose formula is derived from a key; problems are reported at the key.
    *
-   * @param key the key of the section that the formula was made of
+   * @param key the key of the section from which the formula is derived
    */
   Optional<FormulaCriterion> parse(ObjectReader section, String key, String name, String text) {
     SourceRange range = SourceText.within(section.at(key), text).whole();

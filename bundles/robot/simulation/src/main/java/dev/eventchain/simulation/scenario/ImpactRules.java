@@ -11,12 +11,15 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 
-/** Judges how a scenario ended, and the brake commands whatever the traffic. */
+/** Judges the end of a scenario, and the brake commands independent of the traffic. */
 final class ImpactRules {
 
   private ImpactRules() {}
 
-  /** Without a vehicle in the path there is nothing to hit and no gap to keep. */
+  /**
+   * Returns the outcome without a vehicle in the path, where there is nothing to hit and no gap to
+   * keep.
+   */
   private static Outcome nothingAhead() {
     return Outcome.untested("nothing ahead");
   }
@@ -36,7 +39,7 @@ final class ImpactRules {
         : new Outcome(true, gapText(trace) + fromBehind(trace), gapMargin(trace, 0));
   }
 
-  /** A vehicle that is hit from behind has hit nothing; it is reported nevertheless. */
+  /** Returns a note on rear impacts, which do not count as impacts of the ego. */
   private static String fromBehind(Trace trace) {
     return trace.fromBehind().stream()
         .map(
@@ -47,7 +50,7 @@ final class ImpactRules {
         .collect(Collectors.joining());
   }
 
-  /** A margin of the speed. */
+  /** Returns a margin of the speed. */
   private static Margin atTheEnd(Trace trace, double metresPerSecond) {
     return new Margin(metresPerSecond, "m/s", World.seconds(trace.end().time()));
   }
@@ -107,7 +110,7 @@ final class ImpactRules {
         : new Outcome(true, "never braked");
   }
 
-  /** A margin of a pedal's position. */
+  /** Returns a margin of a pedal position. */
   static Margin margin(Trace.Command command, double value) {
     return new Margin(value, "1", World.seconds(command.time()));
   }

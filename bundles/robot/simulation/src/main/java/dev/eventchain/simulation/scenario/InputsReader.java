@@ -16,7 +16,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** Reads the section {@code inputs} of a scenario: what people do with the inputs of the bench. */
+/** Reads the section {@code inputs} of a scenario: scripts for the inputs of the bench. */
 final class InputsReader {
 
   private static final NumberRange ANY = NumberRange.of(-1e12, 1e12);
@@ -24,7 +24,7 @@ final class InputsReader {
 
   private InputsReader() {}
 
-  /** The scripts by the names of the inputs, in coherent units. */
+  /** Reads the scripts by the names of the inputs, in coherent units. */
   static Map<String, Script> read(ObjectReader section, Bench bench) {
     Map<String, Script> scripts = new LinkedHashMap<>();
     for (String name : section.names()) {
@@ -41,7 +41,7 @@ final class InputsReader {
     return scripts;
   }
 
-  /** Refuses inputs that change nothing: the scenario would not be the one that people mean. */
+  /** Rejects inputs without effect, which the author of the scenario cannot have intended. */
   static void requireUse(
       ObjectReader scenario, Set<String> names, List<Expectation> criteria, Bench bench) {
     for (String name : names) {

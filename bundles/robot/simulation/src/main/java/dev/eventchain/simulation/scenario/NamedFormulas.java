@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * Reads the criteria that have a name of their own and are formulas: time gap and offset in the
- * lane, and settling and overshoot of any signal.
+ * Reads the criteria with keys of their own that are formulas: time gap and lane offset, and
+ * settling and overshoot of any signal.
  */
 final class NamedFormulas {
 
@@ -27,7 +27,7 @@ final class NamedFormulas {
     this.formulas = formulas;
   }
 
-  /** The criteria that are in a section {@code accept}. */
+  /** Reads the criteria in a section {@code accept}. */
   static List<FormulaCriterion> read(ObjectReader section, FormulasReader formulas) {
     NamedFormulas named = new NamedFormulas(section, formulas);
     named.limit(
@@ -48,7 +48,7 @@ final class NamedFormulas {
     }
   }
 
-  /** From a time on, a signal stays near its target. */
+  /** Reads the criterion that a signal stays near its target from a time on. */
   private void settles(ObjectReader part) {
     String signal = part.requiredText("signal");
     String target = part.requiredText("at");
@@ -62,7 +62,7 @@ final class NamedFormulas {
             .formatted(plain(from), plain(formulas.duration()), signal, target, band));
   }
 
-  /** A signal that rises gets to its target, and goes beyond it by little only. */
+  /** Reads the criterion that a rising signal reaches its target with limited overshoot. */
   private void overshoots(ObjectReader part) {
     String signal = part.requiredText("signal");
     String target = part.requiredText("at");
@@ -81,7 +81,7 @@ final class NamedFormulas {
     }
   }
 
-  /** A multiple of 10 ms, without an exponent. */
+  /** Formats a number as a multiple of 10 ms, without an exponent. */
   private static String plain(double number) {
     return BigDecimal.valueOf(number)
         .setScale(2, RoundingMode.DOWN)

@@ -19,9 +19,8 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
 /**
- * A situation on the road with the criteria that the software must meet in it. Read from a YAML
- * file; the physics, the noise and the phases of the nodes follow from its content alone.
- * Immutable.
+ * A situation on the road with the criteria for the software. Read from a YAML file, whose content
+ * alone determines the physics, the noise and the phases of the nodes. Immutable.
  */
 public final class Scenario {
 
@@ -57,7 +56,7 @@ public final class Scenario {
     this.criteria = List.copyOf(criteria);
   }
 
-  /** What people read of a scenario. */
+  /** Name, description and requirements of a scenario. */
   record Heading(
       String name,
       String title,
@@ -66,7 +65,7 @@ public final class Scenario {
       SourceLocation requirementsLocation,
       SourceLocation location) {}
 
-  /** The same with other criteria. */
+  /** Returns a copy with other criteria. */
   public Scenario with(List<Expectation> others) {
     Heading heading =
         new Heading(name, title, description, requirements, requirementsLocation, location);
@@ -76,7 +75,7 @@ public final class Scenario {
   /**
    * Reads one scenario.
    *
-   * @param bench what inputs it may set, and what its formulas may read
+   * @param bench the inputs that it may set, and the signals that its formulas may read
    * @throws DiagnosticException (INPUT) with every problem of the file: {@code scenario.syntax},
    *     {@code scenario.key.unknown}, {@code scenario.key.duplicate}, {@code scenario.key.missing},
    *     {@code scenario.value.type}, {@code scenario.value.range}, {@code scenario.formula.syntax},
@@ -87,7 +86,7 @@ public final class Scenario {
     return parse(SourceText.read(file), bench);
   }
 
-  /** As {@link #read} for a text that is in memory already. */
+  /** Reads a text in memory as {@link #read} does. */
   public static Scenario parse(SourceText text, Bench bench) {
     return ScenarioReader.read(text, bench);
   }
@@ -96,7 +95,7 @@ public final class Scenario {
    * Reads the YAML files of a folder and those below it, in the order of their paths.
    *
    * @param bench as for {@link #read}
-   * @param warnings gets the files that are none ({@code scenario.file.unread})
+   * @param warnings receives findings on other YAML files ({@code scenario.file.unread})
    * @throws DiagnosticException (INPUT) with every problem of every file; also if there is no such
    *     folder or no scenario in it ({@code scenario.none}), or if two scenarios have one name
    *     ({@code scenario.name.duplicate})
@@ -105,47 +104,47 @@ public final class Scenario {
     return new ScenarioFolder(folder).read(bench, warnings);
   }
 
-  /** The JSON Schema of scenarios. */
+  /** Returns the JSON Schema of scenarios. */
   public static String schema() {
     return BenchReader.resource("scenario.schema.json");
   }
 
-  /** The files on which {@link #readFolder} depends, in a fixed order. */
+  /** Returns the files on which {@link #readFolder} depends, in a fixed order. */
   public static List<Path> filesIn(Path folder) {
     return new ScenarioFolder(folder).files();
   }
 
-  /** The name, unique in a folder: lower-case letters, digits and hyphens. */
+  /** Returns the name, unique in a folder: lower-case letters, digits and hyphens. */
   public String name() {
     return name;
   }
 
-  /** A title for people. */
+  /** Returns the title for users. */
   public String title() {
     return title;
   }
 
-  /** What happens in it and why it is there; may be empty. */
+  /** Returns its course and purpose; may be empty. */
   public String description() {
     return description;
   }
 
-  /** Ids of the requirements that it tests. */
+  /** Returns the ids of the tested requirements. */
   public List<String> requirements() {
     return requirements;
   }
 
-  /** Where it names the requirements; the whole of it if it names none. */
+  /** Returns the location of the requirements; the whole scenario if there are none. */
   public SourceLocation requirementsLocation() {
     return requirementsLocation;
   }
 
-  /** Where it was read from. */
+  /** Returns the location of the scenario. */
   public SourceLocation location() {
     return location;
   }
 
-  /** The longest simulated time, in s. */
+  /** Returns the maximum simulated time, in s. */
   public double duration() {
     return duration;
   }
@@ -154,24 +153,27 @@ public final class Scenario {
     return seed;
   }
 
-  /** Vehicle, driver, road and all others at the start. */
+  /** Returns the vehicle, driver, road and all actors at the start. */
   public Situation situation() {
     return situation;
   }
 
-  /** What people do with the inputs of the bench, by their names. */
+  /** Returns the scripts for the inputs of the bench, by their names. */
   public Map<String, Script> inputs() {
     return inputs;
   }
 
-  /** The names of the signals that its criteria read, {@code /topic.field} for those of topics. */
+  /**
+   * Returns the names of the signals that its criteria read, {@code /topic.field} for fields of
+   * topics.
+   */
   public Set<String> reads() {
     return signals().stream().map(Signal::name).collect(Collectors.toCollection(TreeSet::new));
   }
 
   /**
-   * Whether one of its criteria depends on what is written on some topics: it reads a field of one,
-   * or, where one of them commands the vehicle, what the vehicle does.
+   * Returns whether a criterion depends on the messages on some topics: it reads a field of one or,
+   * if one of them commands the vehicle, the motion of the vehicle.
    *
    * @param topics full names
    */
@@ -183,14 +185,14 @@ public final class Scenario {
     return criteria.stream().anyMatch(each -> each.dependsOn(topics, commanding));
   }
 
-  /** The signals that its formulas read. */
+  /** Returns the signals that its formulas read. */
   public Set<Signal> signals() {
     return criteria.stream()
         .flatMap(each -> each.signals().stream())
         .collect(Collectors.toCollection(LinkedHashSet::new));
   }
 
-  /** Until when the criteria need a run that no impact ends, in ns. */
+  /** Returns the end of the part of a run that the criteria need without an impact, in ns. */
   public long horizon() {
     return criteria.stream().mapToLong(Expectation::horizon).max().orElse(0);
   }

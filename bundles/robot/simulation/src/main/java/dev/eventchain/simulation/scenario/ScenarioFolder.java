@@ -19,12 +19,12 @@ import java.util.Map;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 
-/** A folder with scenarios, and with those in folders below it. */
+/** A folder with scenarios, including its subfolders. */
 record ScenarioFolder(Path folder) {
 
   /**
-   * All files but hidden ones, in the order of their paths. Links are followed; one that leads
-   * nowhere is a file, too, so that it is missed.
+   * Returns all files but hidden ones, in the order of their paths. Links are followed; a dangling
+   * link counts as a file, so that reading it fails.
    *
    * @throws DiagnosticException INPUT if the folder cannot be listed
    */
@@ -60,7 +60,7 @@ record ScenarioFolder(Path folder) {
     return file.getFileName().toString().toLowerCase(Locale.ROOT).matches(".*\\.ya?ml");
   }
 
-  /** As {@link Scenario#readFolder}. */
+  /** Reads the scenarios as {@link Scenario#readFolder} does. */
   List<Scenario> read(Bench bench, Consumer<Diagnostic> warnings) {
     List<Diagnostic> problems = new ArrayList<>();
     List<Diagnostic> unread = new ArrayList<>();

@@ -26,7 +26,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
-/** Reads scenario files. Units are in the names of the keys and become SI units here. */
+/** Reads scenario files, with units in the names of the keys, into SI units. */
 final class ScenarioReader {
 
   private static final FindingIds IDS =
@@ -125,7 +125,10 @@ final class ScenarioReader {
     return new Road(radius.isPresent() ? 1.0 / radius.getAsDouble() : 0.0, width);
   }
 
-  /** The duration; if it was refused, the longest one, so that no interval is refused for it. */
+  /**
+   * Returns the duration; the maximum if it is invalid, so that no interval is rejected because of
+   * it.
+   */
   private static double longest(ObjectReader section) {
     return section
         .value("duration_s")

@@ -15,27 +15,27 @@ import java.util.Random;
 import java.util.SplittableRandom;
 
 /**
- * A roof lidar that looks ahead: rings of rays, each of which returns the nearest of road, walls
- * and boxes with some noise along the ray, or nothing.
+ * A roof lidar that looks ahead. Each ray of its rings returns the nearest point of road, walls and
+ * boxes, with noise along the ray, or nothing.
  */
 public final class Lidar {
 
   /** Length of one point in bytes: x, y, z and intensity as float32. */
   public static final int POINT_STEP = 16;
 
-  /** What PointField calls a float32. */
+  /** Value of float32 in PointField. */
   private static final int FLOAT32 = 7;
 
   /** Longest range, in m. */
   static final double RANGE = 100.0;
 
-  /** Directions from one of an outline to the next, in degrees. */
+  /** Angle between the directions of an outline, in degrees. */
   private static final double OUTLINE = 2.0;
 
   private static final float ROAD_INTENSITY = 0.2f;
   private static final float WALL_INTENSITY = 0.4f;
 
-  /** Standard normal numbers; a scan takes a piece of them from a random place. */
+  /** Standard normal numbers; a scan uses a slice of them from a random position. */
   private static final float[] NOISE = noise();
 
   private final LidarSettings settings;
@@ -70,7 +70,7 @@ public final class Lidar {
     return values;
   }
 
-  /** Sets what never changes in the messages of scans. */
+  /** Sets the constant fields in the messages of scans. */
   public static void describe(MessageValue message) {
     message.set("height", 1L);
     message.set("fields", pointFields(message.type()));
@@ -92,7 +92,7 @@ public final class Lidar {
     return fields;
   }
 
-  /** One scan into a message, but for its header. */
+  /** Writes one scan into a message, except its header. */
   public void scan(RoadScene scene, MessageValue message) {
     byte[] scanned = scan(scene);
     message.set("width", (long) scanned.length / POINT_STEP);
@@ -101,9 +101,9 @@ public final class Lidar {
   }
 
   /**
-   * One scan, as the data of a PointCloud2 in the lidar's frame (x forward, y left, z up).
+   * Returns one scan, as the data of a PointCloud2 in the lidar's frame (x forward, y left, z up).
    *
-   * @return {@link #POINT_STEP} bytes for each ray that returned
+   * @return {@link #POINT_STEP} bytes for each ray with an echo
    */
   public byte[] scan(RoadScene scene) {
     Road.Place place = scene.ego().ahead(-settings.behindBumper());
@@ -119,7 +119,10 @@ public final class Lidar {
     return returned();
   }
 
-  /** The nearest echo but for the road's about every two degrees of the last scan, for people. */
+  /**
+   * Returns the nearest echo, except the road's, about every two degrees of the last scan, for
+   * display.
+   */
   public Trace.Outline outline(RoadScene scene, double time) {
     Road.Place place = scene.ego().ahead(-settings.behindBumper());
     List<Double> x = new ArrayList<>();
@@ -142,7 +145,9 @@ public final class Lidar {
     return new Trace.Outline(time, x, y);
   }
 
-  /** Road and walls, which look the same from every place in the middle of a straight lane. */
+  /**
+   * Computes road and walls, which are the same at every place in the middle of a straight lane.
+   */
   private void background(Road road, Road.Place place, float[] ranges, float[] intensities) {
     double cos = StrictMath.cos(place.heading());
     double sin = StrictMath.sin(place.heading());

@@ -3,7 +3,7 @@ package dev.eventchain.simulation.sensor;
 import dev.eventchain.simulation.world.Body;
 import dev.eventchain.simulation.world.Road;
 
-/** A box as the lidar sees it: in the lidar's frame, turned. */
+/** A box in the rotated frame of the lidar. */
 final class LidarBox {
 
   private final double x;
@@ -22,7 +22,7 @@ final class LidarBox {
     double turned = body.place().heading() - lidar.heading();
     this.cos = StrictMath.cos(turned);
     this.sin = StrictMath.sin(turned);
-    // The lidar as the box has it.
+    // the lidar in the frame of the box
     this.x = -(x * cos + y * sin);
     this.y = x * sin - y * cos;
     this.halfLength = body.length() / 2;
@@ -41,7 +41,7 @@ final class LidarBox {
     }
   }
 
-  /** Whether a part of it is not ahead of the lidar. */
+  /** Returns whether a part of it is not ahead of the lidar. */
   boolean beside() {
     return beside;
   }
@@ -54,7 +54,10 @@ final class LidarBox {
     return rightmost;
   }
 
-  /** Where a ray enters it: after the last of its entries into the three slabs. */
+  /**
+   * Returns the distance at which a ray enters it: after the last of its entries into the three
+   * slabs.
+   */
   double distance(double dx, double dy, double dz) {
     double along = dx * cos + dy * sin;
     double aside = dy * cos - dx * sin;
@@ -67,7 +70,10 @@ final class LidarBox {
     return enter <= exit && enter > 0.0 ? enter : Double.POSITIVE_INFINITY;
   }
 
-  /** When a ray enters a slab; never if it runs next to it, and always if it runs within. */
+  /**
+   * Returns the distance at which a ray enters a slab; infinite if it runs outside in parallel,
+   * negatively infinite if inside.
+   */
   private static double entry(double low, double high, double direction) {
     if (direction == 0.0) {
       return low <= 0.0 && high >= 0.0 ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;

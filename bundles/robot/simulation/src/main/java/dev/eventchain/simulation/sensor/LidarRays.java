@@ -3,13 +3,12 @@ package dev.eventchain.simulation.sensor;
 import java.util.Arrays;
 
 /**
- * The directions of a lidar's rays in its own frame (x forward, y left, z up), ring by ring and in
- * each ring from right to left. They are computed with StrictMath, so that every machine sees the
- * same points.
+ * Directions of a lidar's rays in its own frame (x forward, y left, z up), ring by ring and in each
+ * ring from right to left. StrictMath makes the points the same on every machine.
  */
 final class LidarRays {
 
-  /** Elevation of the rings, in degrees: those of a Velodyne VLP-32C (its data sheet). */
+  /** Elevations of the rings, in degrees: those of a Velodyne VLP-32C (its data sheet). */
   private static final double[] ELEVATIONS = {
     15.0, 10.333, 7.0, 4.667, 3.333, 2.333, 1.667, 1.333, 1.0, 0.667, 0.333, 0.0, -0.333, -0.667,
     -1.0, -1.333, -1.667, -2.0, -2.333, -2.667, -3.0, -3.333, -3.667, -4.0, -4.667, -5.333, -6.148,
@@ -21,7 +20,7 @@ final class LidarRays {
   private static final double[] SINES =
       Arrays.stream(ELEVATIONS).map(StrictMath::toRadians).map(StrictMath::sin).toArray();
 
-  /** How far it looks to the right and to the left, in degrees. */
+  /** Half of the horizontal field of view, in degrees. */
   private static final double HALF_VIEW = 60.0;
 
   private final double step;
@@ -48,17 +47,17 @@ final class LidarRays {
     }
   }
 
-  /** Those of rings with a ray every so many degrees. */
+  /** Returns the directions for a horizontal step in degrees. */
   static LidarRays withStep(double degrees) {
     return new LidarRays(degrees);
   }
 
-  /** Number of rays. */
+  /** Returns the number of rays. */
   int count() {
     return ELEVATIONS.length * azimuths;
   }
 
-  /** Rays of a ring. */
+  /** Returns the number of rays of a ring. */
   int azimuths() {
     return azimuths;
   }
@@ -75,12 +74,15 @@ final class LidarRays {
     return z[ray];
   }
 
-  /** Direction of a ray of a ring, in rad to the left. */
+  /** Returns the direction of a ray of a ring, in rad to the left. */
   double azimuth(int index) {
     return StrictMath.toRadians(index * step - HALF_VIEW);
   }
 
-  /** The last ray of a ring that is not left of a direction in rad; it may be outside the view. */
+  /**
+   * Returns the last ray of a ring that is not left of a direction in rad; it may be outside the
+   * field of view.
+   */
   int azimuthIndex(double direction) {
     return (int) Math.floor((StrictMath.toDegrees(direction) + HALF_VIEW) / step);
   }

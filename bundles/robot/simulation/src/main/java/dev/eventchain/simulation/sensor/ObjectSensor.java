@@ -15,18 +15,18 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 
 /**
- * A list of the objects ahead, as radars and cameras give it: each of its fields is a sequence with
- * a number for each object, the nearest first. What hangs above the road or lies flat on it is not
- * an object. What is wholly hidden behind others, as the middle of the front bumper sees it, is
- * left out ({@link Sight}); walls and posts hide nothing.
+ * A list of the objects ahead, as from radars and cameras. Each field is a sequence with a number
+ * for each object, the nearest first. Overhead structures and flat plates are no objects. Objects
+ * wholly hidden behind others ({@link Sight}), as seen from the middle of the front bumper, are
+ * left out; walls and posts hide nothing.
  *
- * @param range how far it sees, in m
- * @param halfView to each side, in rad
- * @param missed part of the objects that a message leaves out by chance, 0 to 1
+ * @param range maximum distance, in m
+ * @param halfView half of the field of view, in rad
+ * @param missed fraction of the objects that a message randomly omits, 0 to 1
  */
 public record ObjectSensor(double range, double halfView, double missed, List<Column> columns) {
 
-  /** Of the sensor over the road, in m: behind the bumper, as radars are mounted. Assumed. */
+  /** Height of the sensor over the road, in m: behind the bumper, as for radars. Assumed. */
   private static final double MOUNTED = 0.5;
 
   public ObjectSensor {
@@ -34,7 +34,7 @@ public record ObjectSensor(double range, double halfView, double missed, List<Co
   }
 
   /**
-   * What a column can hold, in the frame of the ego: x ahead from the front bumper, y to the left.
+   * Quantities of a column, in the frame of the ego: x ahead from the front bumper, y to the left.
    */
   public enum Property {
     ID("1", "number of the object, the same in all messages"),
@@ -63,7 +63,7 @@ public record ObjectSensor(double range, double halfView, double missed, List<Co
       return Arrays.stream(values()).map(Property::id).toList();
     }
 
-    /** The name in a bench. */
+    /** Returns the name in a bench. */
     public String id() {
       return name().toLowerCase(Locale.ROOT);
     }
@@ -76,7 +76,7 @@ public record ObjectSensor(double range, double halfView, double missed, List<Co
       return unitText;
     }
 
-    /** What it is, for people. */
+    /** Returns the description for users. */
     public String meaning() {
       return meaning;
     }
@@ -85,7 +85,7 @@ public record ObjectSensor(double range, double halfView, double missed, List<Co
   /**
    * A field of the message.
    *
-   * @param unit that of the field
+   * @param unit the unit of the field
    * @param noise standard deviation, in the field's unit
    */
   public record Column(String path, Property property, Unit unit, double noise) {}
@@ -115,7 +115,7 @@ public record ObjectSensor(double range, double halfView, double missed, List<Co
     }
   }
 
-  /** Writes what there is to see into a message. */
+  /** Writes the current list of objects into a message. */
   public void fill(World world, SplittableRandom random, MessageValue message) {
     List<Seen> seen = new ArrayList<>();
     for (Seen each : around(world)) {
@@ -138,7 +138,9 @@ public record ObjectSensor(double range, double halfView, double missed, List<Co
     }
   }
 
-  /** Also what is next to the ego, or flat, or high, may stand before an object. */
+  /**
+   * Returns whether an actor is hidden; those beside the ego, flat or overhead may hide it, too.
+   */
   private static boolean hidden(World world, Actor actor) {
     double seconds = World.seconds(world.now());
     Road.Place eye = world.ego().front();
@@ -150,7 +152,7 @@ public record ObjectSensor(double range, double halfView, double missed, List<Co
     return Sight.of(actor.body(world.road(), seconds), eye).isHidden(others, MOUNTED);
   }
 
-  /** All objects ahead, the nearest first. */
+  /** Returns all objects ahead, the nearest first. */
   private static List<Seen> around(World world) {
     double seconds = World.seconds(world.now());
     Road.Place ego = world.ego().front();

@@ -9,10 +9,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What a sensor can see besides the road and the walls: all that is on the road, and posts next to
- * it.
+ * Bodies visible to a sensor besides the road and the walls: all on the road, and posts next to it.
  *
- * @param ego where the ego's front bumper is, and where it looks
+ * @param ego the position of the ego's front bumper, and its heading
  */
 public record RoadScene(Road road, Road.Place ego, List<Body> bodies) {
 
@@ -26,7 +25,7 @@ public record RoadScene(Road road, Road.Place ego, List<Body> bodies) {
   /** Height of the walls, in m. */
   static final double WALL_HEIGHT = 2.0;
 
-  /** What is around the ego at this moment. */
+  /** Returns the current surroundings of the ego. */
   public static RoadScene of(World world) {
     List<Body> bodies = new ArrayList<>();
     double along = world.station().along();

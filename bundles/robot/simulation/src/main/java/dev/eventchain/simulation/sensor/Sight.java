@@ -6,17 +6,17 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * A box as somebody sees it who looks from a place over the road: all that is between two
- * directions from his own, in rad, to the left. Boxes do not overlap, and he is in none of them.
+ * A box as seen by an observer over the road: everything between two directions relative to the
+ * observer's own, in rad, to the left. Boxes do not overlap, and the observer is in none of them.
  */
 record Sight(Body body, Road.Place eye, double right, double left) {
 
-  /** What a box looks like from a place. */
+  /** Returns the view of a box from a place. */
   static Sight of(Body body, Road.Place eye) {
     double x = body.place().x() - eye.x();
     double y = body.place().y() - eye.y();
-    // From outside, a box is less than half a turn wide, so that differences from the direction
-    // of its middle do not jump.
+    // From outside, a box spans less than half a turn, so that differences from the direction of
+    // its middle do not jump.
     double middle = StrictMath.atan2(y, x);
     double right = 0.0;
     double left = 0.0;
@@ -36,10 +36,10 @@ record Sight(Body body, Road.Place eye, double right, double left) {
   }
 
   /**
-   * Whether nothing of it is seen behind others: each of its directions is one of somebody nearer
-   * who is not lower than it, does not hang higher, and is as high as the place is over the road.
+   * Returns whether it is wholly hidden. Each of its directions must be covered by a nearer box
+   * that is not lower, does not hang higher, and is as high as the observer.
    *
-   * @param height of the place over the road, in m
+   * @param height of the observer over the road, in m
    */
   boolean isHidden(List<Sight> others, double height) {
     List<Sight> before =
@@ -57,19 +57,22 @@ record Sight(Body body, Road.Place eye, double right, double left) {
     return covered >= left;
   }
 
-  /** Whether it hides what is behind it, in the directions that both have. */
+  /** Returns whether it hides the box behind it, in their common directions. */
   private boolean hides(Sight other, double height) {
-    // Then no line from there gets over it, or under it, to a point that is between its edges.
+    // Then no line of sight passes over or under it to a point between its edges.
     boolean highEnough = body.top() >= Math.max(height, other.body.top());
     boolean lowEnough = body.bottom() <= Math.min(height, other.body.bottom());
     double first = Math.max(right, other.right);
     double last = Math.min(left, other.left);
-    // Boxes that do not overlap are one behind the other in the same way in all directions.
+    // Boxes that do not overlap have the same order of distance in all directions.
     double shared = (first + last) / 2;
     return highEnough && lowEnough && first < last && distance(shared) < other.distance(shared);
   }
 
-  /** Where a line of sight enters the box, in m: after the later entry into its two slabs. */
+  /**
+   * Returns the distance at which a line of sight enters the box, in m: after the later entry into
+   * its two slabs.
+   */
   private double distance(double direction) {
     double turned = eye.heading() + direction - body.place().heading();
     double cos = StrictMath.cos(body.place().heading());

@@ -9,25 +9,25 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * The effect of a fault: what the vehicle did, compared with what it did without the fault, and
- * what detected the fault.
+ * Effect of a fault: the motion of the vehicle, compared with that without the fault, and the
+ * detections of the fault.
  *
  * @param name the fault's name
  * @param scenario the name of the scenario
- * @param injected the fault, for people
- * @param effect what it changed, for people
- * @param effective whether it made a difference to anything before the run was over
- * @param judged whether something is expected of the software
- * @param tested whether everything that is expected could be judged, or something fails
- * @param passed whether it was judged and tested, and everything holds
- * @param vehicle what the vehicle did
- * @param without what it did without the fault
- * @param deviation how far it was from where it was without the fault, at most
+ * @param injected the fault, for users
+ * @param effect the effect of the fault, for users
+ * @param effective true if it had an effect before the end of the run
+ * @param judged true if the software must meet a requirement
+ * @param tested true if every requirement could be judged, or one fails
+ * @param passed true if it was judged and tested, and every requirement holds
+ * @param vehicle the motion of the vehicle
+ * @param without the motion of the vehicle without the fault
+ * @param deviation the largest distance from the position without the fault
  * @param own the criteria of the scenario, which are not expected to hold
- * @param expected what is expected in spite of the fault, with its detection
- * @param detections what told of the fault, in the order of time; those without one last
- * @param ended why the run could not go on to its end; empty if it did
- * @param location where the fault is written
+ * @param expected the requirements in spite of the fault, including its detection
+ * @param detections the detections of the fault, in the order of time; those without one last
+ * @param ended why the run ended early; empty if it did not
+ * @param location the location of the fault in its file
  */
 public record FaultVerdict(
     String name,
@@ -55,14 +55,14 @@ public record FaultVerdict(
   }
 
   /**
-   * What a vehicle did.
+   * Motion of a vehicle.
    *
    * @param impactSpeed in m/s; empty if there was no impact
-   * @param impact who hit whom; empty if there was no impact
-   * @param stopped since when it is stationary at the end, in s; empty if it moves
+   * @param impact the parties of the impact, in words; empty if there was none
+   * @param stopped start of the standstill at the end, in s; empty if it moves
    * @param minimalGap to a vehicle in its path, in m; empty if there was none
    * @param speed at the end, in m/s
-   * @param end when the run ended, in s
+   * @param end time of the end of the run, in s
    */
   public record Vehicle(
       OptionalDouble impactSpeed,
@@ -73,43 +73,44 @@ public record FaultVerdict(
       double end) {}
 
   /**
-   * How far a vehicle was from where it was without the fault.
+   * Distance of a vehicle from its position without the fault.
    *
    * @param distance in m
-   * @param time when it was largest first, in s
+   * @param time when it first was largest, in s
    */
   public record Deviation(double distance, double time) {}
 
-  /** What tells of a fault. */
+  /** Means of detecting a fault. */
   public enum Means {
-    /** The software itself, by means that it declares: it did not work with what was too old. */
+    /** The software itself, by declared means: it did not work with outdated inputs. */
     SOFTWARE,
-    /** A check of the simulation or of DDS, of which the software knows nothing. */
+    /** A check of the simulation or of DDS, outside the software. */
     CHECK,
     /** A node ended by its own error. */
     FAILURE
   }
 
   /**
-   * Something that tells of a fault, and did not do so without it.
+   * A sign of a fault that is absent without the fault.
    *
-   * @param id of the finding
-   * @param element the node that it is about; may be empty
-   * @param words what it says
-   * @param time when, in s since the start of the scenario; empty if it is not known
+   * @param id the id of the finding
+   * @param element the affected node; may be empty
+   * @param words the message of the finding
+   * @param time in s since the start of the scenario; empty if unknown
    */
   public record Detection(
       Means means, String id, String element, String words, OptionalDouble time) {}
 
-  /** Whether something told of the fault. */
+  /** Returns whether the fault was detected. */
   public boolean detected() {
     return !detections.isEmpty();
   }
 
   /**
-   * A finding {@code simulation.fault.no-effect} if the fault changed nothing, which says nothing
-   * about the software; else {@code simulation.fault.failed} for each expectation that does not
-   * hold, and {@code simulation.fault.untested} for each that could not be judged.
+   * Returns a finding {@code simulation.fault.no-effect} if the fault had no effect, so that the
+   * run says nothing about the software. Otherwise returns {@code simulation.fault.failed} for each
+   * requirement that does not hold, and {@code simulation.fault.untested} for each that could not
+   * be judged.
    */
   public List<Diagnostic> diagnostics() {
     List<Diagnostic> found = new ArrayList<>();

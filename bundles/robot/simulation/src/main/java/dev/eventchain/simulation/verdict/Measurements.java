@@ -6,15 +6,15 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * What the simulation measured of the nodes, over all scenarios. Times are in ms of simulated time
- * and the same in every run, but for those of the host.
+ * Measurements of the nodes, over all scenarios. Times are in ms of simulated time and the same in
+ * every run, except those of the host.
  *
- * @param runId the same for equal measurements
+ * @param runId a digest, the same for equal measurements
  * @param firstNode the node that reads the sensor's samples; empty if no node does
  * @param lastNode the node that writes the commands; empty if no node does
- * @param nodes one for each node, in chain order; none if others run the nodes, so that nothing is
- *     known of what happens inside
- * @param flow how messages went; empty if others run the nodes
+ * @param nodes one for each node, in chain order; empty if the nodes run elsewhere, so that their
+ *     activations are not visible
+ * @param flow the message flow; empty if the nodes run elsewhere
  */
 public record Measurements(
     String runId, String firstNode, String lastNode, List<Node> nodes, MessageFlow flow) {
@@ -28,12 +28,12 @@ public record Measurements(
    * A distribution. Percentiles are values that occurred (nearest rank).
    *
    * @param count number of values, at least 1
-   * @param mean the arithmetic one: those of parts sum up to that of the whole
+   * @param mean the arithmetic mean: the means of parts add up to that of the whole
    */
   public record Statistics(
       long count, double minimum, double mean, double median, double percentile99, double maximum) {
 
-    /** Of some values; empty if there is none. */
+    /** Returns the distribution of some values; empty if there is none. */
     public static Optional<Statistics> of(double[] values) {
       if (values.length == 0) {
         return Optional.empty();
@@ -56,12 +56,12 @@ public record Measurements(
   }
 
   /**
-   * What was measured of one node; a distribution is empty when nothing happened.
+   * Measurements of one node; a distribution without values is empty.
    *
    * @param name the node's name in the model
-   * @param activations how often it was executed
+   * @param activations number of activations
    * @param period between two activations
-   * @param jitter distance of each period from the nominal one
+   * @param jitter deviation of each period from the nominal one
    * @param executionTime of one activation
    * @param hostExecutionTime of one activation on the machine that simulated; differs from run to
    *     run
@@ -75,9 +75,9 @@ public record Measurements(
       Optional<Statistics> hostExecutionTime) {
 
     /**
-     * How many times the execution time of the model the median on this machine is. Far above 1,
-     * the model promises more than the component can hold; it decides nothing, since this machine
-     * is not the vehicle's.
+     * Returns the ratio of the median on this machine to the execution time of the model. Far above
+     * 1, the model is probably too optimistic; it decides nothing, since this machine is not the
+     * vehicle's.
      *
      * @return empty if the model states no execution time, or nothing was executed
      */

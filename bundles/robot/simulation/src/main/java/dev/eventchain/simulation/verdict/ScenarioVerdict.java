@@ -6,21 +6,21 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * How the software did in a scenario.
+ * Verdict on the software in a scenario.
  *
  * @param scenario the scenario's name
  * @param title the scenario's title
- * @param requirements ids of the requirements that it tests
- * @param worked whether every component did; if not, no criterion was judged
- * @param tested whether every component worked and every criterion could be judged, or one fails
- * @param passed whether it was tested and every criterion holds
- * @param criteria each criterion with what was measured
- * @param figures what was measured of the world and of what the chain commands
- * @param latency from what the chain's first node senses to the first command that is based on it,
- *     in ms; empty if no command is based on it
- * @param latencies what was measured of each latency constraint of the chain, in its order
- * @param flow how messages went
- * @param series what happened over time
+ * @param requirements ids of the tested requirements
+ * @param worked true if every component worked; if not, no criterion was judged
+ * @param tested true if every component worked and every criterion could be judged, or one fails
+ * @param passed true if it was tested and every criterion holds
+ * @param criteria the results of the criteria
+ * @param figures measurements of the world and of the chain's commands
+ * @param latency from a stimulus of the chain's first node to the first command that is based on
+ *     it, in ms; empty if no command is based on it
+ * @param latencies measurements of each latency constraint of the chain, in its order
+ * @param flow the message flow
+ * @param series the curves over time
  */
 public record ScenarioVerdict(
     String scenario,
@@ -47,13 +47,13 @@ public record ScenarioVerdict(
   /**
    * A criterion and its outcome.
    *
-   * @param text what must hold, in words
-   * @param tested whether what it is about ever came up
-   * @param passed whether it was tested and holds
-   * @param measured the figures that say so, in words
-   * @param margin how far what decides is from the other verdict; empty where it has no size
+   * @param text the requirement, in words
+   * @param tested true if its premise came true
+   * @param passed true if it was tested and holds
+   * @param measured the measured figures, in words
+   * @param margin the distance from the opposite verdict; empty if it has no size
    * @param limits the numbers that signals are compared with
-   * @param location where the scenario asks for it
+   * @param location its location in the scenario
    */
   public record CriterionResult(
       String text,
@@ -71,18 +71,18 @@ public record ScenarioVerdict(
   }
 
   /**
-   * How far a criterion is from the other verdict, below zero if it does not hold.
+   * Distance of a criterion from the opposite verdict, negative if it does not hold.
    *
    * @param value in the unit
-   * @param unit that of what is compared; 1 for a ratio
-   * @param time when it is so, in s since the start
+   * @param unit the unit of the compared values; 1 for a ratio
+   * @param time the time of the margin, in s since the start
    */
   public record Margin(double value, String unit, double time) {}
 
-  /** A number, in the signal's unit, that a criterion compares a signal with. */
+  /** A number, in the signal's unit, with which a criterion compares a signal. */
   public record Limit(String signal, double value) {}
 
-  /** What one number of a scenario is. */
+  /** Statistic of a quantity over a scenario. */
   public enum Statistic {
     /** The smallest value of the scenario. */
     MINIMUM,
@@ -93,21 +93,21 @@ public record ScenarioVerdict(
   }
 
   /**
-   * A number that was measured.
+   * A measured number.
    *
    * @param name of the quantity
    * @param unit of the value; 1 for a ratio
-   * @param statistic which of its values it is
+   * @param statistic the statistic of the quantity
    * @param value finite
-   * @param time when it was so first, in s since the start
+   * @param time first time of the value, in s since the start
    */
   public record Figure(String name, String unit, Statistic statistic, double value, double time) {}
 
   /**
-   * What was measured of a latency constraint.
+   * Measurements of a latency constraint.
    *
    * @param statistics of all its times, in ms
-   * @param slowest what the longest of them consists of, in the order of the data; sums up to it
+   * @param slowest the parts of the longest of them, in the order of the data; they add up to it
    */
   public record Latency(Measurements.Statistics statistics, List<Part> slowest) {
 
@@ -118,20 +118,20 @@ public record ScenarioVerdict(
   }
 
   /**
-   * What a component contributes to a latency, in ms of simulated time.
+   * Part of a component in a latency, in ms of simulated time.
    *
    * @param node the component's name
-   * @param waiting how long what it works on had been there when it started
-   * @param execution how long it executed: the model's number
+   * @param waiting age of its input when it started
+   * @param execution its execution time, as stated by the model
    */
   public record Part(String node, double waiting, double execution) {}
 
   /**
-   * What happened, every 50 ms.
+   * Curves and scene, every 50 ms.
    *
    * @param time since the start, in s
    * @param curves one for each quantity
-   * @param scene where everything was
+   * @param scene the positions of everything
    */
   public record Series(List<Double> time, List<Curve> curves, Scene scene) {
 
@@ -150,8 +150,8 @@ public record ScenarioVerdict(
    * @param laneWidth in m
    * @param wallDistance of the walls from the centre of the ego's lane, in m
    * @param ego the vehicle with the software
-   * @param others all others, but for what is above the road
-   * @param scans what the lidar saw, if the software has one; not each of its scans
+   * @param others all others, except those above the road
+   * @param scans some of the scans of the lidar, if the software has one
    */
   public record Scene(
       double curvature,
@@ -169,13 +169,12 @@ public record ScenarioVerdict(
   }
 
   /**
-   * Where a box was.
+   * Positions of a box.
    *
-   * @param name who it is
+   * @param name its name
    * @param length in m
    * @param width in m
-   * @param x of its middle, one for each time of the series, or one for all; not a number where it
-   *     is gone
+   * @param x of its middle, one for each time of the series, or one for all; NaN once it is gone
    * @param y as x
    * @param heading as x
    */
@@ -196,7 +195,7 @@ public record ScenarioVerdict(
   }
 
   /**
-   * The nearest echoes of a scan, but for those of the road.
+   * Nearest echoes of a scan, except those of the road.
    *
    * @param time since the start, in s
    */
@@ -214,8 +213,8 @@ public record ScenarioVerdict(
    *
    * @param name of the quantity
    * @param unit of the values; 1 for a ratio
-   * @param absence why it says nothing; empty if it says something
-   * @param values one for each time of the series, infinite or not a number where there is none
+   * @param absence why it has no values; empty if it has some
+   * @param values one for each time of the series, infinite or NaN where there is none
    */
   public record Curve(String name, String unit, String absence, List<Double> values) {
 
@@ -226,13 +225,13 @@ public record ScenarioVerdict(
   }
 
   /**
-   * A finding {@code simulation.criterion.failed} for each criterion that does not hold, and {@code
-   * simulation.criterion.untested} for each whose premise never came true; none if not all
-   * components worked, so that no criterion was judged.
+   * Returns a finding {@code simulation.criterion.failed} for each criterion that does not hold,
+   * and {@code simulation.criterion.untested} for each whose premise never came true. Returns none
+   * if not all components worked, so that no criterion was judged.
    */
   public List<Diagnostic> diagnostics() {
     if (!worked) {
-      return List.of(); // The simulation's own findings say which component did not, and why.
+      return List.of(); // The simulation's findings name the silent component.
     }
     return criteria.stream()
         .filter(criterion -> !criterion.passed())

@@ -8,14 +8,14 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 
-/** What ends a scenario with nodes that others run. */
+/** Failures of a scenario with nodes that run elsewhere. */
 final class AttachedFailures {
 
   private static final double SECOND = 1e9;
 
   private AttachedFailures() {}
 
-  /** Nodes are not there, or do not fit. */
+  /** Creates the exception for nodes that are missing or do not match. */
   static DiagnosticException unmatched(
       Outside outside, List<String> missing, int domain, Duration patience) {
     String who =
@@ -42,7 +42,7 @@ final class AttachedFailures {
     return String.format(Locale.ROOT, "%.1f", nanos / SECOND).replaceFirst("\\.0$", "");
   }
 
-  /** Nodes are not there any more. */
+  /** Creates the exception for nodes that have vanished. */
   static DiagnosticException vanished(List<Peer> gone, long now) {
     return finding(
         "simulation.node.lost",
@@ -55,7 +55,7 @@ final class AttachedFailures {
             + " nothing about the software.");
   }
 
-  /** Nobody acknowledges what the world publishes. */
+  /** Creates the exception for readers that do not acknowledge the messages of the world. */
   static DiagnosticException deaf(String topic, long now) {
     return finding(
         "simulation.node.lost",

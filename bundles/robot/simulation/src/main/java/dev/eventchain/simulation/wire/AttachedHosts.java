@@ -9,22 +9,22 @@ import dev.eventchain.simulation.host.NodeSession;
 import dev.eventchain.simulation.node.DdsAttachment;
 import java.time.Duration;
 
-/** The world alone, in a DDS domain in which others run the nodes. */
+/** The world alone, in the DDS domain of nodes that run elsewhere. */
 public final class AttachedHosts implements NodeHosts {
 
-  /** What there is to say of the confinement of nodes that others run. */
+  /** Description of the confinement of nodes that run elsewhere. */
   public static final String CONFINEMENT = "none by Eventchain: the nodes were started elsewhere";
 
   private final DdsParticipant participant;
   private final AttachedSession session;
 
   /**
-   * Takes part.
+   * Joins the domain.
    *
-   * @param topics those that the nodes have to have
-   * @param patience how long nodes are waited for
-   * @param python knows where Cyclone DDS is
-   * @throws DiagnosticException (INPUT) {@code dds.domain.unusable}: Cyclone DDS refuses the
+   * @param topics the topics that the nodes must have
+   * @param patience maximum time to wait for nodes
+   * @param python the environment with Cyclone DDS
+   * @throws DiagnosticException (INPUT) {@code dds.domain.unusable}: Cyclone DDS rejects the
    *     configuration
    */
   public AttachedHosts(

@@ -24,27 +24,27 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Collectors;
 
 /**
- * Nodes that others run, in real time: the world publishes what is due, hears what the nodes
- * publish, and sees nothing of what happens inside them. The clock shows the time of the wall, so
+ * Session with nodes that run elsewhere, in real time: the world publishes due messages and
+ * receives those of the nodes, whose activations are not visible. The clock shows wall time, so
  * that it never goes back, and nodes that do not follow it have the same time.
  */
 final class AttachedSession implements NodeSession {
 
   private static final long PAUSE = TimeUnit.MILLISECONDS.toNanos(20);
 
-  /** A writer may be known here a moment before it is known there that it writes for us. */
+  /** Time for remote participants to discover writers that are known here already. */
   private static final long LEAD = TimeUnit.MILLISECONDS.toNanos(500);
 
-  /** Timers of nodes that follow the clock are as fine as its steps. */
+  /** Step of the clock, the resolution of timers of nodes that follow it. */
   private static final long CLOCK_STEP = TimeUnit.MILLISECONDS.toNanos(10);
 
-  /** Who said something so late in a scenario lived to its end. */
+  /** Time before the end of a scenario within which a message proves that its writer was alive. */
   private static final long FRESH = TimeUnit.SECONDS.toNanos(1);
 
-  /** After this, what a killed process had is gone: 10 s with Cyclone DDS, 20 s with Fast DDS. */
+  /** Maximum lease after the end of a killed process: 10 s with Cyclone DDS, 20 s with Fast DDS. */
   private static final long LEASE = TimeUnit.SECONDS.toNanos(22);
 
-  /** One that matches no more may still be known for a moment. */
+  /** Number of checks after a lost match, since the peer may remain known for a moment. */
   private static final int LOOKS = 3;
 
   private final DdsParticipant participant;
@@ -64,10 +64,10 @@ final class AttachedSession implements NodeSession {
   private long overrun;
 
   /**
-   * In a domain.
+   * Creates a session in a domain.
    *
-   * @param chain the topics that the nodes have to have
-   * @param patience how long nodes are waited for
+   * @param chain the topics that the nodes must have
+   * @param patience maximum time to wait for nodes
    */
   AttachedSession(
       DdsParticipant participant, ChainTopics chain, DdsAttachment where, Duration patience) {
@@ -77,7 +77,7 @@ final class AttachedSession implements NodeSession {
     this.patience = patience;
   }
 
-  /** In ns since 1970. */
+  /** Returns wall time, in ns since 1970. */
   private static long wall() {
     Instant instant = Instant.now();
     return TimeUnit.SECONDS.toNanos(instant.getEpochSecond()) + instant.getNano();
@@ -94,7 +94,7 @@ final class AttachedSession implements NodeSession {
     matches = world.matches();
     looks = LOOKS;
     LockSupport.parkNanos(LEAD);
-    world.arrivals(); // what belongs to the scenario before
+    world.arrivals(); // samples of the previous scenario
     publications.clear();
     heard.clear();
     now = 0;
@@ -155,7 +155,7 @@ final class AttachedSession implements NodeSession {
     measureOverrun(until);
     List<Outbound> published = new ArrayList<>();
     for (Arrival each : world.arrivals()) {
-      // One that comes after its time is followed from now on, as a vehicle would.
+      // Late messages are followed from now on, as by a vehicle.
       long time = Math.max(now, Math.min(each.time() - start, until - 1));
       published.add(new Outbound(time, each.reader(), ByteBuffer.wrap(each.sample().bytes())));
       note(each, time);
@@ -176,7 +176,7 @@ final class AttachedSession implements NodeSession {
     overrun = Math.max(overrun, wall() - start - due);
   }
 
-  /** Lets the clock continue until a time of the scenario. */
+  /** Advances the clock until a time of the scenario. */
   private void waitFor(long time) {
     do {
       requireAll();
@@ -194,7 +194,7 @@ final class AttachedSession implements NodeSession {
   }
 
   /**
-   * Nobody has vanished.
+   * Checks that no node has vanished.
    *
    * @throws dev.eventchain.diagnostics.DiagnosticException {@code simulation.node.lost}
    */
@@ -204,7 +204,7 @@ final class AttachedSession implements NodeSession {
       looks = found.get(i) < matches.get(i) ? LOOKS : looks;
     }
     matches = found;
-    if (looks > 0) { // who it was costs more to find out
+    if (looks > 0) { // finding the vanished peers is slow
       looks--;
       Set<String> there =
           participant.peers().stream().map(Peer::id).collect(Collectors.toUnmodifiableSet());
@@ -224,8 +224,8 @@ final class AttachedSession implements NodeSession {
   }
 
   /**
-   * A process that was killed is missed only when its lease ends, and a scenario may end before:
-   * whoever writes for the world and was not heard lately is waited for.
+   * Waits for writers to the world without recent messages. A killed process is detected only when
+   * its lease ends, which may be after the end of the scenario.
    */
   private void requireSignsOfLife() {
     long since = wall() - FRESH;

@@ -16,21 +16,21 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.LongSupplier;
 
-/** The world's writers and readers among nodes that others run. */
+/** The world's writers and readers for nodes that run elsewhere. */
 final class AttachedWorld implements AutoCloseable {
 
   /**
-   * A sample that came.
+   * A received sample.
    *
-   * @param reader its index
-   * @param time on the wall, in ns: the clocks of other machines may differ
+   * @param reader the index of its reader
+   * @param time wall time, in ns: the clocks of other machines may differ
    */
   record Arrival(int reader, long time, DdsSample sample) {}
 
   private static final String CLOCK = "/clock";
   private static final long SECOND = 1_000_000_000L;
 
-  /** As many as ROS 2 keeps by default: with all of them, a stopped reader blocks. */
+  /** Depth of the history, the default of ROS 2: with KEEP_ALL, a stopped reader would block. */
   private static final int DEPTH = 10;
 
   private final WireGraph graph;
@@ -40,9 +40,9 @@ final class AttachedWorld implements AutoCloseable {
   private final MessageValue time;
 
   /**
-   * Makes the ends that the graph has for the world.
+   * Creates the writers and readers that the graph has for the world.
    *
-   * @param wall the clock on the wall, in ns
+   * @param wall the wall clock, in ns
    */
   AttachedWorld(
       DdsParticipant participant, WireGraph graph, MessageCatalog catalog, LongSupplier wall) {
@@ -69,13 +69,13 @@ final class AttachedWorld implements AutoCloseable {
     return catalog.find(end.type()).orElseThrow();
   }
 
-  /** Whether it has the ends that another graph has for the world. */
+  /** Returns whether it has the writers and readers that another graph has for the world. */
   boolean suits(WireGraph other) {
     return graph.writersOf(WireEnd.WORLD).equals(other.writersOf(WireEnd.WORLD))
         && graph.readersOf(WireEnd.WORLD).equals(other.readersOf(WireEnd.WORLD));
   }
 
-  /** The ends that have not met as many as they should by now, in words. */
+  /** Returns the writers and readers with too few matches, in words. */
   List<String> unconnected(WireGraph now) {
     List<String> missing = new ArrayList<>();
     for (WireEnd writer : now.writersOf(WireEnd.WORLD)) {
@@ -91,7 +91,7 @@ final class AttachedWorld implements AutoCloseable {
     return missing;
   }
 
-  /** With how many each end exchanges samples. */
+  /** Returns the number of matches of each writer and reader. */
   List<Integer> matches() {
     List<Integer> matches = new ArrayList<>();
     writers.forEach(writer -> matches.add(writer.matched()));
@@ -99,7 +99,7 @@ final class AttachedWorld implements AutoCloseable {
     return matches;
   }
 
-  /** Shows a time, in ns, on the clock. */
+  /** Publishes a time, in ns, on the clock. */
   void show(long shown) {
     time.set("clock.sec", (int) (shown / SECOND));
     time.set("clock.nanosec", shown % SECOND);
@@ -110,7 +110,7 @@ final class AttachedWorld implements AutoCloseable {
   }
 
   /**
-   * Publishes a message, unless it is one of the clock, which goes its own way.
+   * Publishes a message, except those of the clock, which has a writer of its own.
    *
    * @param message for the topic with this index
    * @return the topic whose messages are no longer acknowledged; empty if all is well
@@ -125,7 +125,7 @@ final class AttachedWorld implements AutoCloseable {
     return writer.write(bytes) ? "" : writer.topic();
   }
 
-  /** What has come since the last call. */
+  /** Returns the samples received since the last call. */
   List<Arrival> arrivals() {
     List<Arrival> taken = new ArrayList<>();
     for (Arrival next = arrivals.poll(); next != null; next = arrivals.poll()) {

@@ -14,30 +14,30 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.IntFunction;
 
 /**
- * A DDS domain that is not in use on this machine. Should two runs find the same one at the same
+ * A DDS domain that is not in use on this machine. If two runs choose the same one at the same
  * moment, their tags keep them apart.
  *
- * @param number its number
- * @param tag only those with the same one meet
+ * @param number the domain id
+ * @param tag the domain tag; only participants with the same one match
  */
 public record DdsDomain(int number, String tag) {
 
-  /** ROS 2 uses 0 unless stated otherwise; the ports of 101 and above are given to anybody. */
+  /** First domain: ROS 2 uses 0 by default. Ports of 101 and above are ephemeral. */
   private static final int FIRST = 1;
 
   private static final int LAST = 100;
 
-  /** Those of this process, in which a domain has one configuration. */
+  /** Domains of this process, which allows one configuration for each domain. */
   private static final Set<Integer> OURS = ConcurrentHashMap.newKeySet();
 
-  /** DDSI-RTPS 2.5, 9.6.2.3: ports of a domain, and of its first participant in it. */
+  /** DDSI-RTPS 2.5, 9.6.2.3: ports of a domain, and of its first participant. */
   private static final int PORT_BASE = 7400;
 
   private static final int DOMAIN_GAIN = 250;
   private static final int FIRST_PARTICIPANT = 10;
 
   /**
-   * Finds one.
+   * Finds a free domain.
    *
    * @throws DiagnosticException {@code dds.domain.none}: there is none, or no loopback interface
    */
@@ -46,9 +46,9 @@ public record DdsDomain(int number, String tag) {
   }
 
   /**
-   * Finds one.
+   * Finds a free domain.
    *
-   * @param problem why a domain cannot be joined; empty if it is free
+   * @param problem returns why a domain cannot be joined; empty if it is free
    */
   public static DdsDomain find(IntFunction<String> problem) {
     int domains = LAST - FIRST + 1;
@@ -70,7 +70,7 @@ public record DdsDomain(int number, String tag) {
             .withHint("Is the loopback interface up? Nothing else is needed."));
   }
 
-  /** It may be taken again. */
+  /** Releases the domain. */
   public void release() {
     OURS.remove(number);
   }

@@ -15,7 +15,7 @@ import dev.eventchain.simulation.node.NodeLimits;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A confined process for each node of a chain, and the world, in a DDS domain of their own. */
+/** A confined process for each node of a chain, and the world, in a separate DDS domain. */
 public final class DdsHosts implements NodeHosts {
 
   private static final String HOST = "eventchain_ros2.node_host";
@@ -30,11 +30,11 @@ public final class DdsHosts implements NodeHosts {
   /**
    * Starts the processes.
    *
-   * @param program with a Python that has Cyclone DDS
+   * @param program a program whose Python has Cyclone DDS
    * @param names of the nodes, in chain order
    * @param catalog the message types that the nodes use
-   * @param inRealTime whether no node waits for another
-   * @param turn which of several such groups this is
+   * @param inRealTime true if no node waits for another
+   * @param turn the index among parallel groups of processes
    */
   public DdsHosts(
       HostProgram program,
@@ -101,7 +101,7 @@ public final class DdsHosts implements NodeHosts {
     closeAll();
   }
 
-  /** The nodes first: whoever waits for them is told so. */
+  /** Closes the nodes first, so that threads that wait for them are notified. */
   private void closeAll() {
     nodes.forEach(NodeProcess::close);
     participant.close();

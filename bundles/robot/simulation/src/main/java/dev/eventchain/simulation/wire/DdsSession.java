@@ -23,7 +23,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
-/** Nodes on DDS, each in its own process; how time passes is left to others. */
+/** Nodes on DDS, each in its own process; subclasses define the passage of time. */
 abstract class DdsSession implements NodeSession {
 
   private static final ByteBuffer NOTHING = ByteBuffer.allocate(0);
@@ -36,7 +36,7 @@ abstract class DdsSession implements NodeSession {
   WireWorld world;
   Deliveries deliveries;
 
-  /** The time of the scenario, in ns. */
+  /** Scenario time, in ns. */
   long now;
 
   private final DdsParticipant participant;
@@ -49,10 +49,10 @@ abstract class DdsSession implements NodeSession {
   private WireGraph graph;
 
   /**
-   * Over processes that run.
+   * Creates a session over running processes.
    *
-   * @param participant the world's
-   * @param limits what a node may use for an answer
+   * @param participant the participant of the world
+   * @param limits the limits of a node's answer
    */
   DdsSession(
       List<NodeProcess> nodes,
@@ -95,7 +95,7 @@ abstract class DdsSession implements NodeSession {
     return said(ready);
   }
 
-  /** The configuration of one node. */
+  /** Returns the configuration of one node. */
   private ObjectNode alone(int node) {
     ObjectNode json = configuration.deepCopy();
     json.remove(List.of("world_publishes", "world_subscribes"));
@@ -114,7 +114,7 @@ abstract class DdsSession implements NodeSession {
       JsonNode wanted = graph.connect(node, connecting);
       nodes.get(node).ask(HostChannel.CONNECT, wanted, HostChannel.CONNECTED);
     }
-    List<JsonNode> answers = answers(); // first, since what nodes say is heard meanwhile
+    List<JsonNode> answers = answers(); // first, since connecting processes new output
     List<String> missing = new ArrayList<>();
     world
         .connect(nodes.size(), Duration.ofNanos(Math.max(1, latest - System.nanoTime())))
@@ -131,27 +131,27 @@ abstract class DdsSession implements NodeSession {
     begin();
   }
 
-  /** Everybody is connected, and the scenario starts. */
+  /** Starts the scenario once everything is connected. */
   abstract void begin();
 
-  /** The scenario is over, and what is underway arrives. */
+  /** Ends the scenario; samples on the way still arrive. */
   void end() {}
 
-  /** Takes in what nodes say at their end besides of what they did. */
+  /** Processes the final answers of the nodes apart from their logs. */
   void notice(List<JsonNode> finished) {}
 
-  /** Adds what the host of a node has to know besides. */
+  /** Adds further configuration for the host of a node. */
   void describe(ObjectNode node) {}
 
-  /** Whether the time is that of the wall. */
+  /** Returns whether scenario time is wall time. */
   boolean isInRealTime() {
     return false;
   }
 
   /**
-   * Checks a record.
+   * Checks a log.
    *
-   * @throws IllegalArgumentException says what cannot be
+   * @throws IllegalArgumentException with the contradiction
    */
   abstract void check(RunLogCheck check, List<Outbound> published);
 
@@ -186,13 +186,13 @@ abstract class DdsSession implements NodeSession {
   }
 
   /**
-   * Publishes messages now and lets time pass.
+   * Publishes messages now and advances time.
    *
-   * @param published gets what the nodes published
+   * @param published receives the messages that the nodes published
    */
   abstract void pass(long until, List<Inbound> messages, List<Outbound> published);
 
-  /** What has arrived, in the order in which it was made; it is gone then. */
+  /** Returns and removes the arrived samples, in the order of their creation. */
   final List<Arrived> takeArrived() {
     arrived.sort(BY_STAMP);
     List<Arrived> taken = List.copyOf(arrived);
@@ -200,7 +200,7 @@ abstract class DdsSession implements NodeSession {
     return taken;
   }
 
-  /** Takes in what comes until a condition holds. */
+  /** Processes events until a condition holds. */
   final void until(BooleanSupplier condition) {
     while (!condition.getAsBoolean()) {
       take(await());
@@ -211,12 +211,12 @@ abstract class DdsSession implements NodeSession {
     return supervisor.await(now, Optional.ofNullable(deliveries));
   }
 
-  /** Waits until all have answered, and all that was written has arrived, or is lost. */
+  /** Waits until all nodes have answered, and all written samples have arrived or are lost. */
   final void settle() {
     until(() -> nodes.stream().allMatch(NodeProcess::isIdle) && deliveries.areComplete());
   }
 
-  /** Takes in what has come, if something has. */
+  /** Processes an event, if there is one. */
   final void take(Optional<Object> event) {
     if (event.isPresent() && event.get() instanceof Arrived sample) {
       world.count(sample);
@@ -227,7 +227,7 @@ abstract class DdsSession implements NodeSession {
     }
   }
 
-  /** What each node answers. */
+  /** Returns the answer of each node. */
   private List<JsonNode> answers() {
     until(() -> nodes.stream().allMatch(NodeProcess::isIdle));
     return nodes.stream().map(NodeProcess::answer).toList();
@@ -258,7 +258,7 @@ abstract class DdsSession implements NodeSession {
     return deliveries.lost();
   }
 
-  /** Leaves the wire; processes continue. */
+  /** Closes the DDS entities; processes continue. */
   private void leave() {
     if (world != null) {
       world.close();

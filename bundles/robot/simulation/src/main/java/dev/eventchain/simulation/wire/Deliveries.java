@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** Whether everything that was written has been received, wherever it has to be. */
+/** Tracks whether all written samples have been received by all matching readers. */
 final class Deliveries {
 
-  /** How many samples an end has written, or received, until now. */
+  /** Number of samples that a writer has written, or a reader received, so far. */
   interface Counts {
     long of(WireEnd end);
   }
@@ -33,13 +33,13 @@ final class Deliveries {
     return expected - received.of(reader) - forgiven.getOrDefault(reader, 0L);
   }
 
-  /** Whether nothing is underway. */
+  /** Returns whether no sample is on the way. */
   boolean areComplete() {
     reconcile();
     return graph.readers().stream().allMatch(reader -> underway(reader) <= 0);
   }
 
-  /** The topics on which something is underway. */
+  /** Returns the topics with samples on the way. */
   List<String> waitingTopics() {
     return waiting().stream().map(WireEnd::topic).distinct().sorted().toList();
   }
@@ -50,7 +50,7 @@ final class Deliveries {
     return waiting;
   }
 
-  /** Takes what is underway by best effort for lost. */
+  /** Counts best-effort samples on the way as lost. */
   void giveUp() {
     for (WireEnd reader : waiting()) {
       if (reader.isBestEffort()) {
@@ -60,12 +60,14 @@ final class Deliveries {
     }
   }
 
-  /** What comes after it was abandoned is waited for no more, and takes the place of no other. */
+  /**
+   * Reconciles abandoned samples that arrived late, so that they do not stand in for other ones.
+   */
   private void reconcile() {
     forgiven.replaceAll((reader, count) -> count - Math.min(count, Math.max(0, -underway(reader))));
   }
 
-  /** How many samples were abandoned, by topic, whether they came too late or not at all. */
+  /** Returns the number of abandoned samples, by topic, whether late or never received. */
   Map<String, Long> lost() {
     return new TreeMap<>(lost);
   }

@@ -7,14 +7,14 @@ import dev.eventchain.simulation.host.UserFiles;
 import java.util.List;
 import java.util.Locale;
 
-/** Findings about nodes that are stopped or cannot be reached. */
+/** Findings on nodes that are stopped or cannot be reached. */
 public final class NodeLoss {
 
   private static final double SECOND = 1e9;
 
   private NodeLoss() {}
 
-  /** A node is stopped. */
+  /** Creates the exception for a stopped node. */
   static DiagnosticException stopped(String node, long now, UserFiles files) {
     return finding(
         "simulation.node.lost",
@@ -24,7 +24,7 @@ public final class NodeLoss {
         files);
   }
 
-  /** A node does not answer, though its process could. */
+  /** Creates the exception for a node that does not answer although its process could. */
   static DiagnosticException silent(String node, long now, String wait, UserFiles files) {
     return finding(
         "simulation.node.lost",
@@ -34,7 +34,7 @@ public final class NodeLoss {
         files);
   }
 
-  /** Messages do not arrive, though all nodes answer. */
+  /** Creates the exception for samples that do not arrive although all nodes answer. */
   static DiagnosticException unreachable(List<String> ends, long now, UserFiles files) {
     return finding(
         "simulation.node.lost",
@@ -44,7 +44,7 @@ public final class NodeLoss {
         files);
   }
 
-  /** Ends that should exchange samples have not found each other. */
+  /** Creates the exception for writers and readers that have not matched. */
   public static DiagnosticException unmatched(List<String> missing, UserFiles files) {
     return finding(
         "simulation.wire.unmatched",

@@ -15,22 +15,22 @@ import java.nio.charset.StandardCharsets;
 import java.util.function.Consumer;
 
 /**
- * A node in a confined process of its own, with what it said last. A thread reads what it says;
+ * A node in a confined process of its own, with its last answer. A thread reads its output;
  * everything else belongs to the thread that drives the nodes.
  */
 final class NodeProcess implements Supervisor.Watched, AutoCloseable {
 
   /**
-   * What a node said: a frame, or, if it has none, why there are no more.
+   * Output of a node: a frame, or, without one, the reason for the end of its output.
    *
    * @param frame null at the end
    */
   record Said(NodeProcess node, Frame frame, String garbage) {}
 
   /**
-   * When something happens next in a node, in ns.
+   * Time of the next event in a node, in ns.
    *
-   * @param runs whether it is a timer; else samples are published or received
+   * @param runs true for a timer; false if samples are published or received
    */
   record Next(long time, boolean runs) implements Comparable<Next> {
     @Override
@@ -68,7 +68,7 @@ final class NodeProcess implements Supervisor.Watched, AutoCloseable {
             "The process of node " + name, () -> HostFailures.LastWords.of(process), files);
   }
 
-  /** Hands on all that the node says, until it ends. */
+  /** Passes on the output of the node until it ends. */
   void listen(Consumer<Said> listener) {
     Thread thread = new Thread(() -> read(listener), "node " + name);
     thread.setDaemon(true);
@@ -96,19 +96,19 @@ final class NodeProcess implements Supervisor.Watched, AutoCloseable {
     return failures;
   }
 
-  /** Whether it was stopped, with SIGSTOP for example. */
+  /** Returns whether it was stopped, with SIGSTOP for example. */
   @Override
   public boolean isStopped() {
     return process.isStopped();
   }
 
-  /** Sends JSON; it answers with a frame of another kind. */
+  /** Sends JSON; the answer is a frame of another kind. */
   void ask(int kind, JsonNode content, int answer) {
     awaited = answer;
     send(() -> channel.send(kind, content.toString().getBytes(StandardCharsets.UTF_8)));
   }
 
-  /** Forgets what it said of the scenario before. */
+  /** Discards the output of the previous scenario. */
   void reset(int writers, int readers) {
     asked = 0;
     answered = 0;
@@ -118,19 +118,19 @@ final class NodeProcess implements Supervisor.Watched, AutoCloseable {
     received = new long[readers];
   }
 
-  /** Lets it publish, or run callbacks; it answers when that is done. */
+  /** Makes it publish or run callbacks; it answers after that. */
   void let(int kind, long time) {
     asked++;
     tell(kind, time);
   }
 
-  /** In real time, stops its work for good; it answers when it has heard that. */
+  /** Stops its work for good, in real time; it confirms. */
   void stop() {
     asked++;
     send(() -> channel.send(HostChannel.STOP, new byte[0]));
   }
 
-  /** Tells it a time; it answers nothing. */
+  /** Sends it a time, without an answer. */
   void tell(int kind, long time) {
     send(() -> channel.sendTime(kind, time));
   }
@@ -143,12 +143,12 @@ final class NodeProcess implements Supervisor.Watched, AutoCloseable {
     try {
       sending.send();
     } catch (IOException e) {
-      // The thread that reads sees its end, too, and knows what it said before.
+      // The reading thread notices its end, too, and knows its previous output.
     }
   }
 
   /**
-   * Takes in what it said.
+   * Processes its output.
    *
    * @throws DiagnosticException if it failed, has ended, or broke the protocol
    */
@@ -173,7 +173,7 @@ final class NodeProcess implements Supervisor.Watched, AutoCloseable {
     answer = json(frame);
   }
 
-  /** What it answered to what it was asked last, once it is idle. */
+  /** Returns its answer to the last request, once it is idle. */
   JsonNode answer() {
     return answer;
   }
@@ -208,13 +208,13 @@ final class NodeProcess implements Supervisor.Watched, AutoCloseable {
     }
   }
 
-  /** Whether it has answered everything. */
+  /** Returns whether it has answered all requests. */
   @Override
   public boolean isIdle() {
     return answered == asked && awaited == NOTHING;
   }
 
-  /** What comes next, not before this time. */
+  /** Returns its next event, not before this time. */
   Next next(long now) {
     Next own = next.time() < now ? new Next(now, next.runs()) : next;
     Next samples = new Next(now, false);

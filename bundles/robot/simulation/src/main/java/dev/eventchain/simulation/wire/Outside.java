@@ -15,21 +15,22 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * What others have on the topics of the world in a domain, and whether it is what the chain needs.
+ * Remote writers and readers on the topics of the world in a domain, and their match with the
+ * chain.
  *
- * @param peers those on topics of the world
- * @param nodes the names of all nodes that were found, whatever their topics are
- * @param isEmpty whether no peer was found on any topic
- * @param graph the ends of the peers, each of its owner, and a world that suits them
+ * @param peers the peers on topics of the world
+ * @param nodes the names of all discovered nodes, on any topic
+ * @param isEmpty true if no peer was found on any topic
+ * @param graph the writers and readers of the peers by owner, and a world that matches them
  */
 record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, WireGraph graph) {
 
   private static final String CLOCK = "/clock";
 
   /**
-   * Of what was found.
+   * Creates the view of the discovered peers.
    *
-   * @param found all that others have in the domain
+   * @param found all remote writers and readers in the domain
    * @param configuration names the topics of the world
    */
   static Outside of(List<Peer> found, JsonNode configuration) {
@@ -53,11 +54,11 @@ record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, Wi
   }
 
   /**
-   * What keeps the chain from being driven, in words.
+   * Returns what prevents the scenario, in words.
    *
-   * @param chain of what the vehicle takes from it each topic needs a writer, and each topic that
-   *     the world publishes needs a reader, but for the clock; on topics that the chain does not
-   *     write, the world is alone
+   * @param chain each topic that the vehicle consumes from it needs a writer, and each topic of the
+   *     world except the clock a reader; the world must be the only writer of its topics that the
+   *     chain does not write
    */
   List<String> missing(ChainTopics chain) {
     List<String> missing = new ArrayList<>();
@@ -76,7 +77,7 @@ record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, Wi
     return missing;
   }
 
-  /** Nodes would follow two worlds, such as one that another simulator shows. */
+  /** Returns writers that compete with the world, such as another simulator. */
   private List<String> rivals(Set<String> written) {
     return peers.stream()
         .filter(peer -> peer.writes() && !written.contains(peer.topic()))
@@ -89,7 +90,7 @@ record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, Wi
         .toList();
   }
 
-  /** Why an end of the world has no counterpart on the other side. */
+  /** Returns why a writer or reader of the world has no match. */
   private String why(WireEnd world, boolean writes) {
     String is = writes ? "written" : "read";
     List<String> others =
@@ -115,7 +116,10 @@ record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, Wi
             .collect(Collectors.joining(", "));
   }
 
-  /** Samples flow by the name of the type, and would be taken for what they are not. */
+  /**
+   * Returns topics whose types have different definitions; DDS matches types by name, so their
+   * samples would be misread.
+   */
   private List<String> otherDefinitions(MessageCatalog catalog) {
     return peers.stream()
         .filter(peer -> !peer.typeHash().isEmpty() && isOfTheWorld(peer))
@@ -148,7 +152,9 @@ record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, Wi
     return peer.node().isEmpty() ? "" : " by node " + peer.node();
   }
 
-  /** Those that exchange samples with the world, but for those that only read its clock. */
+  /**
+   * Returns the peers that exchange samples with the world, except those that only read its clock.
+   */
   List<Peer> partners() {
     List<Peer> partners = new ArrayList<>();
     for (WireEnd writer : graph.writersOf(WireEnd.WORLD)) {
@@ -165,7 +171,7 @@ record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, Wi
     return partners;
   }
 
-  /** What is said of those that are not there any more. */
+  /** Describes vanished peers. */
   static String vanished(List<Peer> gone) {
     return gone.stream()
         .map(

@@ -16,13 +16,13 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Nodes on DDS in real time: a scenario takes as long as it takes on the wall, callbacks run when
- * their timers fire and samples come, and take the time that they take. Nobody waits for anybody;
- * how far the world itself fell behind the clock is measured.
+ * Nodes on DDS in real time: scenario time is wall time, callbacks run when timers fire and samples
+ * arrive, and take their actual time. No node waits for another; the delay of the world itself
+ * behind the clock is measured.
  */
 final class RealTimeSession extends DdsSession {
 
-  /** What processes need to hear of the start before it. */
+  /** Lead time for the announcement of the start to the processes. */
   private static final long LEAD = TimeUnit.MILLISECONDS.toNanos(200);
 
   private final List<Notice> notices = new ArrayList<>();
@@ -40,7 +40,7 @@ final class RealTimeSession extends DdsSession {
 
   @Override
   void describe(ObjectNode node) {
-    node.put("execution_time_ms", 0.0); // it takes what it takes
+    node.put("execution_time_ms", 0.0); // nodes take their actual time
   }
 
   @Override
@@ -51,11 +51,11 @@ final class RealTimeSession extends DdsSession {
   @Override
   void begin() {
     overrun = 0;
-    start = System.nanoTime() + LEAD; // of the clock that nodes read, too, and that nobody sets
+    start = System.nanoTime() + LEAD; // monotonic, as the nodes' clock
     nodes.forEach(node -> node.tell(HostChannel.START, start));
   }
 
-  /** The time that has passed since the start, in ns. */
+  /** Returns the time since the start, in ns. */
   private long elapsed() {
     return System.nanoTime() - start;
   }
@@ -71,7 +71,7 @@ final class RealTimeSession extends DdsSession {
     waitFor(until);
     measureOverrun(until);
     for (Arrived each : takeArrived()) {
-      // One that comes after its time is followed from now on, as a vehicle would.
+      // Late messages are followed from now on, as by a vehicle.
       long time = Math.max(now, Math.min(each.sample().sourceTimestamp(), until - 1));
       published.add(new Outbound(time, each.reader(), ByteBuffer.wrap(each.sample().bytes())));
     }

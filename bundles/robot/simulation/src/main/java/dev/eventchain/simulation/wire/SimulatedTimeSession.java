@@ -13,10 +13,10 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * Nodes on DDS in simulated time. It is a conservative simulation (Chandy and Misra): time moves to
- * the next moment at which something happens anywhere, and only when everything that was written
- * has arrived. At one moment samples are written and received first, and timers fire after that, in
- * the order of their nodes, as in lock-step. However slow the machine is, the result is the same.
+ * Nodes on DDS in simulated time, as a conservative simulation (Chandy and Misra). Time advances to
+ * the next event of any node, and only when every written sample has arrived. At one instant,
+ * samples are written and received first; then timers fire, in the order of their nodes, as in
+ * lock-step. The result does not depend on the speed of the machine.
  */
 final class SimulatedTimeSession extends DdsSession {
 
@@ -52,7 +52,8 @@ final class SimulatedTimeSession extends DdsSession {
   }
 
   /**
-   * Timers of one moment fire in the order of their nodes: what one writes may be there at once.
+   * Lets nodes proceed; timers of one instant fire in the order of their nodes, since samples may
+   * arrive at once.
    */
   private void let(Next next) {
     List<NodeProcess> due = nodes.stream().filter(it -> it.next(now).equals(next)).toList();
@@ -67,7 +68,7 @@ final class SimulatedTimeSession extends DdsSession {
     return nodes.stream().map(node -> node.next(now)).min(Comparator.naturalOrder()).orElseThrow();
   }
 
-  /** Waits until all have done what they were let do, and all that was written has arrived. */
+  /** Waits until all nodes are idle, and all written samples have arrived. */
   private void settle(List<Outbound> published) {
     settle();
     for (Arrived each : takeArrived()) {

@@ -11,22 +11,19 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 
-/**
- * Waits for what nodes say and for samples, and finds out who is to blame when nothing comes any
- * more.
- */
+/** Waits for output of nodes and for samples, and identifies the cause when none comes any more. */
 final class Supervisor {
 
-  /** What it has to know of a node. */
+  /** Supervised view of a node. */
   interface Watched {
 
-    /** Its name. */
+    /** Returns its name. */
     String name();
 
-    /** Whether it owes no answer. */
+    /** Returns whether no answer is pending. */
     boolean isIdle();
 
-    /** Whether its process was stopped. */
+    /** Returns whether its process was stopped. */
     boolean isStopped();
   }
 
@@ -44,18 +41,18 @@ final class Supervisor {
   private long arrived;
 
   /**
-   * Watches nodes.
+   * Creates a supervisor of nodes.
    *
-   * @param wallTime what a component may use for an answer; a node gets more
+   * @param wallTime time limit of a component for an answer; that of a node is longer
    */
   Supervisor(List<? extends Watched> nodes, UserFiles files, Duration wallTime) {
     this(nodes, files, wallTime.multipliedBy(2).plusSeconds(10), System::nanoTime);
   }
 
   /**
-   * With another clock.
+   * Creates a supervisor with another clock.
    *
-   * @param patience how long a node that owes an answer may say nothing
+   * @param patience maximum silence of a node with a pending answer
    * @param clock in ns
    */
   Supervisor(
@@ -67,17 +64,17 @@ final class Supervisor {
     start();
   }
 
-  /** A node says something; from any thread. */
+  /** Adds output of a node; from any thread. */
   void said(Said said) {
     events.add(said);
   }
 
-  /** A sample; from any thread. */
+  /** Adds a sample; from any thread. */
   void arrived(Arrived sample) {
     events.add(sample);
   }
 
-  /** A scenario starts: samples of the previous one no longer count. */
+  /** Starts a scenario; samples of the previous one no longer count. */
   void start() {
     events.removeIf(Arrived.class::isInstance);
     looked = clock.getAsLong();
@@ -86,11 +83,11 @@ final class Supervisor {
   }
 
   /**
-   * The next event, a {@link Said} or an {@link Arrived}; empty if there was none for a moment.
+   * Returns the next event, a {@link Said} or an {@link Arrived}; empty if there was none for a
+   * moment.
    *
-   * @param deliveries what is underway; empty before anything is
-   * @throws dev.eventchain.diagnostics.DiagnosticException if a node, or the wire, does not
-   *     continue
+   * @param deliveries samples on the way; empty before there are any
+   * @throws dev.eventchain.diagnostics.DiagnosticException if a node, or DDS, does not continue
    */
   Optional<Object> await(long now, Optional<Deliveries> deliveries) {
     Optional<Object> event = poll(LOOK);
@@ -102,8 +99,8 @@ final class Supervisor {
   }
 
   /**
-   * The next event; empty if there was none in this time, which is nobody's fault unless a node was
-   * stopped.
+   * Returns the next event; empty if there was none in this time, which is no failure unless a node
+   * was stopped.
    */
   Optional<Object> await(long now, Duration time) {
     Optional<Object> event = poll(time.compareTo(LOOK) < 0 ? time : LOOK);
@@ -134,7 +131,7 @@ final class Supervisor {
     if (silence > STOPPED_NANOS) {
       blameStopped(now);
     }
-    if (silence > patience.toNanos()) { // samples of others are no sign of life of who owes one
+    if (silence > patience.toNanos()) { // samples of other nodes do not excuse a pending answer
       blameSilent(now);
     }
     long stillness = looked - Math.max(said, arrived);

@@ -16,17 +16,17 @@ import java.util.Optional;
  * @param index its position among the writers, or the readers, of its owner
  * @param topic full name in ROS 2
  * @param type full name of the message type, {@code std_msgs/msg/Float32}
- * @param qos what a writer offers and a reader requests
+ * @param qos offered by a writer, requested by a reader
  */
 record WireEnd(int owner, int index, String topic, String type, QosSettings qos) {
 
-  /** The owner that is not a node. */
+  /** Owner of the world's writers and readers. */
   static final int WORLD = -1;
 
   /**
-   * From what a host says of it.
+   * Parses the description from a host.
    *
-   * @throws IllegalArgumentException if it is not as the protocol says
+   * @throws IllegalArgumentException if it violates the protocol
    */
   static WireEnd of(int owner, int index, JsonNode json) {
     QosSettings qos =
@@ -46,14 +46,14 @@ record WireEnd(int owner, int index, String topic, String type, QosSettings qos)
     return json.required(name).asBoolean();
   }
 
-  /** Hosts write infinity as zero. */
+  /** Reads a duration; hosts write infinity as zero. */
   private static Optional<Duration> time(JsonNode json, String name) {
     return Optional.of(json.required(name).asLong())
         .filter(nanos -> nanos > 0)
         .map(Duration::ofNanos);
   }
 
-  /** Whether samples flow from this writer to a reader, in another process. */
+  /** Returns whether this writer matches a reader in another process. */
   boolean feeds(WireEnd reader) {
     return owner != reader.owner()
         && topic.equals(reader.topic())
@@ -61,7 +61,7 @@ record WireEnd(int owner, int index, String topic, String type, QosSettings qos)
         && QosSettings.incompatibilities(qos, reader.qos()).isEmpty();
   }
 
-  /** Whether a sample on the way may be lost. */
+  /** Returns whether a sample on the way may be lost. */
   boolean isBestEffort() {
     return qos.reliability() == Reliability.BEST_EFFORT;
   }

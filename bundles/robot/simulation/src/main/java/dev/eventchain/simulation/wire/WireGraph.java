@@ -20,8 +20,8 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * All writers and readers of a scenario, and between which of them samples flow: what has to be
- * connected before it starts, and how many samples have to arrive.
+ * All writers and readers of a scenario, and their matches: the connections before it starts, and
+ * the number of samples that must arrive.
  *
  * @param writers of the nodes in their order, then of the world
  * @param readers likewise
@@ -34,12 +34,12 @@ record WireGraph(List<WireEnd> writers, List<WireEnd> readers) {
   }
 
   /**
-   * The graph of nodes and a world that suits them: it offers what all readers of a topic request
-   * and requests what all writers of a topic offer.
+   * Returns the graph of nodes and a matching world, which offers what all readers of a topic
+   * request and requests what all writers of a topic offer.
    *
-   * @param ready what the hosts of the nodes say, in the order of the nodes
+   * @param ready the descriptions from the hosts, in the order of the nodes
    * @param configuration names the topics of the world
-   * @throws IllegalArgumentException if a host does not keep to the protocol
+   * @throws IllegalArgumentException if a host violates the protocol
    */
   static WireGraph of(List<JsonNode> ready, JsonNode configuration) {
     List<WireEnd> writers = new ArrayList<>();
@@ -52,10 +52,10 @@ record WireGraph(List<WireEnd> writers, List<WireEnd> readers) {
   }
 
   /**
-   * As above, of ends that are known.
+   * Returns the graph of known writers and readers and a matching world.
    *
-   * @param offered the writers that are not the world's
-   * @param requested likewise
+   * @param offered the writers of the nodes
+   * @param requested the readers of the nodes
    */
   static WireGraph around(List<WireEnd> offered, List<WireEnd> requested, JsonNode configuration) {
     List<WireEnd> writers = new ArrayList<>(offered);
@@ -122,32 +122,32 @@ record WireGraph(List<WireEnd> writers, List<WireEnd> readers) {
                 .orElse(Reliability.BEST_EFFORT));
   }
 
-  /** The writers that feed a reader. */
+  /** Returns the writers that match a reader. */
   List<WireEnd> sources(WireEnd reader) {
     return writers.stream().filter(writer -> writer.feeds(reader)).toList();
   }
 
-  /** The number of readers that a writer feeds. */
+  /** Returns the number of readers that match a writer. */
   int sinks(WireEnd writer) {
     return (int) readers.stream().filter(writer::feeds).count();
   }
 
-  /** The writers of an owner. */
+  /** Returns the writers of an owner. */
   List<WireEnd> writersOf(int owner) {
     return writers.stream().filter(end -> end.owner() == owner).toList();
   }
 
-  /** The readers of an owner. */
+  /** Returns the readers of an owner. */
   List<WireEnd> readersOf(int owner) {
     return readers.stream().filter(end -> end.owner() == owner).toList();
   }
 
-  /** Which of the owners that write on a topic this one is, from 0. */
+  /** Returns the index of this writer's owner among those that write on the topic. */
   int turn(WireEnd writer) {
     return owners(writer.topic()).indexOf(writer.owner());
   }
 
-  /** The owners that write on a topic, the world first. */
+  /** Returns the owners that write on a topic, the world first. */
   List<Integer> owners(String topic) {
     return writers.stream()
         .filter(end -> end.topic().equals(topic))
@@ -157,7 +157,7 @@ record WireGraph(List<WireEnd> writers, List<WireEnd> readers) {
         .toList();
   }
 
-  /** Content of the CONNECT frame for a node. */
+  /** Returns the content of the CONNECT frame for a node. */
   ObjectNode connect(int node, Duration timeout) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     ArrayNode counts = json.putArray("writers");
@@ -172,7 +172,7 @@ record WireGraph(List<WireEnd> writers, List<WireEnd> readers) {
     return json;
   }
 
-  /** The connections that are not made, with the ids and words of lock-step. */
+  /** Returns the missing connections, with the ids and messages of lock-step. */
   ArrayNode warnings() {
     ArrayNode warnings = JsonNodeFactory.instance.arrayNode();
     for (WireEnd reader : readers) {

@@ -12,22 +12,21 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Puts together what all nodes and the world did in one scenario. Nodes name samples by their
- * source timestamps; in the record of a scenario samples are numbered by topic, in the order in
- * which they could be seen.
+ * Merges the logs of all nodes and the world in one scenario. Nodes identify samples by source
+ * timestamps; the merged log numbers them by topic, in the order of their publication.
  */
 final class WireRecord {
 
   private static final Comparator<long[]> BY_TIME =
       Comparator.<long[]>comparingLong(sample -> sample[1]).thenComparingLong(sample -> sample[0]);
 
-  /** Source timestamp and time of each sample. */
+  /** Source timestamp and publication time of each sample. */
   private final Map<String, List<long[]>> samples = new TreeMap<>();
 
   private final Map<String, Map<Long, Integer>> numbers = new HashMap<>();
   private final List<JsonNode> nodes = new ArrayList<>();
 
-  /** Adds what the world published: source timestamps and times, by topic. */
+  /** Adds the publications of the world: source timestamps and times, by topic. */
   void add(Map<String, Map<Long, Long>> publications) {
     publications.forEach((topic, times) -> times.forEach((stamp, it) -> add(topic, stamp, it)));
   }
@@ -35,7 +34,7 @@ final class WireRecord {
   /**
    * Adds the content of a node's FINISHED frame.
    *
-   * @throws IllegalArgumentException if it is not as the protocol says
+   * @throws IllegalArgumentException if it violates the protocol
    */
   void add(JsonNode finished) {
     finished
@@ -52,9 +51,10 @@ final class WireRecord {
   }
 
   /**
-   * The record, as the lock-step host gives it.
+   * Returns the log in the format of the lock-step host.
    *
-   * @throws IllegalArgumentException if samples have one name, or one was read that nobody wrote
+   * @throws IllegalArgumentException if two samples have one timestamp, or a read sample was never
+   *     written
    */
   ObjectNode toJson() {
     ObjectNode json = JsonNodeFactory.instance.objectNode();

@@ -20,9 +20,9 @@ import java.util.function.Consumer;
 final class WireWorld implements AutoCloseable {
 
   /**
-   * A sample that arrived.
+   * A received sample.
    *
-   * @param reader its index
+   * @param reader the index of its reader
    */
   record Arrived(int reader, DdsSample sample) {}
 
@@ -30,7 +30,7 @@ final class WireWorld implements AutoCloseable {
   private static final String CLOCK_TYPE = "rosgraph_msgs/msg/Clock";
   private static final long SECOND = 1_000_000_000L;
 
-  /** A writer, how many samples it has written, and the source timestamps of them. */
+  /** A writer with the number and the source timestamps of its written samples. */
   private static final class Output {
     private final DdsWriter writer;
     private final int turns;
@@ -42,7 +42,7 @@ final class WireWorld implements AutoCloseable {
       this.turns = turns;
     }
 
-    /** Unique on the topic: the world has the first turn of its writers. */
+    /** Returns a timestamp that is unique on the topic, where the world is the first writer. */
     long stamp(long now) {
       long earliest = Math.max(now, last + 1);
       last = (earliest + turns - 1) / turns * turns;
@@ -60,10 +60,10 @@ final class WireWorld implements AutoCloseable {
   private final Map<String, Map<Long, Long>> publications = new LinkedHashMap<>();
 
   /**
-   * Makes the writers and readers that the graph has for the world.
+   * Creates the writers and readers that the graph has for the world.
    *
-   * @param listener gets samples, from other threads
-   * @param whenFull is called while the others do not take what was written, again and again
+   * @param listener receives samples, from other threads
+   * @param whenFull called repeatedly while readers do not accept written samples
    */
   WireWorld(
       DdsParticipant participant,
@@ -97,10 +97,10 @@ final class WireWorld implements AutoCloseable {
   }
 
   /**
-   * Waits until all ends are connected.
+   * Waits until all writers and readers have matched.
    *
-   * @param hosts how many read the clock besides
-   * @return the topics of the ends that have not met those that they should, in words
+   * @param hosts the number of additional readers of the clock
+   * @return the topics of writers and readers with missing matches, in words
    */
   List<String> connect(int hosts, Duration timeout) {
     long end = System.nanoTime() + timeout.toNanos();
@@ -124,7 +124,7 @@ final class WireWorld implements AutoCloseable {
     return Duration.ofNanos(Math.max(1, end - System.nanoTime()));
   }
 
-  /** Shows a time, in ns, on the clock, unless it shows it already. */
+  /** Publishes a time, in ns, on the clock, unless it was published already. */
   void show(long now) {
     if (now > shown) {
       shown = now;
@@ -137,7 +137,7 @@ final class WireWorld implements AutoCloseable {
     }
   }
 
-  /** Publishes a message, unless it is one of the clock, which goes its own way. */
+  /** Publishes a message, except those of the clock, which has a writer of its own. */
   void publish(Inbound message, long now) {
     Output output = outputs.get(message.topic());
     if (!output.writer.topic().equals(CLOCK)) {
@@ -171,7 +171,7 @@ final class WireWorld implements AutoCloseable {
     return received[reader];
   }
 
-  /** What was published, by topic and source timestamp, and when, in ns. */
+  /** Returns the publication times in ns, by topic and source timestamp. */
   Map<String, Map<Long, Long>> publications() {
     return publications;
   }

@@ -3,16 +3,16 @@ package dev.eventchain.simulation.world;
 import java.util.List;
 
 /**
- * Somebody or something on the road or over it besides the ego; moves as its script says, whatever
- * the ego does. Along the road it moves with its speed along the centre line of the ego's lane,
- * also in a bend. Immutable.
+ * A road user or an object on the road or over it, other than the ego; moves by its script,
+ * independent of the ego. Its speed is that along the centre line of the ego's lane, also in a
+ * bend. Immutable.
  */
 public final class Actor {
 
-  /** The largest angle between a vehicle that changes its lane and the road, as a slope. */
+  /** Maximum angle between a vehicle that changes its lane and the road, as a slope. */
   private static final double STEEPEST = 1.0 / 3.0;
 
-  /** The fastest that an actor turns, in rad/s; for a bound only. */
+  /** Upper bound of an actor's yaw rate, in rad/s. */
   private static final double TURNING = 1.0;
 
   /** Length, width, and the heights of its lower and its upper side above the road, in m. */
@@ -27,9 +27,9 @@ public final class Actor {
   private final LateralProfile offset;
 
   /**
-   * An actor.
+   * Creates an actor.
    *
-   * @param name as people call it
+   * @param name its name for users
    * @param gap from the ego's front bumper to its nearest end at the start, in m; negative behind
    * @param heading from the direction of the road, in rad, to the left is positive
    */
@@ -50,7 +50,7 @@ public final class Actor {
     this.start = gap + Body.extent(size.length(), size.width(), heading);
   }
 
-  /** A passenger car that keeps its speed and its lane. */
+  /** Returns a passenger car that keeps its speed and its lane. */
   public static Actor passengerCar(double gap, double speed, double lateralOffset) {
     return new Actor(
         "car",
@@ -74,18 +74,24 @@ public final class Actor {
     return size;
   }
 
-  /** Its middle along the road after some seconds, in m from the ego's front bumper's start. */
+  /**
+   * Returns the position of its middle along the road, in m from the start of the ego's front
+   * bumper.
+   */
   public double along(double seconds) {
     return start + StrictMath.cos(heading) * speed.way(seconds);
   }
 
-  /** Its middle left of the centre line of the ego's lane, in m. */
+  /** Returns the position of its middle left of the centre line of the ego's lane, in m. */
   public double across(double seconds) {
     double crossing = heading == 0.0 ? 0.0 : StrictMath.sin(heading) * speed.way(seconds);
     return offset.offset(seconds) + crossing;
   }
 
-  /** Its direction from that of the road, in rad; a vehicle looks where it goes. */
+  /**
+   * Returns its direction relative to that of the road, in rad; that of a vehicle follows its
+   * motion.
+   */
   double heading(double seconds) {
     double rate = offset.rate(seconds);
     if (rate == 0.0) {
@@ -96,37 +102,40 @@ public final class Actor {
     return heading + side * StrictMath.atan(rate / forwards);
   }
 
-  /** Its nearest end along the road, in m from where the ego's front bumper started. */
+  /**
+   * Returns the position of its nearest end along the road, in m from the start of the ego's front
+   * bumper.
+   */
   public double rear(double seconds) {
     return along(seconds) - reach(seconds);
   }
 
-  /** From its middle to its ends along the road, in m. */
+  /** Returns the distance from its middle to its ends along the road, in m. */
   public double reach(double seconds) {
     return Body.extent(size.length(), size.width(), heading(seconds));
   }
 
-  /** From its middle to its sides across the road, in m. */
+  /** Returns the distance from its middle to its sides across the road, in m. */
   double breadth(double seconds) {
     return Body.extent(size.length(), size.width(), heading(seconds) - Math.PI / 2);
   }
 
-  /** Along the road, in m/s; negative if it comes. */
+  /** Returns its speed along the road, in m/s; negative if it is oncoming. */
   public double speedAlong(double seconds) {
     return StrictMath.cos(heading) * speed.speed(seconds);
   }
 
-  /** Across the road, in m/s; positive to the left. */
+  /** Returns its speed across the road, in m/s; positive to the left. */
   public double speedAcross(double seconds) {
     return offset.rate(seconds) + StrictMath.sin(heading) * speed.speed(seconds);
   }
 
-  /** Change of its speed along the road, in m/s2. */
+  /** Returns its acceleration along the road, in m/s2. */
   double accelerationAlong(double seconds) {
     return StrictMath.cos(heading) * speed.acceleration(seconds);
   }
 
-  /** Its box after some seconds. */
+  /** Returns its box after some seconds. */
   public Body body(Road road, double seconds) {
     Road.Place place = road.place(along(seconds), across(seconds));
     Road.Place turned = new Road.Place(place.x(), place.y(), place.heading() + heading(seconds));
@@ -134,13 +143,15 @@ public final class Actor {
         turned, size.length(), size.width(), size.bottom(), size.top(), kind.intensity());
   }
 
-  /** No point of it ever moves faster, in m/s. */
+  /** Returns an upper bound of the speed of any of its points, in m/s. */
   double fastest() {
     double turning = offset.constant() ? 0.0 : TURNING * (size.length() + size.width()) / 2;
     return speed.fastest() + offset.fastest() + turning;
   }
 
-  /** Whether a vehicle would hit it: it neither hangs above the roof nor can be driven over. */
+  /**
+   * Returns whether a vehicle would hit it: it neither hangs above the roof nor can be driven over.
+   */
   public boolean obstructs() {
     return size.bottom() < EgoVehicle.HEIGHT && size.top() > EgoVehicle.CLEARANCE;
   }

@@ -6,19 +6,19 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * What can be on a road or over it, with the size that it has if a scenario says nothing else. The
- * sizes are those of typical ones, or of the source that is named.
+ * Kinds of actors and furniture, with their default sizes, which are typical or those of the named
+ * source.
  */
 public enum ActorKind {
   /** A passenger car of the compact class. */
   CAR(true, 4.5, 1.8, 0.0, 1.5, 0.8f),
   /** A rigid lorry of the largest size that Directive 96/53/EC allows. */
   LORRY(true, 12.0, 2.55, 0.0, 4.0, 0.8f),
-  /** With its rider. */
+  /** A motorcycle with its rider. */
   MOTORCYCLE(true, 2.1, 0.8, 0.0, 1.4, 0.6f),
-  /** With its rider, as the target of ISO 19206-4. */
+  /** A bicycle with its rider, as the target of ISO 19206-4. */
   BICYCLE(true, 1.9, 0.5, 0.0, 1.85, 0.5f),
-  /** An adult who walks, as the target of ISO 19206-2. */
+  /** A walking adult, as the target of ISO 19206-2. */
   PEDESTRIAN(true, 0.6, 0.5, 0.0, 1.8, 0.4f),
   /** A passenger car that stands next to the lane. */
   PARKED_CAR(false, 4.5, 1.8, 0.0, 1.5, 0.8f),
@@ -26,7 +26,7 @@ public enum ActorKind {
   OVERHEAD_SIGN(false, 0.3, 6.0, 5.0, 7.5, 0.9f),
   /** A bridge over the road with the clearance of German roads (RAA 2008: 4.70 m). */
   BRIDGE(false, 12.0, 40.0, 4.7, 6.0, 0.4f),
-  /** A steel barrier as high as those of EN 1317 usually are. */
+  /** A steel barrier of the usual height for EN 1317. */
   GUARD_RAIL(false, 40.0, 0.3, 0.0, 0.75, 0.7f),
   /** A plate over a trench, to be driven over. */
   STEEL_PLATE(false, 3.0, 2.5, 0.0, 0.03, 0.7f);
@@ -48,17 +48,17 @@ public enum ActorKind {
     this.intensity = intensity;
   }
 
-  /** The name in a scenario. */
+  /** Returns the name in a scenario. */
   public String id() {
     return name().toLowerCase(Locale.ROOT);
   }
 
-  /** The names of those that move, or of the others. */
+  /** Returns the names of the moving kinds, or of the others. */
   public static List<String> ids(boolean moving) {
     return Arrays.stream(values()).filter(kind -> kind.moves == moving).map(ActorKind::id).toList();
   }
 
-  /** One of those that move, or of the others. */
+  /** Finds one of the moving kinds, or of the others. */
   public static Optional<ActorKind> find(String id, boolean moving) {
     return Arrays.stream(values())
         .filter(kind -> kind.moves == moving && kind.id().equals(id))
@@ -69,7 +69,7 @@ public enum ActorKind {
     return new Actor.Size(length, width, bottom, top);
   }
 
-  /** Of a lidar's echo, 0 to 1; a figure for pictures, no measurement. */
+  /** Returns the intensity of a lidar's echo, 0 to 1; for display only, not measured. */
   float intensity() {
     return intensity;
   }

@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 
-/** What the software can ask of the simulated vehicle. */
+/** Actuators of the simulated vehicle. */
 public enum Actuator {
   /** Position of the throttle pedal. */
   THROTTLE("1", false, "throttle pedal, 0 to 1"),
@@ -15,7 +15,7 @@ public enum Actuator {
   BRAKE("1", false, "brake pedal, 0 to 1; braking wins over driving"),
   /** An acceleration, which the vehicle turns into positions of its pedals. */
   ACCELERATION("m/s2", false, "acceleration, negative to brake; instead of throttle and brake"),
-  /** Steering, as a part of the largest angle of the front wheels. */
+  /** Steering, as a fraction of the largest angle of the front wheels. */
   STEERING("1", false, "steering, -1 (left) to 1 (right) of the largest angle"),
   /** The angle of the front wheels. */
   STEERING_ANGLE("rad", false, "angle of the front wheels, left is positive; instead of steering"),
@@ -25,7 +25,7 @@ public enum Actuator {
   REVERSE("1", true, "reverse gear; engages at standstill"),
   /** The gear. */
   GEAR("1", false, "gear: -1 backwards, 0 neutral, 1 and more forwards; instead of reverse"),
-  /** Whether the software shifts the gears. */
+  /** Manual mode, in which the software shifts the gears. */
   MANUAL_GEAR_SHIFT("1", true, "gears shifted by the software; not simulated: must stay false");
 
   private final String unitText;
@@ -42,12 +42,12 @@ public enum Actuator {
     return Arrays.stream(values()).filter(each -> each.id().equals(id)).findFirst();
   }
 
-  /** All names, in order. */
+  /** Returns all names, in order. */
   public static List<String> ids() {
     return Arrays.stream(values()).map(Actuator::id).toList();
   }
 
-  /** The name in a bench. */
+  /** Returns the name in a bench. */
   public String id() {
     return name().toLowerCase(Locale.ROOT);
   }
@@ -60,22 +60,24 @@ public enum Actuator {
     return unitText;
   }
 
-  /** Whether it is true or false. */
+  /** Returns whether it is Boolean. */
   public boolean truth() {
     return truth;
   }
 
-  /** What it is, for people. */
+  /** Returns the description for users. */
   public String meaning() {
     return meaning;
   }
 
-  /** Whether the vehicle cannot follow both. */
+  /** Returns whether the vehicle cannot follow both. */
   public boolean excludes(Actuator other) {
     return this == other || demands().stream().anyMatch(other.demands()::contains);
   }
 
-  /** What it decides about: of two actuators that share something only one can be followed. */
+  /**
+   * Returns its degrees of freedom: of two actuators with a common one, only one can be followed.
+   */
   private Set<String> demands() {
     return switch (this) {
       case THROTTLE -> Set.of("throttle");

@@ -3,7 +3,7 @@ package dev.eventchain.simulation.world;
 /**
  * A solid box that stands or hangs upright over the road.
  *
- * @param place of its middle, and where its front looks
+ * @param place of its middle, with the direction of its front
  * @param length in m
  * @param width in m
  * @param bottom above the road, in m
@@ -14,7 +14,7 @@ public record Body(
     Road.Place place, double length, double width, double bottom, double top, float intensity) {
 
   /**
-   * How far two boxes are apart seen from above, in m: the largest distance along one of the
+   * Returns the distance of two boxes seen from above, in m: the largest distance along one of the
    * normals of their sides (separating axis theorem), which is never more than the true one; not
    * above 0 if they overlap.
    */
@@ -37,14 +37,17 @@ public record Body(
     return Math.max(lengthwise, sideways);
   }
 
-  /** From its middle to its farthest point in a direction relative to its own, in m. */
+  /**
+   * Returns the distance from its middle to its farthest point in a direction relative to its own,
+   * in m.
+   */
   public double extent(double direction) {
     return extent(length, width, direction);
   }
 
-  /** The same of a box that has only a length and a width. */
+  /** Returns the extent of a box with a length and a width. */
   static double extent(double length, double width, double direction) {
-    // A multiple of a right angle is exact, so that a box along the road ends where it should.
+    // A multiple of a right angle is exact, so that a box along the road has exact ends.
     double cos = direction == 0.0 ? 1.0 : Math.abs(StrictMath.cos(direction));
     double sin = direction == 0.0 ? 0.0 : Math.abs(StrictMath.sin(direction));
     return length / 2 * cos + width / 2 * sin;

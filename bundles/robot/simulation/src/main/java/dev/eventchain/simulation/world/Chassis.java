@@ -1,7 +1,7 @@
 package dev.eventchain.simulation.world;
 
 /**
- * What a vehicle has besides its pedals, and how it is placed in its lane at the start.
+ * Properties of a vehicle besides its pedals, and its position in the lane at the start.
  *
  * @param wheelbase in m
  * @param maximalSteeringAngle of the front wheels, in rad
@@ -21,20 +21,23 @@ public record Chassis(
 
   /**
    * A passenger car in the middle of its lane; its drag is part of its coasting. All numbers are
-   * assumed, as those of a car of the compact class may be; no source is behind them.
+   * assumptions for a car of the compact class, without a source.
    */
   public static final Chassis USUAL =
       new Chassis(2.7, StrictMath.toRadians(35), 3.0, 0.0, 0.0, 0.0);
 
-  /** From the rear axle, which the motion is computed for, to the front bumper, in m. */
+  /**
+   * Returns the distance from the rear axle, the reference of the motion, to the front bumper, in
+   * m.
+   */
   double frontOverhang() {
     return wheelbase + FRONT;
   }
 
-  /** From the front axle to the bumper, in m; assumed. */
+  /** Distance from the front axle to the bumper, in m; assumed. */
   private static final double FRONT = 0.9;
 
-  /** How much the path bends for a position of the steering, -1 (left) to 1 (right), in 1/m. */
+  /** Returns the curvature of the path for a steering position, -1 (left) to 1 (right), in 1/m. */
   double curvature(double steering) {
     return steering == 0.0 ? 0.0 : -StrictMath.tan(steering * maximalSteeringAngle) / wheelbase;
   }

@@ -1,13 +1,13 @@
 package dev.eventchain.simulation.world;
 
 /**
- * The ego and another one touch.
+ * A contact of the ego with another actor.
  *
  * @param time in ns
- * @param other who
+ * @param other the other actor
  * @param speed of one relative to the other, in m/s
- * @param side where the ego is touched
- * @param driven whether the ego moves towards the other one
+ * @param side the touched side of the ego
+ * @param driven true if the ego moves towards the other one
  */
 public record Contact(long time, Actor other, double speed, Side side, boolean driven) {
 
@@ -29,12 +29,12 @@ public record Contact(long time, Actor other, double speed, Side side, boolean d
     }
   }
 
-  /** Whether somebody drove into the ego's rear: that is not an impact of the ego's. */
+  /** Returns whether another actor drove into the ego's rear, which is not an impact of the ego. */
   boolean fromBehind() {
     return side == Side.REAR && !driven;
   }
 
-  /** Who hit whom. */
+  /** Returns the parties of the contact, in words. */
   public String words() {
     return driven
         ? "the ego's " + side.words() + " hit " + other.name()
@@ -42,9 +42,9 @@ public record Contact(long time, Actor other, double speed, Side side, boolean d
   }
 
   /**
-   * Judges a touch.
+   * Classifies a contact.
    *
-   * @param ego where it is when they touch
+   * @param ego its place at the contact
    * @param velocity along its axis, in m/s
    */
   static Contact of(long time, Road.Place ego, double velocity, Actor other, Road road) {
@@ -66,10 +66,10 @@ public record Contact(long time, Actor other, double speed, Side side, boolean d
     return new Contact(time, other, StrictMath.hypot(velocity - along, across), side, driven);
   }
 
-  /** Who moves slower than this across the road, in m/s, does not drive into the ego's side. */
+  /** Speed across the road, in m/s, below which an actor does not drive into the ego's side. */
   private static final double TOWARDS = 0.05;
 
-  /** The side along whose normal the boxes are farthest apart, or overlap least. */
+  /** Returns the side along whose normal the boxes are farthest apart, or overlap least. */
   private static Side side(Road.Place front, Body other) {
     Road.Place middle = front.ahead(-EgoVehicle.LENGTH / 2);
     double cos = StrictMath.cos(front.heading());

@@ -1,12 +1,12 @@
 package dev.eventchain.simulation.world;
 
 /**
- * Where the ego is and how it moves. Along its path it is a point mass whose deceleration follows a
+ * Position and motion of the ego. Along its path it is a point mass whose deceleration follows a
  * demand with a limited slope; an acceleration is a negative one. Between two changes of the demand
  * the jerk is piecewise constant, so each piece is integrated exactly and the result does not
  * depend on a step size; only the drag is held for at most 10 ms. The path is that of a kinematic
- * bicycle (Rajamani, Vehicle Dynamics and Control, 2.2): the rear axle follows an arc, whose
- * curvature is the tangent of the steering angle by the wheelbase, without slip.
+ * bicycle (Rajamani, Vehicle Dynamics and Control, 2.2): the rear axle follows an arc without slip,
+ * whose curvature is the tangent of the steering angle divided by the wheelbase.
  */
 public final class EgoMotion {
 
@@ -16,7 +16,7 @@ public final class EgoMotion {
   private final double maximalAcceleration;
   private final Chassis chassis;
 
-  /** Of the rear axle, whose place is that of the front bumper without a heading. */
+  /** Position of the rear axle, offset so that it equals that of the front bumper at heading 0. */
   private double along;
 
   private double across;
@@ -27,13 +27,13 @@ public final class EgoMotion {
   private double speed;
   private double deceleration;
 
-  /** Whether the driver has the pedals, as long as the software asks for nothing. */
+  /** True while the driver controls the pedals, until the software demands something. */
   private boolean held = true;
 
-  /** Whether the driver has the wheel, as long as the software does not steer. */
+  /** True while the driver controls the wheel, until the software steers. */
   private boolean steered = true;
 
-  /** The deceleration that the driver asks for, in m/s2. */
+  /** The driver's demand of deceleration, in m/s2. */
   private double driven;
 
   public EgoMotion(EgoVehicle vehicle) {
@@ -70,12 +70,12 @@ public final class EgoMotion {
     this.driven = other.driven;
   }
 
-  /** The same state, to try out a piece of time. */
+  /** Returns a copy, to try out a time step. */
   EgoMotion copy() {
     return new EgoMotion(this);
   }
 
-  /** How far the front bumper is beyond the rear axle, but for what it is without a heading. */
+  /** Returns the offset of the front bumper along the road due to the heading. */
   private double ahead() {
     return chassis.frontOverhang() * (StrictMath.cos(heading) - 1.0);
   }
@@ -84,12 +84,12 @@ public final class EgoMotion {
     return chassis.frontOverhang() * StrictMath.sin(heading);
   }
 
-  /** Where the middle of the front bumper is, and where it looks. */
+  /** Returns the position of the middle of the front bumper, and its heading. */
   public Road.Place front() {
     return new Road.Place(along + ahead(), across + aside(), heading);
   }
 
-  /** The body. */
+  /** Returns the body. */
   public Body body() {
     return new Body(
         front().ahead(-EgoVehicle.LENGTH / 2),
@@ -100,53 +100,56 @@ public final class EgoMotion {
         0.0f);
   }
 
-  /** In rad/s, to the left is positive. */
+  /** Returns the yaw rate in rad/s, positive to the left. */
   double yawRate() {
     return velocity() * curvature;
   }
 
-  /** In m/s, never negative. */
+  /** Returns the speed in m/s, never negative. */
   double speed() {
     return speed;
   }
 
-  /** Along its own axis, in m/s; negative backwards. */
+  /** Returns the velocity along its own axis, in m/s; negative backwards. */
   public double velocity() {
     return direction * speed;
   }
 
-  /** In m/s2, of the velocity; zero at standstill, negative while it speeds up. */
+  /**
+   * Returns the deceleration of the velocity in m/s2; zero at standstill, negative while it speeds
+   * up.
+   */
   double deceleration() {
     return speed > 0.0 ? direction * deceleration : 0.0;
   }
 
-  /** Whether the driver has the pedals. */
+  /** Returns whether the driver controls the pedals. */
   boolean held() {
     return held;
   }
 
-  /** Whether the driver has the wheel. */
+  /** Returns whether the driver controls the wheel. */
   boolean steered() {
     return steered;
   }
 
-  /** What the driver does with the pedals, as an acceleration in m/s2. */
+  /** Sets the driver's demand on the pedals, as an acceleration in m/s2. */
   void drive(double acceleration) {
     driven = Math.max(-maximalAcceleration, Math.min(maximalDeceleration, -acceleration));
   }
 
-  /** What the driver does with the wheel, as a curvature in 1/m. */
+  /** Sets the driver's demand on the wheel, as a curvature in 1/m. */
   void steer(double wanted) {
     double tightest = chassis.curvature(-1.0);
     curvature = Math.max(-tightest, Math.min(tightest, wanted));
   }
 
   /**
-   * A command takes effect. The driver has the pedals until the software first asks for throttle,
-   * brake, hand brake or another gear, and lifts them then: with none, the vehicle coasts. He has
-   * the wheel until the software first steers. Braking wins over driving; the throttle adds to
-   * coasting in proportion, up to the maximal acceleration. Another direction is engaged at
-   * standstill.
+   * Puts a command into effect. The driver controls the pedals until the software first demands
+   * throttle, brake, hand brake or another gear, and then releases them: without any, the vehicle
+   * coasts. The driver controls the wheel until the software first steers. Braking overrides
+   * driving; the throttle adds to coasting in proportion, up to the maximal acceleration. Another
+   * direction is engaged at standstill.
    */
   void follow(VehicleCommand newCommand) {
     command = newCommand;
@@ -161,7 +164,7 @@ public final class EgoMotion {
             && command.gear() == 1;
   }
 
-  /** The deceleration that the command asks for, in m/s2. */
+  /** Returns the deceleration that the command demands, in m/s2. */
   private double demand() {
     if (held) {
       return driven;
@@ -179,7 +182,7 @@ public final class EgoMotion {
     return chassis.drag() * speed * speed;
   }
 
-  /** Moves on for some seconds. */
+  /** Advances the motion by some seconds. */
   void advance(double seconds) {
     if (speed == 0.0 && command.gear() != 0) {
       direction = command.gear();
@@ -187,7 +190,7 @@ public final class EgoMotion {
     double left = seconds;
     double demand = demand();
     while (left > 0.0) {
-      // In a piece the deceleration keeps its sign, so that the speed only falls or only grows.
+      // In a piece the deceleration keeps its sign, so that the speed is monotonic.
       double target = deceleration * demand < 0.0 ? 0.0 : demand;
       double ramp = Math.abs(target - deceleration) / slope;
       if (slope == Double.POSITIVE_INFINITY || deceleration == demand) {
@@ -203,7 +206,7 @@ public final class EgoMotion {
     }
   }
 
-  /** One piece with a constant change of the deceleration, in m/s3. */
+  /** Integrates one piece with a constant change of the deceleration, in m/s3. */
   private void integrate(double seconds, double jerk) {
     boolean drives = deceleration < 0.0 || (deceleration == 0.0 && jerk < 0.0);
     double moving = drives ? seconds : speed > 0.0 ? movingTime(seconds, jerk) : 0.0;
@@ -215,7 +218,7 @@ public final class EgoMotion {
     speed = moving < seconds ? 0.0 : speedAfter(moving, jerk);
   }
 
-  /** Along the arc, by a distance in m that is not negative. */
+  /** Moves along the arc, by a distance in m that is not negative. */
   private void move(double distance) {
     double way = direction * distance;
     double before = heading;
@@ -233,7 +236,7 @@ public final class EgoMotion {
     return Math.max(0.0, speed - deceleration * seconds - jerk * seconds * seconds / 2.0);
   }
 
-  /** The part of a piece until standstill; the speed does not grow, so bisection finds it. */
+  /** Returns the part of a piece until standstill, by bisection, since the speed does not grow. */
   private double movingTime(double seconds, double jerk) {
     if (speedAfter(seconds, jerk) > 0.0) {
       return seconds;

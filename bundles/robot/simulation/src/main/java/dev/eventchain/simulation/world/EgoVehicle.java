@@ -1,13 +1,13 @@
 package dev.eventchain.simulation.world;
 
 /**
- * The vehicle that carries the software.
+ * The vehicle with the software.
  *
- * <p>What a scenario leaves open is that of a passenger car with good tyres on a dry road. 9 m/s2
- * is about what the road surface of Euro NCAP's AEB tests gives, a peak braking coefficient of at
- * least 0.9; UN Regulation No. 13-H asks for at least 6.43 m/s2. That regulation allows 0.6 s in an
- * emergency until the brake force has come; delay and build-up, which are assumed, are 0.5 s of
- * them. Coasting, full throttle and the size of the body are assumed, too.
+ * <p>Defaults are those of a passenger car with good tyres on a dry road. 9 m/s2 is roughly what
+ * the road surface of Euro NCAP's AEB tests allows, a peak braking coefficient of at least 0.9; UN
+ * Regulation No. 13-H requires at least 6.43 m/s2. That regulation allows 0.6 s in an emergency
+ * until the brake force is reached; delay and build-up, which are assumed, are 0.5 s of them.
+ * Coasting, full throttle and the size of the body are assumed, too.
  *
  * @param speed at the start, in m/s
  * @param brakeDelay from a brake or throttle command to the first change of the deceleration, in s
@@ -15,8 +15,8 @@ package dev.eventchain.simulation.world;
  * @param maximalDeceleration at full brake, in m/s2
  * @param coastingDeceleration of a vehicle whose driver has lifted the throttle pedal, in m/s2
  * @param maximalAcceleration at full throttle, in m/s2
- * @param lidar how it is mounted, and what it gets wrong
- * @param chassis what it has besides its pedals
+ * @param lidar the mounting and the errors of the lidar
+ * @param chassis its properties besides the pedals
  */
 public record EgoVehicle(
     double speed,
@@ -34,27 +34,29 @@ public record EgoVehicle(
   /** Length of the body, in m. */
   public static final double LENGTH = 4.5;
 
-  /** Height of the body, in m: what hangs higher is driven under. */
+  /** Height of the body, in m: it passes under higher objects. */
   public static final double HEIGHT = 1.5;
 
-  /** Ground clearance, in m: what is not higher is driven over. */
+  /** Ground clearance, in m: it drives over lower objects. */
   static final double CLEARANCE = 0.15;
 
-  /** The throttle, 0 to 1, for an acceleration in m/s2; none where coasting is too much already. */
+  /**
+   * Returns the throttle, 0 to 1, for an acceleration in m/s2; 0 where coasting exceeds it already.
+   */
   double throttleFor(double acceleration) {
     double range = coastingDeceleration + maximalAcceleration;
     double pedal = (acceleration + coastingDeceleration) / range;
     return range > 0.0 && pedal > 0.0 ? Math.min(pedal, 1.0) : 0.0;
   }
 
-  /** The brake, 0 to 1, for an acceleration in m/s2; none where coasting is enough. */
+  /** Returns the brake, 0 to 1, for an acceleration in m/s2; 0 where coasting is enough. */
   double brakeFor(double acceleration) {
     return acceleration < -coastingDeceleration
         ? Math.min(-acceleration / maximalDeceleration, 1.0)
         : 0.0;
   }
 
-  /** A passenger car with the mounting that the AEB example's object detection knows. */
+  /** Returns a passenger car with the lidar mounting of the AEB example's object detection. */
   public static EgoVehicle withSpeed(double speed) {
     return new EgoVehicle(speed, 0.2, 0.3, 9.0, 0.5, 3.0, LidarSettings.USUAL, Chassis.USUAL);
   }

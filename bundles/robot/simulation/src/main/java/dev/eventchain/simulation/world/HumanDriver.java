@@ -1,28 +1,30 @@
 package dev.eventchain.simulation.world;
 
 /**
- * The ego's driver: keeps to a script of speeds and of places in the lane, as long as the software
- * does not drive. Without a script he holds the speed, and on a straight road the wheels straight.
+ * The ego's driver, who follows a script of speeds and lane offsets while the software does not
+ * drive. Without a script, the speed is kept, and the wheels are straight on a straight road.
  *
- * @param speed what he wants to drive
- * @param line where in the lane he wants to be
- * @param scripted whether he steers; in a bend he always does
+ * @param speed the desired speed
+ * @param line the desired position in the lane
+ * @param scripted true if the driver steers; in a bend this is always so
  */
 public record HumanDriver(SpeedProfile speed, LateralProfile line, boolean scripted) {
 
-  /** How fast he corrects a wrong speed, in s. */
+  /** Time constant of the speed control, in s. */
   private static final double SPEED_TIME = 0.3;
 
-  /** How fast he corrects a wrong place in the lane, in s. */
+  /** Time constant of the control of the lane offset, in s. */
   private static final double LINE_TIME = 1.0;
 
-  /** How fast he corrects a wrong direction, in s. */
+  /** Time constant of the control of the heading, in s. */
   private static final double HEADING_TIME = 0.2;
 
-  /** Slowest speed at which he steers, in m/s. */
+  /** Minimum speed for steering, in m/s. */
   private static final double SLOWEST = 0.5;
 
-  /** The acceleration that he wants, in m/s2: that of his script, and what a wrong speed needs. */
+  /**
+   * Returns the desired acceleration, in m/s2: that of the script, and the correction of the speed.
+   */
   double acceleration(double seconds, double driven) {
     double wanted = speed.speed(seconds);
     double feedForward = speed.acceleration(seconds);
@@ -31,13 +33,13 @@ public record HumanDriver(SpeedProfile speed, LateralProfile line, boolean scrip
         : feedForward + (wanted - driven) / SPEED_TIME;
   }
 
-  /** Whether he turns the wheel at all. */
+  /** Returns whether the driver steers at all. */
   boolean steers(Road road) {
     return scripted || road.curvature() != 0.0;
   }
 
   /**
-   * The curvature that he steers, in 1/m, to the left is positive.
+   * Returns the desired curvature, in 1/m, positive to the left.
    *
    * @param station of the ego's front bumper
    * @param heading of the ego relative to the road at its rear axle, in rad

@@ -4,13 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * An offset from the centre of a lane that is kept, or changes to another one on half a cosine.
- * Immutable.
+ * An offset from the centre of a lane that is constant or changes to another one along half a
+ * cosine. Immutable.
  */
 public final class LateralProfile {
 
   /**
-   * From a time on, in s, the offset changes to another one, in m.
+   * A change of the offset to another one, in m, that begins at a time, in s.
    *
    * @param speed the largest lateral speed in between, in m/s, above 0
    */
@@ -40,10 +40,10 @@ public final class LateralProfile {
   private final double fastest;
 
   /**
-   * A profile.
+   * Creates a profile.
    *
    * @param start offset at the start, in m
-   * @param changes in the order of time, none before the one before has ended
+   * @param changes in the order of time, none before the end of the previous one
    */
   public LateralProfile(double start, List<Change> changes) {
     this.start = start;
@@ -58,7 +58,7 @@ public final class LateralProfile {
     fastest = changes.stream().mapToDouble(Change::speed).max().orElse(0.0);
   }
 
-  /** Whether nothing ever changes. */
+  /** Returns whether the offset is constant. */
   boolean constant() {
     return moves.isEmpty();
   }
@@ -73,24 +73,24 @@ public final class LateralProfile {
     return current;
   }
 
-  /** In m after some seconds. */
+  /** Returns the offset after some seconds, in m. */
   double offset(double seconds) {
     Move current = current(seconds);
     return current == null ? start : current.at(seconds);
   }
 
-  /** In m/s after some seconds. */
+  /** Returns the lateral speed after some seconds, in m/s. */
   double rate(double seconds) {
     Move current = current(seconds);
     return current == null ? 0.0 : current.rate(seconds);
   }
 
-  /** When the last change ends, in s; 0 if there is none. */
+  /** Returns the end of the last change, in s; 0 if there is none. */
   public double end() {
     return moves.isEmpty() ? 0.0 : moves.get(moves.size() - 1).end();
   }
 
-  /** The largest lateral speed, in m/s. */
+  /** Returns the largest lateral speed, in m/s. */
   double fastest() {
     return fastest;
   }

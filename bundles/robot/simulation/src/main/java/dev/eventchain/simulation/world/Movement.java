@@ -3,19 +3,16 @@ package dev.eventchain.simulation.world;
 import java.util.Optional;
 import java.util.function.LongPredicate;
 
-/**
- * How the ego moves in a piece of time, to find out whether it touches something on the way: not
- * only where it ends.
- */
+/** Motion of the ego in a time step, to find contacts within it and not only at its end. */
 final class Movement {
 
-  /** The shortest step of the search for a touch, in ns. */
+  /** Minimum step of the search for a contact, in ns. */
   private static final long SHORTEST = 10_000L;
 
-  /** More than the speed of the ego changes in a piece of time, in m/s. */
+  /** Upper bound of the change of the ego's speed in a time step, in m/s. */
   private static final double CHANGE = 0.5;
 
-  /** At least the way from the ego's rear axle to its farthest corner, in m. */
+  /** Upper bound of the distance from the ego's rear axle to its farthest corner, in m. */
   private static final double FARTHEST = 4.0;
 
   private final EgoMotion before;
@@ -26,12 +23,12 @@ final class Movement {
   private final double fastest;
 
   /**
-   * A piece of time.
+   * Creates a time step.
    *
-   * @param before the ego at its begin
+   * @param before the ego at its start
    * @param from in ns
    * @param until in ns, at most {@link World#TRACE_STEP} later
-   * @param travelled about how far the ego is along the road, in m
+   * @param travelled approximate position of the ego along the road, in m
    */
   Movement(EgoMotion before, long from, long until, Road road, double travelled) {
     this.before = before;
@@ -43,7 +40,7 @@ final class Movement {
     this.fastest = (before.speed() + CHANGE) * (1.0 + turning * FARTHEST);
   }
 
-  /** The ego at a time of the piece. */
+  /** Returns the ego at a time of the step. */
   EgoMotion at(long time) {
     EgoMotion motion = before.copy();
     motion.advance(World.seconds(time - from));
@@ -51,8 +48,8 @@ final class Movement {
   }
 
   /**
-   * The touch with an actor: the search continues in steps in which the two cannot meet
-   * (conservative advancement), so that nothing is passed through.
+   * Returns the contact with an actor. The search advances in steps in which the two cannot meet
+   * (conservative advancement), so that no contact is missed.
    */
   Optional<Contact> contact(Actor actor) {
     double closing = fastest + actor.fastest();
@@ -85,19 +82,19 @@ final class Movement {
     return Contact.of(time, ego.front(), ego.velocity(), actor, road);
   }
 
-  /** Whether the front touches a wall next to the road. */
+  /** Returns whether the front touches a wall next to the road. */
   boolean leavesTheRoad(long time) {
     Road.Place front = at(time).front();
     double across = road.station(front.x(), front.y(), travelled).across();
     return Math.abs(across) + EgoVehicle.WIDTH / 2 >= Road.WALL_DISTANCE;
   }
 
-  /** When the front touches a wall, if it does so in this piece. */
+  /** Returns the time at which the front touches a wall, if it does so in this step. */
   long leaving() {
     return first(from, until, this::leavesTheRoad);
   }
 
-  /** The instant at which something becomes true, to a nanosecond. */
+  /** Returns the instant at which a condition becomes true, to a nanosecond. */
   private static long first(long before, long after, LongPredicate isTrue) {
     long not = before;
     long found = after;

@@ -1,8 +1,8 @@
 package dev.eventchain.simulation.world;
 
 /**
- * The road: its lanes are parallel to the centre line of the ego's lane, which starts at the ego's
- * front bumper and is straight or bends with a constant curvature.
+ * A road with lanes parallel to the centre line of the ego's lane. It starts at the ego's front
+ * bumper and is straight or has a constant curvature.
  *
  * @param curvature in 1/m, to the left is positive, 0 if it is straight
  * @param laneWidth between the lines of each lane, in m
@@ -12,26 +12,28 @@ public record Road(double curvature, double laneWidth) {
   /** The usual width of a lane of a motorway (German RAA 2008, cross-section RQ 31: 3.75 m). */
   public static final double USUAL_LANE_WIDTH = 3.75;
 
-  /** A straight one. */
+  /** A straight road. */
   public static final Road STRAIGHT = new Road(0.0, USUAL_LANE_WIDTH);
 
-  /** From the centre line of the ego's lane to the walls on both sides of the road, in m. */
+  /**
+   * Distance from the centre line of the ego's lane to the walls on both sides of the road, in m.
+   */
   public static final double WALL_DISTANCE = 8.0;
 
   /** A place and a direction in the plane, in m and rad; at the start x is along the road. */
   public record Place(double x, double y, double heading) {
 
-    /** The place ahead of this one by a distance in m. */
+    /** Returns the place ahead of this one by a distance in m. */
     public Place ahead(double distance) {
       return new Place(
           x + distance * StrictMath.cos(heading), y + distance * StrictMath.sin(heading), heading);
     }
   }
 
-  /** A place as the road has it: along its centre line, and left of it, in m. */
+  /** A place in road coordinates: along its centre line, and left of it, in m. */
   public record Station(double along, double across) {}
 
-  /** The place of a station, in the direction of the road. */
+  /** Returns the place of a station, in the direction of the road. */
   public Place place(double along, double across) {
     if (curvature == 0.0) {
       return new Place(along, across, 0.0);
@@ -45,9 +47,9 @@ public record Road(double curvature, double laneWidth) {
   }
 
   /**
-   * The station of a place.
+   * Returns the station of a place.
    *
-   * @param near about where it is along the road: a circle comes back to where it began
+   * @param near approximate distance along the road, since a circle returns to its start
    */
   Station station(double x, double y, double near) {
     if (curvature == 0.0) {
@@ -62,26 +64,29 @@ public record Road(double curvature, double laneWidth) {
     return new Station(along, side * (radius - StrictMath.hypot(x, toCentre)));
   }
 
-  /** To the left line of the ego's lane from what is left of its centre line by an offset, in m. */
+  /**
+   * Returns the distance to the left line of the ego's lane from an offset left of its centre line,
+   * in m.
+   */
   public double toTheLeft(double offset) {
     return laneWidth / 2 - offset;
   }
 
-  /** The same to the right line. */
+  /** Returns the distance to the right line likewise. */
   public double toTheRight(double offset) {
     return laneWidth / 2 + offset;
   }
 
-  /** The direction of the road at a distance along it, in rad. */
+  /** Returns the direction of the road at a distance along it, in rad. */
   public double heading(double along) {
     return along * curvature;
   }
 
   /**
-   * Where a ray meets the nearest wall, in m; infinite if it never does.
+   * Returns the distance at which a ray meets the nearest wall, in m; infinite if it never does.
    *
    * @param from a place between the walls
-   * @param dx direction of the ray in the plane, as long as the ray is flat
+   * @param dx direction of the ray in the plane, with the length of its projection
    */
   public double wall(Place from, double dx, double dy) {
     if (curvature == 0.0) {
@@ -93,7 +98,7 @@ public record Road(double curvature, double laneWidth) {
     return Math.min(inner, circle(from.x(), y, dx, dy, radius + WALL_DISTANCE, true));
   }
 
-  /** Where a ray enters a circle around the origin, or leaves it. */
+  /** Returns the distance at which a ray enters a circle around the origin, or leaves it. */
   private static double circle(
       double x, double y, double dx, double dy, double radius, boolean leaves) {
     double flat = dx * dx + dy * dy;

@@ -3,8 +3,7 @@ package dev.eventchain.simulation.world;
 import java.util.List;
 
 /**
- * What a scenario begins with: the vehicle, who drives it, the road, and all others on it.
- * Immutable.
+ * Initial state of a scenario: the vehicle, its driver, the road, and all actors on it. Immutable.
  */
 public record Situation(EgoVehicle ego, HumanDriver driver, Road road, List<Actor> actors) {
 
@@ -12,7 +11,7 @@ public record Situation(EgoVehicle ego, HumanDriver driver, Road road, List<Acto
     actors = List.copyOf(actors);
   }
 
-  /** On a straight road, with a driver who holds the speed. */
+  /** Returns a situation on a straight road, with a driver who keeps the speed. */
   public static Situation straight(EgoVehicle ego, List<Actor> actors) {
     SpeedProfile speed = new SpeedProfile(ego.speed(), List.of());
     LateralProfile line = new LateralProfile(ego.chassis().offset(), List.of());

@@ -3,16 +3,16 @@ package dev.eventchain.simulation.world;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A speed that is kept, or changes at constant rates; never negative. Immutable. */
+/** A speed that is constant or changes at constant rates; never negative. Immutable. */
 public final class SpeedProfile {
 
   /**
-   * From a time on, in s, the speed changes to another one, in m/s, at a rate in m/s2 that is above
-   * 0.
+   * A change of the speed to another one, in m/s, that begins at a time, in s, with a rate in m/s2
+   * above 0.
    */
   public record Change(double time, double speed, double acceleration) {}
 
-  /** From a time on the speed changes at a rate that may be negative. */
+  /** A part of constant acceleration, which may be negative, from a time on. */
   private record Piece(double time, double speed, double rate, double way) {
 
     double speedAt(double seconds) {
@@ -29,11 +29,11 @@ public final class SpeedProfile {
   private final double fastest;
 
   /**
-   * A profile.
+   * Creates a profile.
    *
    * @param start speed at the start, in m/s
-   * @param changes in the order of time; one that begins earlier than the one before ends begins at
-   *     the speed of that moment
+   * @param changes in the order of time; a change that begins before the end of the previous one
+   *     begins at the speed of that moment
    */
   public SpeedProfile(double start, List<Change> changes) {
     pieces.add(new Piece(0.0, start, 0.0, 0.0));
@@ -62,22 +62,22 @@ public final class SpeedProfile {
     return pieces.get(index);
   }
 
-  /** In m/s after some seconds. */
+  /** Returns the speed after some seconds, in m/s. */
   public double speed(double seconds) {
     return at(seconds).speedAt(seconds);
   }
 
-  /** Change of the speed, in m/s2. */
+  /** Returns the acceleration after some seconds, in m/s2. */
   double acceleration(double seconds) {
     return at(seconds).rate();
   }
 
-  /** Since the start, in m. */
+  /** Returns the distance since the start, in m. */
   double way(double seconds) {
     return at(seconds).wayAt(seconds);
   }
 
-  /** The largest speed, in m/s. */
+  /** Returns the largest speed, in m/s. */
   double fastest() {
     return fastest;
   }

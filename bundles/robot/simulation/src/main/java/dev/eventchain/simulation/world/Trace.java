@@ -10,21 +10,21 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 
-/** What happened in a scenario: states at fixed distances in time, and every command. */
+/** Recording of a scenario: states at fixed intervals, and every command. */
 public final class Trace {
 
   /**
-   * A moment.
+   * State at a moment.
    *
    * @param time in ns
    * @param speed of the ego along its own axis, in m/s; negative backwards
    * @param gap to the nearest vehicle in the path, in m; infinite if there is none
-   * @param timeToCollision in s, from the true distance and closing speed; infinite if nothing is
-   *     approached
+   * @param timeToCollision in s, from the true distance and closing speed; infinite without an
+   *     approach
    * @param deceleration of the ego, in m/s2
    * @param position of the ego's front bumper along the road since the start, in m
    * @param leadSpeed of the nearest vehicle in the path, in m/s; NaN if there is none
-   * @param pose how the ego is placed in its lane
+   * @param pose the pose of the ego in its lane
    */
   public record State(
       long time,
@@ -37,7 +37,7 @@ public final class Trace {
       Pose pose) {}
 
   /**
-   * How the ego is placed in its lane; all are positive to the left.
+   * Pose of the ego in its lane; all values are positive to the left.
    *
    * @param offset of the middle of the front bumper from the centre of the lane, in m
    * @param heading from the direction of the road, in rad
@@ -45,11 +45,11 @@ public final class Trace {
    */
   public record Pose(double offset, double heading, double yawRate) {
 
-    /** In the middle, straight on. */
+    /** Pose in the middle of the lane, straight ahead. */
     public static final Pose STRAIGHT = new Pose(0.0, 0.0, 0.0);
   }
 
-  /** A command: when it was published, in ns, and the positions of the pedals as it has them. */
+  /** A command: its publication time, in ns, and its positions of the pedals. */
   public record Command(long time, double pedal, double throttle, double steering) {
 
     public boolean brakes() {
@@ -64,11 +64,11 @@ public final class Trace {
   /** Smallest pedal position that counts as full brake; float32 cannot always hold exactly 1. */
   public static final double FULL = 0.99;
 
-  /** A value that a message had, and when it was published, in ns. */
+  /** A value of a message, and its publication time, in ns. */
   public record Sample(long time, double value) {}
 
   /**
-   * The nearest echoes of a scan, but for those of the road.
+   * Nearest echoes of a scan, except those of the road.
    *
    * @param time since the start, in s
    */
@@ -93,27 +93,27 @@ public final class Trace {
   private String impact = "";
   private String ignored = "";
 
-  /** A trace without inputs. */
+  /** Creates a trace without inputs. */
   public Trace() {
     this(Map.of(), Road.STRAIGHT);
   }
 
   /**
-   * A trace.
+   * Creates a trace.
    *
-   * @param inputs what people do in the scenario, by the names of the bench's inputs
+   * @param inputs scripts of the scenario, by the names of the bench's inputs
    */
   public Trace(Map<String, Script> inputs, Road road) {
     this.inputs = Map.copyOf(inputs);
     this.road = road;
   }
 
-  /** The road that it happened on. */
+  /** Returns the road of the scenario. */
   public Road road() {
     return road;
   }
 
-  /** A trace of a single moment, with the last command before it. */
+  /** Returns a trace of a single moment, with the last command before it. */
   Trace moment(State state) {
     Trace moment = new Trace(inputs, road);
     moment.state(state);
@@ -123,17 +123,17 @@ public final class Trace {
     return moment;
   }
 
-  /** What people do with an input of the bench; empty if the scenario leaves it as it is. */
+  /** Returns the script of an input of the bench; empty if the scenario has none for it. */
   public Optional<Script> input(String name) {
     return Optional.ofNullable(inputs.get(name));
   }
 
-  /** A message was published: the value of one of its fields, by the name of the signal. */
+  /** Records the value of a field of a published message, by the name of its signal. */
   public void sample(String signal, long time, double value) {
     samples.computeIfAbsent(signal, name -> new ArrayList<>()).add(new Sample(time, value));
   }
 
-  /** The same as if some signals of topics had never come. */
+  /** Returns a copy without the samples of some signals of topics. */
   public Trace without(Set<String> signals) {
     Trace other = new Trace(inputs, road);
     other.states.addAll(states);
@@ -147,9 +147,9 @@ public final class Trace {
   }
 
   /**
-   * Ends the last value of a signal, if it is older than it may be: it has none from then on.
+   * Ends the last value of a signal beyond its lifetime: the signal has no value from then on.
    *
-   * @param lifetime how long a value is good, in ns; 0 for ever
+   * @param lifetime lifetime of a value, in ns; 0 for unlimited
    */
   public void expire(String signal, long now, long lifetime) {
     List<Sample> known = samples(signal);
@@ -163,24 +163,26 @@ public final class Trace {
   }
 
   /**
-   * The values of a signal in the order of time; NaN where it fell silent; empty if no message
-   * came.
+   * Returns the values of a signal in the order of time; NaN once it fell silent; empty if no
+   * message came.
    */
   public List<Sample> samples(String signal) {
     return samples.getOrDefault(signal, List.of());
   }
 
-  /** A message of a topic got lost before it reached the nodes, as the bench says. */
+  /**
+   * Counts a message of a topic that was lost before it reached the nodes, as the bench defines.
+   */
   public void drop(String topic) {
     dropped.merge(topic, 1L, Long::sum);
   }
 
-  /** How many messages of a topic got lost so. */
+  /** Returns the number of such losses of a topic. */
   public long dropped(String topic) {
     return dropped.getOrDefault(topic, 0L);
   }
 
-  /** What the lidar saw, for people. */
+  /** Records an outline of the lidar's view, for display. */
   public void outline(Outline outline) {
     outlines.add(outline);
   }
@@ -201,32 +203,32 @@ public final class Trace {
     }
   }
 
-  /** What the vehicle was first told and did not do, and when; empty if there was nothing. */
+  /** Returns the first command that the vehicle ignored, with its time; empty if there was none. */
   public String ignored() {
     return ignored;
   }
 
   /**
-   * The impact that ends everything.
+   * Records the impact, which ends the scenario.
    *
-   * @param words who hit whom
+   * @param words the parties of the impact
    */
   public void impact(double speed, String words) {
     impactSpeed = OptionalDouble.of(speed);
     impact = words;
   }
 
-  /** Somebody drove into the ego's rear. */
+  /** Records that an actor drove into the ego's rear. */
   void hitFromBehind(Contact contact) {
     fromBehind.add(contact);
   }
 
-  /** Who hit whom at the impact; empty if there was none. */
+  /** Returns the parties of the impact; empty if there was none. */
   public String impact() {
     return impact;
   }
 
-  /** Those who drove into the ego's rear, in the order of time. */
+  /** Returns the rear impacts, in the order of time. */
   public List<Contact> fromBehind() {
     return Collections.unmodifiableList(fromBehind);
   }
@@ -239,17 +241,17 @@ public final class Trace {
     return Collections.unmodifiableList(commands);
   }
 
-  /** The last state. */
+  /** Returns the last state. */
   public State end() {
     return states.get(states.size() - 1);
   }
 
-  /** Relative speed at the impact, in m/s. */
+  /** Returns the relative speed at the impact, in m/s. */
   public OptionalDouble impactSpeed() {
     return impactSpeed;
   }
 
-  /** Smallest gap to a vehicle in the path, in m; empty if there was none. */
+  /** Returns the smallest gap to a vehicle in the path, in m; empty if there was none. */
   public OptionalDouble minimalGap() {
     return states.stream().mapToDouble(State::gap).filter(Double::isFinite).min();
   }
@@ -258,7 +260,7 @@ public final class Trace {
     return commands.stream().filter(Command::brakes).findFirst();
   }
 
-  /** The last state that is not later than a time. */
+  /** Returns the last state that is not later than a time. */
   public State stateAt(long time) {
     int index = (int) Math.min(time / World.TRACE_STEP, states.size() - 1L);
     return states.get(index);

@@ -3,43 +3,41 @@ package dev.eventchain.simulation.world;
 import java.util.Map;
 
 /**
- * What the software asks of the vehicle.
+ * Demand of the software on the vehicle.
  *
- * @param throttle 0.0 to 1.0; what lies outside is limited, what is not a number does not drive
- * @param brake 0.0 to 1.0, as the software wrote it: what lies outside is limited where it takes
- *     effect
- * @param steering -1.0 (left) to 1.0 (right); what lies outside is limited
- * @param handBrake whether it is set
+ * @param throttle 0.0 to 1.0; other values are limited, NaN counts as 0
+ * @param brake 0.0 to 1.0, as the software wrote it: other values are limited when it takes effect
+ * @param steering -1.0 (left) to 1.0 (right); other values are limited
+ * @param handBrake true if it is set
  * @param gear -1 backwards, 0 neutral, 1 forwards
- * @param ignored what it asks for and the simulated vehicle does not do, in words; empty if it does
- *     everything
+ * @param ignored the demands that the simulated vehicle ignores, in words; empty if there are none
  */
 public record VehicleCommand(
     double throttle, double brake, double steering, boolean handBrake, int gear, String ignored) {
 
-  /** What a float32 may add to an acceleration, in m/s2. */
+  /** Maximum rounding error of a float32 acceleration, in m/s2. */
   private static final double ROUNDING = 1e-3;
 
-  /** A command to brake only. */
+  /** Returns a command to brake only. */
   public static VehicleCommand brake(double pedal) {
     return pedals(0.0, pedal);
   }
 
-  /** A command to drive only. */
+  /** Returns a command to drive only. */
   public static VehicleCommand drive(double pedal) {
     return pedals(pedal, 0.0);
   }
 
-  /** A command that leaves everything but the pedals as it is at the start. */
+  /** Returns a command for the pedals that keeps the initial state of everything else. */
   static VehicleCommand pedals(double throttle, double brake) {
     return new VehicleCommand(throttle, brake, 0.0, false, 1, "");
   }
 
   /**
-   * The command that the values in force amount to.
+   * Returns the command that results from the values in force.
    *
-   * @param demands in the units of the actuators; 0 where there is none
-   * @param vehicle that turns an acceleration into positions of its pedals
+   * @param demands in the units of the actuators; 0 by default
+   * @param vehicle converts an acceleration into positions of its pedals
    */
   public static VehicleCommand of(Map<Actuator, Double> demands, EgoVehicle vehicle) {
     double throttle = of(demands, Actuator.THROTTLE);
@@ -70,7 +68,7 @@ public record VehicleCommand(
     return demands.getOrDefault(actuator, 0.0);
   }
 
-  /** What the vehicle cannot do, such as to drive with a throttle of 2. */
+  /** Returns the demands that the vehicle cannot meet, such as a throttle of 2. */
   private static String ignored(
       Map<Actuator, Double> demands, EgoVehicle vehicle, double throttle, double steering) {
     double acceleration = of(demands, Actuator.ACCELERATION);

@@ -9,12 +9,12 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The road with the ego and all others on it, as boxes that move in the plane. Gaps are measured
- * along the road, from bumper to bumper. An impact of the ego ends the movement of time.
+ * The road with the ego and all actors on it, as boxes that move in the plane. Gaps are measured
+ * along the road, from bumper to bumper. An impact of the ego stops simulated time.
  */
 public final class World {
 
-  /** Distance of two states in the trace, in ns. */
+  /** Interval between two states in the trace, in ns. */
   public static final long TRACE_STEP = 10_000_000L;
 
   private record Pending(long effectiveAt, VehicleCommand command) {}
@@ -26,7 +26,7 @@ public final class World {
   private EgoMotion ego;
   private long now;
 
-  /** About how far the ego is along the road, in m: a bend may be more than a full circle. */
+  /** Approximate position of the ego along the road, in m: a bend may exceed a full circle. */
   private double travelled;
 
   public World(EgoVehicle vehicle, List<Actor> actors) {
@@ -34,9 +34,9 @@ public final class World {
   }
 
   /**
-   * A world.
+   * Creates a world.
    *
-   * @param trace where what happens is recorded; empty
+   * @param trace an empty trace for the recording
    */
   public World(Situation situation, Trace trace) {
     this.trace = trace;
@@ -46,27 +46,30 @@ public final class World {
     record();
   }
 
-  /** Simulated time, in ns. */
+  /** Returns simulated time, in ns. */
   public long now() {
     return now;
   }
 
-  /** How the ego moves; not to be changed. */
+  /** Returns the motion of the ego; not to be modified. */
   public EgoMotion ego() {
     return ego;
   }
 
-  /** The ego's speed, in m/s; never negative. */
+  /** Returns the ego's speed, in m/s; never negative. */
   public double egoSpeed() {
     return ego.speed();
   }
 
-  /** Whether the ego hit somebody or a wall next to the road, or was hit, but not from behind. */
+  /**
+   * Returns whether the ego hit an actor or a wall next to the road, or was hit, but not from
+   * behind.
+   */
   public boolean impacted() {
     return trace.impactSpeed().isPresent();
   }
 
-  /** Everything that happened up to now. */
+  /** Returns the trace up to now. */
   public Trace trace() {
     return trace;
   }
@@ -75,18 +78,18 @@ public final class World {
     return situation.road();
   }
 
-  /** All others, also those that are gone. */
+  /** Returns all actors, including those that are gone. */
   public List<Actor> allActors() {
     return situation.actors();
   }
 
-  /** All others, but for those that drove into the ego's rear. */
+  /** Returns all actors, except those that drove into the ego's rear. */
   public List<Actor> actors() {
     List<Actor> actors = situation.actors();
     return gone.isEmpty() ? actors : actors.stream().filter(each -> !gone.contains(each)).toList();
   }
 
-  /** Where the ego's front bumper is on the road. */
+  /** Returns the position of the ego's front bumper on the road. */
   public Road.Station station() {
     Road.Place front = ego.front();
     return road().station(front.x(), front.y(), travelled);
@@ -97,16 +100,16 @@ public final class World {
   }
 
   /**
-   * Takes a command; it takes effect after the delay of the brake.
+   * Accepts a command, which takes effect after the delay of the brake.
    *
-   * @param time when it was published, in ns: not before now and not before the last one
+   * @param time its publication time, in ns: not before now and not before the last one
    */
   public void command(long time, VehicleCommand command) {
     pending.add(new Pending(time + nanoseconds(situation.ego().brakeDelay()), command));
     trace.command(time, command);
   }
 
-  /** Moves time on, or up to the impact. */
+  /** Advances time, or stops at an impact. */
   public void advanceTo(long until) {
     while (now < until && !impacted()) {
       long next = Math.min(until, (now / TRACE_STEP + 1) * TRACE_STEP);
@@ -152,13 +155,13 @@ public final class World {
     ego = movement.at(time);
   }
 
-  /** What happens to a vehicle that is hit is not simulated: the other one is gone from then on. */
+  /** Removes an actor that drove into the ego's rear, since the consequences are not simulated. */
   private void hitFromBehind(Contact contact) {
     gone.add(contact.other());
     trace.hitFromBehind(contact);
   }
 
-  /** What the driver does until he looks again. */
+  /** Updates the driver's demands until the next update. */
   private void letDrive() {
     HumanDriver driver = situation.driver();
     if (ego.held()) {
@@ -166,7 +169,8 @@ public final class World {
     }
     if (ego.steered() && driver.steers(road())) {
       Road.Station station = station();
-      // At the rear axle, which follows the bend, the road points less far into it.
+      // At the rear axle, which follows the bend, the heading of the road lags behind that at the
+      // bumper.
       double behind = road().curvature() * situation.ego().chassis().frontOverhang();
       double heading = heading(station) + behind;
       ego.steer(driver.curvature(road(), station, heading, ego.speed(), seconds(now)));
@@ -177,7 +181,7 @@ public final class World {
     trace.state(state());
   }
 
-  /** What is true at this moment, with the last command. */
+  /** Returns the current state, with the last command, as a trace. */
   public Trace moment() {
     return trace.moment(state());
   }
@@ -204,7 +208,7 @@ public final class World {
         new Trace.Pose(station.across(), heading(station), ego.yawRate()));
   }
 
-  /** The nearest that is in the ego's path and not behind it. */
+  /** Returns the nearest actor that is in the ego's path and not behind it. */
   private Optional<Actor> nearest(Road.Station station) {
     double time = seconds(now);
     Actor nearest = null;

@@ -1,5 +1,5 @@
 /**
  * The road and everything that moves on it: the ego vehicle, its driver, the other actors,
- * contacts, and the trace of what happened. Knows no sensor, message or formula.
+ * contacts, and the trace. Knows no sensor, message or formula.
  */
 package dev.eventchain.simulation.world;

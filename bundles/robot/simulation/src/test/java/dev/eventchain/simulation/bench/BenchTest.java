@@ -30,13 +30,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The bench: each mistake in bench.yaml is found at its place, before anything is simulated. */
+/** Tests that each mistake in {@code bench.yaml} is found at its place, before any simulation. */
 class BenchTest {
 
   private static final Path BENCHES = Path.of("src/test/resources/benches");
   private static final FindingIds IDS = new FindingIds("a", "b", "c", "d", "e", "f");
 
-  /** A radar and a brake of somebody's own, as signals.json describes them. */
+  /** A custom radar and brake, as described in {@code signals.json}. */
   private static final List<dev.eventchain.model.Signal> DECLARED =
       List.of(
           signal(
@@ -87,7 +87,7 @@ class BenchTest {
     return files("invalid");
   }
 
-  /** {@code findings.txt} holds what is found in each file: id, line, column and text. */
+  /** {@code findings.txt} lists the findings of each file: id, line, column and text. */
   @Test
   void everyProblemOfAnInvalidBenchIsFoundAtItsPlace() throws IOException {
     StringBuilder found = new StringBuilder();
@@ -115,7 +115,7 @@ class BenchTest {
     assertEquals(Files.readString(expected), found.toString());
   }
 
-  /** An editor that knows the schema must not complain of what is read. */
+  /** An editor with the schema must accept all valid files. */
   @Test
   void schemaAcceptsWhatIsReadAndKnowsAllNames() throws IOException {
     JsonSchema schema =

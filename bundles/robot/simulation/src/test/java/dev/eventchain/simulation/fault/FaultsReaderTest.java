@@ -31,7 +31,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Files with faults, and their schema. */
+/** Tests files with faults, and their schema. */
 class FaultsReaderTest {
 
   private static final Path FILES = Path.of("src/test/resources/faults");
@@ -39,7 +39,7 @@ class FaultsReaderTest {
   private static final JsonSchema SCHEMA =
       JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012).getSchema(FaultPlan.schema());
 
-  /** What a schema cannot say: it knows no project, and no other fault. */
+  /** Findings beyond the schema, which knows no project and no other fault. */
   private static final Set<String> BEYOND_THE_SCHEMA =
       Set.of("fault.unknown", "fault.name.duplicate", "scenario.formula.signal");
 
@@ -104,7 +104,7 @@ class FaultsReaderTest {
     }
   }
 
-  /** Each file says in its first lines what is to be found: id, line, column and pointer. */
+  /** The first lines of each file list its findings: id, line, column and pointer. */
   @ParameterizedTest
   @MethodSource("invalid")
   void everyProblemIsFoundAtItsPlace(Path file) throws IOException {
@@ -127,7 +127,7 @@ class FaultsReaderTest {
     return invalid().stream().filter(file -> !file.endsWith("no-yaml.yaml")).toList();
   }
 
-  /** But for what depends on the project, and on the text. */
+  /** Excludes findings that depend on the project or on the text. */
   @ParameterizedTest
   @MethodSource("invalidButYaml")
   void theSchemaRefusesTheSame(Path file) throws IOException {

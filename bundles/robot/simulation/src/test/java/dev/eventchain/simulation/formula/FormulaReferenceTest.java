@@ -18,14 +18,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Random formulas on random runs, against the definitions of their operators read sample by sample.
- * Values are small whole numbers, so that many are equal.
+ * Tests random formulas on random runs against the definitions of their operators, evaluated sample
+ * by sample. Values are small integers, so that many are equal.
  */
 class FormulaReferenceTest {
 
   private static final int FORMULAS = 1500;
 
-  /** True (1), false (-1) or unknown (0), with a signed margin; what is worse comes first. */
+  /** True (1), false (-1) or unknown (0), with a signed margin, in ascending order. */
   private record Value(int verdict, double margin) implements Comparable<Value> {
     static final Value UNKNOWN = new Value(0, 0);
     static final Value NEVER = new Value(-1, Double.NEGATIVE_INFINITY);
@@ -94,7 +94,7 @@ class FormulaReferenceTest {
     assertEquals(Set.of(-1, 0, 1), verdicts);
   }
 
-  /** What is said to decide has the margin of the formula, or else its own. */
+  /** Requires that the deciding comparison has the margin of the formula, or else its own. */
   private void requireDecision(FormulaEvaluation found, Value expected, String about) {
     FormulaEvaluation.Decision decision = found.decision();
     if (decision.comparison().isPresent()) {

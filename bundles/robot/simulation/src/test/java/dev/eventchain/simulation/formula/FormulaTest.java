@@ -24,9 +24,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Formulas against a run of a second: the speed grows from 0 by 0.1 m/s each sample, the gap falls
- * from 20 m by 0.1 m, TTC is infinite before 0.5 s and falls from 2 s by 2 s each second then, and
- * full brake is commanded from 0.6 s to 0.8 s.
+ * Tests formulas on a run of one second: the speed grows from 0 by 0.1 m/s each sample, and the gap
+ * falls from 20 m by 0.1 m. TTC is infinite before 0.5 s and then falls from 2 s by 2 s each
+ * second. Full brake is commanded from 0.6 s to 0.8 s.
  */
 class FormulaTest {
 
@@ -95,7 +95,7 @@ class FormulaTest {
     assertTrue(judge("always[0,0.02] gap >= 0 m", trace).startsWith("untested"));
   }
 
-  /** An initial speed in km/h equals the same number in a formula, whatever it is. */
+  /** An initial speed in km/h equals the same number in a formula, for any value. */
   @Test
   void speedsOfTheScenarioAreThoseOfFormulas() {
     for (int speed = 0; speed <= 250; speed++) {
@@ -120,7 +120,7 @@ class FormulaTest {
     assertTrue(problem.hint().contains(hint == null ? "" : hint), described);
   }
 
-  /** The stack is not what limits formulas. */
+  /** Deeply nested formulas are rejected before they overflow the stack. */
   @ParameterizedTest
   @ValueSource(strings = {"(", "not ", "-", "always ", "abs(", "brake > 0 implies "})
   void formulasNestedTooDeepAreRefused(String opening) {

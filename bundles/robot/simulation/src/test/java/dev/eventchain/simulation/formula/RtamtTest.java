@@ -16,8 +16,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /**
- * Formulas mean what they mean to rtamt (Nickovic and Yamaguchi, RTAMT, ATVA 2020): 600 random ones
- * against its robustness, as {@code src/test/python/random_formulas.py} recorded it.
+ * Tests that formulas agree with rtamt (Nickovic and Yamaguchi, RTAMT, ATVA 2020): 600 random ones
+ * against its robustness, as recorded by {@code src/test/python/random_formulas.py}.
  */
 class RtamtTest {
 
@@ -36,7 +36,7 @@ class RtamtTest {
       double truth = FormulaEvaluation.of(formula.condition(), new SampledRun(trace)).verdict();
       double expected = recorded.get(2).asDouble();
       assertEquals(Math.abs(expected), Robustness.margin(truth), 1e-9, text);
-      // At 0 the margin does not say which it is, and rtamt does not either.
+      // A margin of 0 has no sign, neither here nor in rtamt.
       if (expected != 0) {
         assertEquals(Math.signum(expected), Math.signum(truth), text);
         decided++;

@@ -28,7 +28,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The Java side of the protocol against answers made by hand. */
+/** Tests the Java side of the protocol against hand-written answers. */
 class LockstepSessionTest {
 
   private static LockstepSession session(InputStream input, OutputStream output) {
@@ -71,7 +71,7 @@ class LockstepSessionTest {
     return exception.diagnostics().get(0);
   }
 
-  /** A session that has been configured for a world that listens to three topics. */
+  /** Returns a configured session with a world that receives three topics. */
   private static LockstepSession configured(String answer, ByteArrayOutputStream written) {
     ByteArrayOutputStream answers = new ByteArrayOutputStream();
     answers.writeBytes(frame(HostChannel.READY, "{}"));

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvFileSource;
 
-/** Each line of {@code records/bad.csv} spoils the good record at one place. */
+/** Tests that each line of {@code records/bad.csv} invalidates the good log at one place. */
 class RunLogCheckTest {
 
   private static final ObjectMapper JSON = new ObjectMapper();

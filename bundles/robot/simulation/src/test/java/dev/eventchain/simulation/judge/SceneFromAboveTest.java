@@ -13,7 +13,7 @@ import dev.eventchain.simulation.world.World;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What people see from above is where everything was. */
+/** Tests that the scene from above shows the positions of everything. */
 class SceneFromAboveTest {
 
   private static ScenarioVerdict.Scene scene(Situation situation, double seconds) {

@@ -16,7 +16,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
-/** What is said of the wire. */
+/** Tests the findings on DDS communication. */
 class WireFindingsTest {
 
   private static final Scenario SCENARIO = AebProject.scenario("slow-approach");

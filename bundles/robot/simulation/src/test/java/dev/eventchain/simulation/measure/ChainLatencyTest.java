@@ -25,7 +25,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Latencies in records of activations made by hand; the files say in a member what they show. */
+/**
+ * Tests latencies in hand-written logs of activations; a member of each file states its purpose.
+ */
 class ChainLatencyTest {
 
   @ParameterizedTest
@@ -44,7 +46,10 @@ class ChainLatencyTest {
     assertEquals(wanted, ChainLatency.reactions(log, "/scan", "/brake"));
   }
 
-  /** The issue's "latency constraints between any two nodes, whatever their order in the model". */
+  /**
+   * Quotes the issue: "latency constraints between any two nodes, whatever their order in the
+   * model".
+   */
   @ParameterizedTest
   @CsvSource({
     "straight.json, A, B, REACTION, 30 35",
@@ -73,7 +78,7 @@ class ChainLatencyTest {
             .toList());
   }
 
-  /** Of the first time, for each node its name, waiting and execution. */
+  /** For each node of the first time: its name, waiting and execution. */
   @ParameterizedTest
   @CsvSource({
     "two-paths.json, A, C, A 5+0 C 35+5",
@@ -116,7 +121,10 @@ class ChainLatencyTest {
     assertTrue(found > 100, found + " times");
   }
 
-  /** Each part is one age of a hop from the node before, and what this node then took. */
+  /**
+   * Asserts that each part is one age of a hop from the node before, and the processing time of the
+   * node.
+   */
   private static void assertConsistsOfHops(
       HopLog hops, Map<String, List<Long>> known, ChainLatency.Latency latency) {
     String writer = MessageFlow.VEHICLE;
@@ -132,7 +140,7 @@ class ChainLatencyTest {
     }
   }
 
-  /** In real time a sample can be seen before its writer's activation has ended. */
+  /** In real time a sample can arrive before its writer's activation has ended. */
   @Test
   void noPartIsNegativeInRealTime() throws IOException {
     String json = Files.readString(Path.of("src/test/resources/hops/real-time.json"));
@@ -150,8 +158,9 @@ class ChainLatencyTest {
   }
 
   /**
-   * Nodes in a row, each with a period, an offset and an execution time of its own, that read what
-   * came last on the topic before theirs, and some on topics of other nodes before or behind them.
+   * Returns a log of nodes in a row with individual periods, offsets and execution times. Each
+   * reads the last sample of the topic before its own, and some read topics of other nodes before
+   * or behind them.
    */
   static RunLog random(int nodes, Random random) {
     Map<String, List<Activation>> activations = new LinkedHashMap<>();

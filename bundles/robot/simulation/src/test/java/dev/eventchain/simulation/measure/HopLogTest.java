@@ -17,7 +17,7 @@ import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Hops in records made by hand; the files say in a member what they show. */
+/** Tests hops in hand-written logs; a member of each file states its purpose. */
 class HopLogTest {
 
   @ParameterizedTest

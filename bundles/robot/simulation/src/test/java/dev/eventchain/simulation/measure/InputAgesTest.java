@@ -15,7 +15,7 @@ import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Components do not execute with inputs that are too old, and the report says so. */
+/** Tests that components do not execute with outdated inputs, and that the report says so. */
 class InputAgesTest {
 
   @TempDir Path folder;
@@ -24,7 +24,7 @@ class InputAgesTest {
     return AebProject.of(
             folder,
             chain -> {
-              // A scan every 700 ms, from a component that is to make one every 50 ms.
+              // A scan every 700 ms, from a component with a period of 50 ms.
               chain.getSoftware().get(0).setWorstCaseExecutionTime(690);
               change.accept(chain);
             })

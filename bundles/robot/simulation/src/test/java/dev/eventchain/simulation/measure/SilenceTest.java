@@ -20,7 +20,9 @@ import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What does not work is said to be untested, and not taken for software that lets a car crash. */
+/**
+ * Tests that a silent component is reported as untested, and not as software that lets a car crash.
+ */
 class SilenceTest {
 
   @TempDir Path folder;
@@ -30,7 +32,7 @@ class SilenceTest {
         .simulate(List.of(AebProject.scenario("stopped-vehicle-50")));
   }
 
-  /** Gives all data of a node on a topic another one. */
+  /** Moves all data of a node on a topic to another one. */
   private static void move(List<Data> data, String from, String to) {
     data.stream()
         .filter(each -> each.getTopicName().equals(from))

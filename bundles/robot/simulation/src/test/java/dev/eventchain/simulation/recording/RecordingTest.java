@@ -37,7 +37,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Recordings, as the readers that people use read them. */
+/** Tests recordings with common MCAP readers. */
 class RecordingTest {
 
   private static final String SCENARIO = "stopped-vehicle-50";
@@ -60,7 +60,7 @@ class RecordingTest {
     return project.request(List.of(AebProject.scenario(SCENARIO))).withRecordings(recordings);
   }
 
-  /** What rosbags and mcap-ros2-support both say of a recording, after they were compared. */
+  /** Reads a recording with rosbags and mcap-ros2-support, which must agree. */
   private JsonNode read(Path file) throws Exception {
     ProcessBuilder builder =
         new ProcessBuilder("python3", ENVIRONMENT, "--development", "--run", READ, file.toString());
@@ -78,7 +78,7 @@ class RecordingTest {
     }
   }
 
-  /** The nodes' own record says what was published, when; what the world sends is in it, too. */
+  /** Published messages agree with the nodes' own log; the messages of the world are included. */
   @Test
   void everyMessageIsReadBackAsItWasPublished() throws Exception {
     SimulationRequest request = request();
@@ -189,7 +189,9 @@ class RecordingTest {
     assertTrue(Files.notExists(recordings));
   }
 
-  /** Chunks of a megabyte, a schema for two topics, a topic without messages, and no message. */
+  /**
+   * Covers chunks of a megabyte, a schema for two topics, a topic without messages, and no message.
+   */
   @Test
   void manyChunksAndNoneAreReadBack() throws Exception {
     MessageCatalog catalog = MessageCatalog.of(List.of());
@@ -214,7 +216,7 @@ class RecordingTest {
     }
   }
 
-  /** An empty layout, and bytes. */
+  /** Returns an array message: an empty layout, and bytes. */
   private static ByteBuffer array(int length) {
     ByteBuffer message = ByteBuffer.allocate(16 + length).order(java.nio.ByteOrder.LITTLE_ENDIAN);
     return message.put(new byte[] {0, 1, 0, 0}).putInt(0).putInt(0).putInt(length).rewind();

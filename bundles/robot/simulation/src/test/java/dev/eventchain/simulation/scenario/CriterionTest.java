@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Criteria against traces made by hand: TTC falls from 3 s at the start by 1 s each second. */
+/** Tests criteria on hand-written traces: TTC falls from 3 s at the start by 1 s each second. */
 class CriterionTest {
 
   private static final long MILLISECOND = 1_000_000L;
@@ -89,7 +89,7 @@ class CriterionTest {
     assertEquals(false, tested(CriterionKind.NO_BRAKE_AT_TTC, 0.1, trace(standing, time -> 1)));
   }
 
-  /** A criterion whose premise never came true is neither kept nor broken. */
+  /** A criterion whose premise never came true neither holds nor fails. */
   @ParameterizedTest
   @CsvSource({
     "NO_IMPACT, 0, false, true",

@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The schema of scenarios says what the reader says. */
+/** Tests that the schema of scenarios agrees with the reader. */
 class ScenarioSchemaTest {
 
   private static final Path EXAMPLES = Path.of("../../../examples");
@@ -139,7 +139,7 @@ class ScenarioSchemaTest {
         List.of("no_impact: true", "no_crash: true"));
   }
 
-  /** What a schema cannot say. */
+  /** Constraints that a schema cannot express. */
   @ParameterizedTest
   @MethodSource
   void refusedByTheReaderOnly(List<String> change) {

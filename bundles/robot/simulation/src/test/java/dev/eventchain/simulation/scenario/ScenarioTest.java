@@ -36,7 +36,7 @@ class ScenarioTest {
     }
   }
 
-  /** Each file says in its first lines what is to be found: id, line, column and pointer. */
+  /** The first lines of each file list its findings: id, line, column and pointer. */
   @ParameterizedTest
   @MethodSource("invalidScenarios")
   void everyProblemOfAnInvalidScenarioIsFoundAtItsPlace(Path file) throws IOException {

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The vehicle next to its pedals: steering, hand brake, gears and drag. */
+/** Tests the vehicle besides its pedals: steering, hand brake, gears and drag. */
 class SteeringTest {
 
   private static final long SECOND = 1_000_000_000L;
@@ -192,7 +192,7 @@ class SteeringTest {
     int seen = 0;
     for (int at = 0; at < data.limit(); at += Lidar.POINT_STEP) {
       if (data.getFloat(at + 12) == 0.8f) {
-        // Its rear, and its side that looks to the ego.
+        // its rear, and its side that faces the ego
         assertTrue(data.getFloat(at) > far + 2.2 && data.getFloat(at) < far + 3.6);
         assertEquals(0, data.getFloat(at + 4), 0.7);
         seen++;

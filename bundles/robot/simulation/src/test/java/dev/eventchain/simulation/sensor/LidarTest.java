@@ -42,7 +42,7 @@ class LidarTest {
     return points;
   }
 
-  /** Points in the way of the ego, not on the road. */
+  /** Returns the points in the way of the ego, not on the road. */
   private static List<Point> obstacles(List<Point> points) {
     return points.stream()
         .filter(point -> Math.abs(point.y()) < 1.2 && point.z() > 0.3 - EGO.lidar().aboveRoad())

@@ -22,7 +22,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** What a list of objects says of those ahead. */
+/** Tests the lists of objects ahead. */
 class ObjectSensorTest {
 
   private static final MessageType TYPE =

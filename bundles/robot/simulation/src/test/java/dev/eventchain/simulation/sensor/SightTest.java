@@ -18,13 +18,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What is hidden behind what. */
+/** Tests which boxes hide others. */
 class SightTest {
 
   private static final Road.Place EYE = new Road.Place(0, 0, 0);
   private static final double HEIGHT = 0.5;
 
-  /** In rad; nothing that is seen in the test is narrower. */
+  /** Tolerance in rad; nothing visible in the test is narrower. */
   private static final double BESIDE = 1e-9;
 
   private static Body box(double x, double y, double length, double width, double headingDegrees) {
@@ -83,7 +83,7 @@ class SightTest {
     assertTrue(!hidden(box(40, 0, 4.5, 1.8, 0), box(-10, 0, 4.5, 30, 0)), "it is behind the eye");
   }
 
-  /** Lines of sight, one by one, are the second opinion. */
+  /** Compares with single lines of sight as an independent method. */
   @Test
   void isHiddenWhereNoLineOfSightGetsThere() {
     Random random = new Random(7);
@@ -114,7 +114,10 @@ class SightTest {
     return boxes;
   }
 
-  /** What is seen begins and ends at corners, so lines beside all of these decide. */
+  /**
+   * Returns whether a body is visible; lines beside all corners decide, since visible parts end at
+   * corners.
+   */
   private static boolean seen(Body body, Body... others) {
     return Stream.concat(Stream.of(body), Arrays.stream(others))
         .flatMapToDouble(SightTest::besideCorners)
@@ -133,7 +136,7 @@ class SightTest {
         .flatMap(direction -> DoubleStream.of(direction - BESIDE, direction + BESIDE));
   }
 
-  /** To the nearest of the four sides that a ray crosses. */
+  /** Returns the distance to the nearest of the four sides that a ray crosses. */
   private static double distance(Body body, double direction) {
     double nearest = Double.POSITIVE_INFINITY;
     for (int side = 0; side < 4; side++) {

@@ -22,7 +22,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 
-/** Who is to blame when nothing continues, by a clock that the test sets. */
+/** Tests the blamed node when nothing continues, with a clock that the test sets. */
 class SupervisorTest {
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);
@@ -64,7 +64,10 @@ class SupervisorTest {
 
   private Deliveries underway = oneUnderway(true);
 
-  /** A message from the radar to the brake that was written and not received. */
+  /**
+   * Returns deliveries with a message from the radar to the brake that was written and not
+   * received.
+   */
   private static Deliveries oneUnderway(boolean bestEffort) {
     String end =
         """

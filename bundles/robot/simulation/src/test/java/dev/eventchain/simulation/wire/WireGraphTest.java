@@ -17,7 +17,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
-/** Who is connected with whom on the wire, and what is still underway. */
+/** Tests the matches of writers and readers, and the samples on the way. */
 class WireGraphTest {
 
   private static final String WORLD =

@@ -10,7 +10,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
-/** The record of a scenario, put together from those of its processes. */
+/** Tests the log of a scenario, merged from those of its processes. */
 class WireRecordTest {
 
   private final WireRecord record = new WireRecord();

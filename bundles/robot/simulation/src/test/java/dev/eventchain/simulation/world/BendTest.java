@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A road of constant curvature, and the driver who follows it. */
+/** Tests a road of constant curvature, and the driver who follows it. */
 class BendTest {
 
   private static final long SECOND = 1_000_000_000L;
@@ -103,7 +103,7 @@ class BendTest {
     assertEquals(20, world.egoSpeed(), 0.05);
   }
 
-  /** Ray by ray, the wall is where a march of small steps meets it. */
+  /** Compares the wall, ray by ray, with a march of small steps. */
   @ParameterizedTest
   @ValueSource(doubles = {60, -60, 400})
   void wallsBendWithTheRoad(double radius) {

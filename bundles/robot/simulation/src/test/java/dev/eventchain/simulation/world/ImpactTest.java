@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Who touches whom: boxes along the whole way, whatever their sizes, places and directions. */
+/** Tests contacts of boxes along the whole way, for any sizes, places and directions. */
 class ImpactTest {
 
   private static final long SECOND = 1_000_000_000L;
@@ -112,7 +112,7 @@ class ImpactTest {
     assertEquals(30, start.gap() / start.timeToCollision(), 1e-6);
   }
 
-  /** The geometry of java.awt, asked every half a millisecond, is the second opinion. */
+  /** Compares with the geometry of java.awt, evaluated every half a millisecond. */
   @Test
   void impactsAreThoseOfAnotherGeometry() {
     Random random = new Random(12);

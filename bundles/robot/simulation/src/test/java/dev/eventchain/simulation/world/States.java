@@ -1,6 +1,6 @@
 package dev.eventchain.simulation.world;
 
-/** States of a trace for tests in which it does not matter where the ego is. */
+/** States of a trace for tests in which the position of the ego does not matter. */
 public final class States {
 
   private States() {}

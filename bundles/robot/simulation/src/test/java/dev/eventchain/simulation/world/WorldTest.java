@@ -146,8 +146,8 @@ class WorldTest {
   }
 
   /**
-   * An ideal controller with the paper's thresholds, given the true TTC every 50 ms: an independent
-   * calculation of the impact speed lies between those of the best and the worst instant of
+   * Applies an ideal controller with the paper's thresholds to the true TTC every 50 ms.
+   * Independently calculated impact speeds lie between those of the best and the worst instant of
    * control.
    */
   @ParameterizedTest

@@ -25,12 +25,12 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 
-/** What the stages that ask a language model have in common. */
+/** Common report data of the stages that ask a language model. */
 final class AgentReport {
 
   private AgentReport() {}
 
-  /** Adds what decides an answer besides files: settings, and how answers are had. */
+  /** Adds the inputs of answers besides files: settings and the source of answers. */
   static void fingerprint(RunContext run, Stage stage, Fingerprint fingerprint) {
     Configuration configuration = run.project().configuration();
     fingerprint
@@ -52,7 +52,7 @@ final class AgentReport {
     return files;
   }
 
-  /** The model that answered and where its answers came from. */
+  /** Returns the model that answered and the source of its answers. */
   static ObjectNode of(RunContext run, Stage stage, List<AgentResult> results) {
     ObjectNode report = JsonNodeFactory.instance.objectNode();
     report.put("model", String.join(", ", run.project().configuration().models(stage.id())));
@@ -69,7 +69,7 @@ final class AgentReport {
     return report;
   }
 
-  /** What was wrong with answers that went back. */
+  /** Returns the identifiers of the errors in answers that were sent back. */
   private static List<String> returned(AgentResult result) {
     return result.attempts().subList(0, result.attempts().size() - 1).stream()
         .flatMap(attempt -> attempt.findings().stream())
@@ -78,12 +78,15 @@ final class AgentReport {
         .toList();
   }
 
-  /** What was found in an answer, in the files that it becomes. */
+  /** Returns the findings in an answer, located in the files written from it. */
   static List<Diagnostic> placed(RunContext run, AgentResult result) {
     return result.diagnostics().stream().map(run.models()::placed).toList();
   }
 
-  /** How many answers had to be corrected, and what the run has spent; empty if nothing. */
+  /**
+   * Returns the number of corrected answers and the run's spending; empty if there is nothing to
+   * report.
+   */
   static String effort(RunContext run, List<AgentResult> results) {
     int repairs = results.stream().mapToInt(result -> result.attempts().size() - 1).sum();
     String corrected =

@@ -21,9 +21,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Design rules to {@code generated.ocl}. A project without design rules has none. The chain that
- * they are about is that of its description, which needs no language model, or the one that people
- * edit.
+ * Translates design rules to {@code generated.ocl}, if the project has any. They concern the chain
+ * of its description, which needs no language model, or the edited chain.
  */
 public final class ConstrainStage implements StageWork {
 

@@ -18,8 +18,8 @@ import dev.eventchain.project.ProjectFolder;
 import java.util.List;
 
 /**
- * Requirements and software base to {@code chain.json}. Where people edit the model of the chain,
- * the chain is written from that.
+ * Designs {@code chain.json} from requirements and software base. If people edit the chain's model,
+ * the chain is written from that model.
  */
 public final class DesignStage implements StageWork {
 

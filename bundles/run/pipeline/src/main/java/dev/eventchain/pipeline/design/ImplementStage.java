@@ -29,7 +29,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 
-/** The components of the chain that do not exist yet: {@code components/*.py}. */
+/** Implements the missing components of the chain: {@code components/*.py}. */
 public final class ImplementStage implements StageWork {
 
   @Override
@@ -71,7 +71,7 @@ public final class ImplementStage implements StageWork {
     return new StageResult(details(work, missing, asked), files, work.found, report);
   }
 
-  /** All tests run, for their number is said as well; those of edited files are among them. */
+  /** Runs all tests, because their number is reported, too, including those of edited files. */
   @Override
   public Optional<Checked> checkEdited(RunContext run, Collection<String> editedOutputs) {
     SourceText description = SourceText.read(run.required(ProjectFolder.DESCRIPTION, Stage.DESIGN));
@@ -83,7 +83,7 @@ public final class ImplementStage implements StageWork {
     return Optional.of(new Checked(details(work, missing, List.of()), work.found));
   }
 
-  /** What is made and found on the way. */
+  /** Results and findings of the stage so far. */
   private static final class Work {
     private final RunContext run;
     private final SourceText chain;
@@ -107,7 +107,7 @@ public final class ImplementStage implements StageWork {
             ask(
                 () -> tests.written(node.getName()).orElseGet(() -> tests.propose(node.getName())),
                 awaited);
-        // Who waits for tests may ask for the component meanwhile: it is asked without them.
+        // The component may be requested without its tests while somebody waits for them.
         Optional<AgentResult> answered = ask(() -> implement(node.getName(), tester), awaited);
         if (answered.isPresent() && tester.isPresent()) {
           keep(ComponentFiles.name(node.getName()), answered.get(), tester.get());
@@ -118,7 +118,7 @@ public final class ImplementStage implements StageWork {
       }
     }
 
-    /** What a verdict has changed; everything else stays as it is. */
+    /** Corrects the components that a verdict has sent back; everything else is unchanged. */
     void correct(List<SoftwareNode> missing) {
       for (SoftwareNode node : missing) {
         Optional<AgentResult> correction =
@@ -144,7 +144,7 @@ public final class ImplementStage implements StageWork {
       run.write(file, answered.text());
       files.add(file);
       results.add(answered);
-      // The tests of the answer say nothing about a person's version that is kept.
+      // The answer's tests do not apply to a person's version that is kept.
       if (run.output().isEdited(file)) {
         count(tester, tester.check(probe().ofExisting(), run.file(file)));
       } else {
@@ -152,7 +152,7 @@ public final class ImplementStage implements StageWork {
       }
     }
 
-    /** A component as it is, which a person may have edited, by the tests as they are. */
+    /** Runs the current tests on the current component, both possibly edited. */
     void test(String component) {
       run.progress().step(Stage.IMPLEMENT, "tests of " + component);
       ComponentTester tester = tests.standing(component);
@@ -165,7 +165,7 @@ public final class ImplementStage implements StageWork {
       tested += Diagnostic.anyError(failed) ? 0 : tester.count();
     }
 
-    /** What exists already has tests where people wrote some. */
+    /** Tests existing components for which people wrote tests. */
     void testExisting(List<SoftwareNode> existing) {
       for (SoftwareNode node : existing) {
         Optional<ComponentTester> tester = tests.written(node.getName());
@@ -177,7 +177,9 @@ public final class ImplementStage implements StageWork {
       }
     }
 
-    /** Removes what an earlier run wrote, and names what this one did. */
+    /**
+     * Deletes components of an earlier run that this run did not write, and returns their names.
+     */
     List<String> removeOthers() {
       found.addAll(run.output().removeOthers(ComponentFiles.FOLDER, files));
       found.addAll(run.output().removeOthers(TestFiles.FOLDER, tests.proposed()));
@@ -199,7 +201,10 @@ public final class ImplementStage implements StageWork {
     return nodes.stream().map(SoftwareNode::getName).toList();
   }
 
-  /** A person who is asked for one component may as well be asked for all of them. */
+  /**
+   * Asks a question and collects those that wait for a person, so that all components are requested
+   * at once.
+   */
   private static <T> Optional<T> ask(Supplier<T> question, List<Diagnostic> awaited) {
     try {
       return Optional.of(question.get());

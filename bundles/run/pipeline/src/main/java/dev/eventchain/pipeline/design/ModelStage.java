@@ -25,9 +25,9 @@ import java.util.List;
 import org.eclipse.emf.ecore.EObject;
 
 /**
- * The event chain as an instance of the metamodel, {@code chain.xmi}: by a language model whose
- * answer is compared with the model that the description gives directly; or just directly, if the
- * configuration says {@code model: direct}.
+ * Writes the event chain as an instance of the metamodel, {@code chain.xmi}: by a language model,
+ * whose answer is compared with the model converted directly from the description; or only
+ * directly, with the setting {@code model: direct}.
  */
 public final class ModelStage implements StageWork {
 
@@ -83,7 +83,7 @@ public final class ModelStage implements StageWork {
         AgentReport.of(run, Stage.MODEL, List.of(answered)));
   }
 
-  /** The model that the agent's answer describes; the agent has checked that it does. */
+  /** Returns the model in the agent's answer, which the agent has checked. */
   private static EventChain instance(String answer) {
     Modeled<EObject> modeled =
         new InstanceModeler(List.of(EventchainPackage.eINSTANCE))

@@ -22,8 +22,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The tests of components: files {@code tests/NAME.yaml} of the project, and where there is none
- * for a component that is missing, what a language model proposes, which lies in {@code out/tests}.
+ * Tests of components: files {@code tests/NAME.yaml} of the project, or for missing components
+ * without one, proposals of a language model in {@code out/tests}.
  */
 final class TestFiles {
   static final String FOLDER = "tests";
@@ -39,7 +39,7 @@ final class TestFiles {
     this.chain = chain;
   }
 
-  /** Those that people wrote. */
+  /** Returns the tests that people wrote. */
   static List<Path> ofProject(Project project) {
     Path folder = project.folder().resolve(FOLDER);
     return Files.isDirectory(folder)
@@ -49,7 +49,7 @@ final class TestFiles {
         : List.of();
   }
 
-  /** The tests that people wrote of a component. */
+  /** Returns the tests that people wrote for a component. */
   Optional<ComponentTester> written(String component) {
     Path file = run.project().folder().resolve(FOLDER).resolve(component + SUFFIX);
     return Files.isRegularFile(file) ? Optional.of(read(file, component)) : Optional.empty();
@@ -68,7 +68,7 @@ final class TestFiles {
   }
 
   /**
-   * The tests that a component was implemented by in this run or an earlier one.
+   * Returns the tests by which a component was implemented in this run or an earlier one.
    *
    * @throws DiagnosticException if there are none any more
    */
@@ -91,7 +91,7 @@ final class TestFiles {
     return tests;
   }
 
-  /** Tests that nothing runs. */
+  /** Returns findings about tests of unknown components, which are not run. */
   List<Diagnostic> ofNoComponent(Collection<String> components) {
     return ofProject(run.project()).stream()
         .filter(file -> !components.contains(name(file)))
@@ -111,12 +111,12 @@ final class TestFiles {
     return name.substring(0, name.length() - SUFFIX.length());
   }
 
-  /** The files that were proposed. */
+  /** Returns the proposed files. */
   List<String> proposed() {
     return List.copyOf(proposed);
   }
 
-  /** How they came about. */
+  /** Returns the results of the agents that wrote them. */
   List<AgentResult> results() {
     return List.copyOf(results);
   }

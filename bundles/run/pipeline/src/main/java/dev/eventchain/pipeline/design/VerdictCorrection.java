@@ -24,8 +24,8 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * Sends a failed verdict back to the language model that wrote the components: to one component
- * after the other, in the order of the chain, until one is changed.
+ * Sends a failed verdict back to the language model that wrote the components: to one after the
+ * other, in the order of the chain, until one is changed.
  */
 public final class VerdictCorrection {
   private final RunContext run;
@@ -36,19 +36,20 @@ public final class VerdictCorrection {
     this.failed = failed;
   }
 
-  /** Whether a run has simulated everything, and writes components. */
+  /** Returns whether the run writes components and has simulated all scenarios. */
   public static boolean isAllowed(RunContext run) {
     return run.options().runs(Stage.IMPLEMENT)
         && !run.options().isPartial()
-        && !run.options().isAttached() // others do not take up what is changed here
+        && !run.options()
+            .isAttached() // changes here do not affect nodes that were started elsewhere
         && run.models().simulated().isPresent();
   }
 
   /**
-   * Asks for a correction.
+   * Requests a correction.
    *
-   * @return the component that was changed, by its name; nothing if no scenario fails by a
-   *     criterion, or nobody changes anything
+   * @return the changed component by name; empty if no scenario fails by a criterion, or no
+   *     component was changed
    * @throws DiagnosticException WAITING for a person's answer
    */
   public static Map<String, AgentResult> ask(RunContext run, SimulationResult simulated) {
@@ -85,7 +86,7 @@ public final class VerdictCorrection {
       AgentResult answered = correct(node, present);
       return answered.text().equals(present.text()) ? Optional.empty() : Optional.of(answered);
     } catch (DiagnosticException e) {
-      // Of an evaluation nobody knows what it would have come to.
+      // The result of an evaluation with a correction would be unknown.
       boolean evaluated = run.models().isEvaluated() && e.reason() != Reason.FINDINGS;
       if (e.reason() == Reason.WAITING || evaluated) {
         throw e;

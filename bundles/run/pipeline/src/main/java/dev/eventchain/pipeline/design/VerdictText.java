@@ -14,11 +14,11 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * A failed verdict as the language model that wrote a component is told it: each criterion that
- * does not hold, and what the component read and wrote around the time that decided it.
+ * A failed verdict as text for the language model that wrote a component: each missed criterion,
+ * and the component's inputs and outputs around the decisive time.
  */
 final class VerdictText {
-  /** Criteria beyond these usually have the same cause. */
+  /** Largest number of criteria: further ones usually have the same cause. */
   private static final int MOST_CRITERIA = 5;
 
   private static final int MOST_OTHERS = 6;
@@ -33,14 +33,14 @@ final class VerdictText {
     this.component = component;
   }
 
-  /** The criteria of a scenario that were tested and do not hold. */
+  /** Returns the tested criteria of a scenario that do not hold. */
   static List<CriterionResult> failed(ScenarioVerdict verdict) {
     return verdict.criteria().stream()
         .filter(criterion -> criterion.tested() && !criterion.passed())
         .toList();
   }
 
-  /** What failed, for who wrote a component. */
+  /** Returns the failed criteria as text for the author of a component. */
   static String of(SoftwareNode component, List<ScenarioVerdict> verdicts) {
     VerdictText told = new VerdictText(component);
     int number = 0;
@@ -92,7 +92,7 @@ final class VerdictText {
     return Double.isFinite(value) ? String.format(Locale.ROOT, " %.4g |", value) : " - |";
   }
 
-  /** The component's own curves, then some of the others that change. */
+  /** Returns the component's own signals, then some of the others that change. */
   private Map<String, Curve> columns(List<Curve> curves, List<Integer> rows) {
     Map<String, Curve> columns = new LinkedHashMap<>();
     for (Curve curve : curves) {

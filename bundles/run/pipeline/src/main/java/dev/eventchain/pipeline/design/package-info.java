@@ -1,6 +1,5 @@
 /**
  * The stages that ask language models for the chain, its components, its model and its constraints,
- * and the way back of a failed verdict. Does not know what is generated or simulated from the
- * answers.
+ * and corrections after a failed verdict. Depends on neither generation nor simulation.
  */
 package dev.eventchain.pipeline.design;

@@ -10,8 +10,8 @@ import dev.eventchain.model.eventchain.SoftwareNode;
 import java.util.List;
 
 /**
- * A chain as nodes and edges; an edge without a node at one end leads out of the chain, and is
- * marked where the model declares that.
+ * A chain as nodes and edges; an edge with one node leads out of the chain, and is marked if the
+ * model declares that.
  */
 public final class ChainPicture {
 

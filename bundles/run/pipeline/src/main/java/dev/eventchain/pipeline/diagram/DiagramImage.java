@@ -21,16 +21,16 @@ import net.sourceforge.plantuml.core.ImageData;
 import net.sourceforge.plantuml.error.PSystemError;
 
 /**
- * PlantUML text as an SVG picture, drawn by the PlantUML library inside this process: no Graphviz,
- * no font of this machine, no file, no network. The same text gives the same bytes everywhere. The
- * only class that knows the library, so that only a command that draws loads it.
+ * Renders PlantUML text as SVG with the PlantUML library in this process: without Graphviz, local
+ * fonts, files or network. The same text gives the same bytes everywhere. Only this class uses the
+ * library, so that only drawing commands load it.
  */
 final class DiagramImage {
 
-  /** The layout recurses along the longest path of the graph. */
+  /** Stack size: the layout recurses along the longest path of the graph. */
   private static final long STACK_BYTES = 256L << 20;
 
-  /** Wall time for each second of processor time: machines are busy. */
+  /** Wall time per second of processor time, for busy machines. */
   private static final int WALL_FACTOR = 60;
 
   /** The library writes its version into each picture. */
@@ -46,25 +46,24 @@ final class DiagramImage {
   private static final double BAR_WIDTH = 80;
   private static final double BAR_HEIGHT = 8;
 
-  /** How high the layout takes a bar to be: as high as a line of text. */
+  /** Height of a bar in the layout: that of a line of text. */
   private static final double LAID_OUT_HEIGHT = 24;
 
   static {
     System.setProperty("java.awt.headless", "true");
-    // Neither files nor addresses, whatever a text says. The library reads this once.
+    // No access to files or addresses, whatever the text contains. The library reads this once.
     System.setProperty("PLANTUML_SECURITY_PROFILE", "SANDBOX");
   }
 
   private DiagramImage() {}
 
   /**
-   * Draws a text.
+   * Renders PlantUML text.
    *
-   * @param text what a template of templates/plantuml wrote
+   * @param text the output of a template of templates/plantuml
    * @param longest the processor time that it may take
-   * @return nothing if it takes longer; the library cannot be stopped, and continues in a daemon
-   *     thread
-   * @throws IllegalStateException if the library cannot draw it: the template is wrong then
+   * @return empty on timeout; the library cannot be stopped and continues in a daemon thread
+   * @throws IllegalStateException if the library cannot draw it, which is a fault of the template
    */
   static Optional<byte[]> svg(String text, Duration longest) {
     String[] svg = new String[1];
@@ -89,14 +88,14 @@ final class DiagramImage {
     return Optional.of(picture.getBytes(StandardCharsets.UTF_8));
   }
 
-  /** Waits for a thread to end or to have used some processor time, but not for ever. */
+  /** Waits until a thread has ended or used a processor time, with a limit. */
   private static void await(Thread thread, Duration longest) throws InterruptedException {
     ThreadMXBean threads = ManagementFactory.getThreadMXBean();
     boolean measurable = threads.isThreadCpuTimeSupported() && threads.isThreadCpuTimeEnabled();
     long end = System.nanoTime() + WALL_FACTOR * longest.toNanos();
     Duration left = longest;
     while (thread.isAlive() && left.compareTo(Duration.ZERO) > 0 && System.nanoTime() < end) {
-      // It cannot use more processor time than goes by on the wall.
+      // It cannot use more processor time than elapses.
       thread.join(left.toMillis() + 1);
       long used = measurable ? threads.getThreadCpuTime(thread.getId()) : longest.toNanos();
       left = longest.minusNanos(used);
@@ -122,8 +121,8 @@ final class DiagramImage {
   }
 
   /**
-   * Lets arrows start at their bar. PlantUML 1.2026.9 lays bars out as high as a line of text and
-   * draws them at the top of that, so that what leaves a bar begins below a gap.
+   * Moves the start of arrows to their bar. PlantUML 1.2026.9 lays bars out as high as a line of
+   * text and draws them at the top of that, so that outgoing arrows begin below a gap.
    */
   private static String joinBars(String svg) {
     List<MatchResult> bars = BAR.matcher(svg).results().toList();

@@ -35,22 +35,22 @@ import org.eclipse.emf.ecore.EcorePackage;
 /** Diagrams of models and metamodels, as PlantUML text and as an SVG picture. */
 public final class Diagrams {
 
-  /** The set of templates, one for each kind of diagram. */
+  /** Template set, with one template per kind of diagram. */
   private static final String TEMPLATES = "plantuml";
 
-  /** How many boxes and arrows a diagram may have: larger ones are unreadable. */
+  /** Largest number of boxes and arrows in a diagram; larger ones are unreadable. */
   private static final int MOST = 1000;
 
-  /** The processor time of a layout. Arrows between far boxes make it take minutes. */
+  /** Time limit of a layout in processor time. Arrows between distant boxes take minutes. */
   private static final Duration LONGEST = Duration.ofSeconds(60);
 
-  /** A line of PlantUML text that is a box or an arrow. */
+  /** A line of PlantUML text for a box or an arrow. */
   private static final Pattern ITEM =
       Pattern.compile(
           "^((state|object|class|enum|interface|abstract) |\\S+ (\"[^\"]*\" )?\\S*(--|\\.\\.))",
           Pattern.MULTILINE);
 
-  /** What is drawn. */
+  /** The kinds of diagrams. */
   public enum Kind {
     /** An event chain: its components in order, with the topics between them. */
     ACTIVITY,
@@ -90,10 +90,10 @@ public final class Diagrams {
    * Writes {@code KIND.puml} and {@code KIND.svg} for each kind.
    *
    * @param ecores the model's metamodels; none for event chains
-   * @param map the folders that beginnings of references stand for: {@code platform:/resource/}
-   * @param models the models that are drawn; may be none if only metamodels are
-   * @param overwrite whether files that a person has edited are replaced
-   * @return what was found; a diagram with an error among its findings is not written
+   * @param map the folders by URI prefix of references, such as {@code platform:/resource/}
+   * @param models the models to draw; may be empty if only metamodels are drawn
+   * @param overwrite true to replace files that a person has edited
+   * @return the findings; a diagram with an error is not written
    * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
    */
   public static WrittenFiles draw(

@@ -32,7 +32,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** What a run comes to: the verdict, and the report about it. */
+/** The conclusion of a run: the verdict and the report. */
 final class Conclusion {
 
   private final RunContext run;
@@ -42,10 +42,10 @@ final class Conclusion {
   private final EarlierRun before;
 
   /**
-   * Of a run whose stages have ended.
+   * Concludes a run whose stages have ended.
    *
-   * @param failure why it could not go on, if it could not
-   * @param before what the report compares with
+   * @param failure the reason why it could not continue, if it could not
+   * @param before the earlier run that the report compares with
    */
   Conclusion(
       RunContext run,
@@ -70,7 +70,7 @@ final class Conclusion {
       coverage = coverage.and(outcome.coverage());
     }
     found.addAll(run.takeFindings());
-    // Stages that need a valid model find what validation found.
+    // Stages that need a valid model report the validation's findings.
     found = new ArrayList<>(new LinkedHashSet<>(found));
     suppressed = new ArrayList<>(new LinkedHashSet<>(suppressed));
     found.addAll(aboutSuppressions(found, suppressed, coverage));
@@ -92,8 +92,8 @@ final class Conclusion {
   }
 
   /**
-   * Which suppressions have ended, and which match nothing: of all in a run of all stages, else of
-   * those about the model when it was checked.
+   * Returns findings about suppressions that have expired or match nothing: about all of them in a
+   * run of all stages, else about those for the model if it was checked.
    */
   private List<Diagnostic> aboutSuppressions(
       List<Diagnostic> found, List<Suppressed> suppressed, Coverage coverage) {
@@ -118,7 +118,7 @@ final class Conclusion {
     return judged ? Verdict.PASSED : Verdict.INCOMPLETE;
   }
 
-  /** Whether all that was found wrong is that something was not tested. */
+  /** Returns whether all findings are about missing tests. */
   private static boolean onlyUntested(List<Diagnostic> found) {
     return Diagnostic.anyError(found)
         && found.stream()
@@ -159,13 +159,13 @@ final class Conclusion {
         : scenarioText + ", but not all was tested";
   }
 
-  /** A verdict must not hide that findings are left out of it. */
+  /** Returns the number of suppressed findings as text, which a verdict must not hide. */
   private static String suppressedText(List<Suppressed> suppressed) {
     int count = suppressed.size();
     return count == 0 ? "" : ", " + Coverage.counted(count, "finding") + " suppressed";
   }
 
-  /** A verdict about nodes that others run must say so. */
+  /** Returns a note on nodes that were started elsewhere. */
   private String attached() {
     String words =
         outcome(Stage.SIMULATE)
@@ -199,7 +199,7 @@ final class Conclusion {
         : scenarioText + "; no verdict, because the others were not simulated";
   }
 
-  /** What the last stage made, where a run was not asked for a verdict. */
+  /** Returns the details of the last stage, for a run without a verdict. */
   private String lastDetails() {
     return outcomes.values().stream()
         .filter(outcome -> outcome.status() != Status.NOT_RUN)
@@ -208,7 +208,7 @@ final class Conclusion {
         .orElse("nothing to do");
   }
 
-  /** The scenarios of this run; those of an earlier one prove nothing about it. */
+  /** Returns the scenarios of this run; those of an earlier one prove nothing about it. */
   private List<ScenarioLine> scenarioLines() {
     StageOutcome simulated = outcome(Stage.SIMULATE);
     List<ScenarioLine> lines = new ArrayList<>();
@@ -225,7 +225,9 @@ final class Conclusion {
     return lines;
   }
 
-  /** How many of the faults that are judged went as expected, and how many are not judged. */
+  /**
+   * Returns the number of judged faults that went as expected, and the number of faults not judged.
+   */
   private String faultText() {
     long judged = 0;
     long passed = 0;
@@ -241,7 +243,7 @@ final class Conclusion {
     return observed == 0 ? text : text + Coverage.counted(observed, "fault") + " not judged, ";
   }
 
-  /** What came of faults in this run. */
+  /** Returns the results of the faults in this run. */
   private List<FaultLine> faultLines() {
     List<FaultLine> lines = new ArrayList<>();
     for (JsonNode fault : faults()) {

@@ -24,15 +24,15 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 /**
- * The stages that a run leaves out because it begins later. What they made is taken as it is, so it
- * has to be what they would make of today's sources: otherwise a verdict would be about something
- * else than what the project's files say.
+ * The stages that a run leaves out because it begins later. Their results are reused, so they must
+ * be up to date with the current sources: otherwise a verdict would be about something else than
+ * the project's files.
  */
 final class EarlierStages {
 
   private static final String OUTDATED = "project.stage.outdated";
 
-  /** Where each stage writes, apart from templates of projects. */
+  /** Result files of the stages, apart from those of project templates. */
   private static final Map<Stage, String> RESULTS =
       Map.of(
           Stage.DESIGN, ProjectFolder.DESCRIPTION,
@@ -54,11 +54,12 @@ final class EarlierStages {
   }
 
   /**
-   * Looks at every stage before one that is to begin.
+   * Checks the results of all stages before the first one to run.
    *
-   * @return what is suppressed of that, and warnings: what people edited, and what nobody remembers
-   *     the sources of
-   * @throws DiagnosticException INPUT with the first of what is out of date and not suppressed
+   * @return the suppressed findings, and warnings about edited results and results of unknown
+   *     sources
+   * @throws DiagnosticException INPUT with the first finding about an outdated result that is not
+   *     suppressed
    */
   List<Diagnostic> require(Stage next) {
     if (checksEditedChain()) {
@@ -82,9 +83,9 @@ final class EarlierStages {
   }
 
   /**
-   * To check a chain that people edit takes nothing from an earlier run but the constraints that it
-   * generated, if it did. They are about the design rules, so they hold for the chain as it is now;
-   * that they are about other rules is a finding next to those about the chain.
+   * Returns the findings about generated constraints, the only earlier results that the check of an
+   * edited chain uses. They concern the design rules, and therefore apply to the current chain;
+   * constraints for other rules are findings next to those about the chain.
    */
   private List<Diagnostic> aboutGeneratedConstraints() {
     if (run.project().generated(run.options().output()).isPresent()) {
@@ -139,7 +140,7 @@ final class EarlierStages {
                     run.file(name)));
   }
 
-  /** A stage may have gone on with an error because that was suppressed then. */
+  /** Returns an error if findings of the stage were suppressed when it ran, but no longer are. */
   private Optional<Diagnostic> noLongerSuppressed(Stage stage, StageRecord record) {
     List<Diagnostic> counting = run.options().suppressions().part(record.diagnostics()).remaining();
     return Diagnostic.anyError(counting)
@@ -153,7 +154,7 @@ final class EarlierStages {
         : Optional.empty();
   }
 
-  /** The sources that are not as they were, each with what became of it. */
+  /** Returns the changed sources, each with its change. */
   private static SortedMap<String, String> changes(
       Map<String, String> before, Map<String, String> now) {
     SortedMap<String, String> changes = new TreeMap<>();

@@ -13,16 +13,16 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** The outputs of a stage that need not run again, as a person may have left them. */
+/** Outputs of an up-to-date stage, which people may have edited. */
 final class EditedOutputs {
 
   private EditedOutputs() {}
 
   /**
-   * Says which outputs a person edited, and has the stage check them.
+   * Reports the outputs that a person edited, and has the stage check them.
    *
-   * @return what is remembered; where the stage checked edited outputs, with what it found in them
-   *     instead of what was found in its own versions
+   * @return the recorded result; if the stage checked edited outputs, with the findings in them
+   *     instead of those in its own versions
    * @throws DiagnosticException if they cannot be read
    */
   static StageResult check(RunContext run, StageWork work, StageRecord record) {

@@ -7,7 +7,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 
-/** What stages work on, where one that fails does not end the others. */
+/** The stages whose results a stage needs, for runs in which a failure does not end the others. */
 final class NeededStages {
   private static final Map<Stage, List<Stage>> NEEDED =
       new EnumMap<>(
@@ -21,7 +21,7 @@ final class NeededStages {
 
   private NeededStages() {}
 
-  /** Whether all that a stage works on was made in this run. */
+  /** Returns whether all stages that a stage needs succeeded in this run. */
   static boolean areDone(Stage stage, Map<Stage, StageOutcome> outcomes) {
     return NEEDED.getOrDefault(stage, List.of()).stream()
         .map(outcomes::get)

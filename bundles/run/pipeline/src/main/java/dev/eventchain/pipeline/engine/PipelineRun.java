@@ -38,7 +38,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** The stages of a run in order, as far as they are asked for and can go. */
+/** Runs the requested stages in order, as far as possible. */
 public final class PipelineRun {
 
   private static final Map<Stage, StageWork> WORK =
@@ -52,7 +52,7 @@ public final class PipelineRun {
               Stage.GENERATE, new GenerateStage(),
               Stage.SIMULATE, new SimulateStage()));
 
-  /** The stages that a corrected component concerns. */
+  /** Stages that depend on a corrected component. */
   private static final List<Stage> CORRECTED =
       List.of(Stage.IMPLEMENT, Stage.GENERATE, Stage.SIMULATE);
 
@@ -65,9 +65,9 @@ public final class PipelineRun {
   private Optional<DiagnosticException.Reason> failure = Optional.empty();
 
   /**
-   * How a run ended, with what each of its stages came to.
+   * The result of a run and the outcomes of its stages.
    *
-   * @param outcomes in the order of the stages
+   * @param outcomes the outcomes, in the order of the stages
    */
   public record Ended(RunResult result, Map<Stage, StageOutcome> outcomes) {}
 
@@ -82,8 +82,8 @@ public final class PipelineRun {
   /**
    * Runs stages of a project.
    *
-   * @param sample the run of an evaluation that this is, if it is one
-   * @return how the run ended, also when a stage could not continue
+   * @param sample the sample, if this is the run of an evaluation
+   * @return the end of the run, also if a stage could not continue
    * @throws DiagnosticException INPUT if the output folder cannot be written or is in use
    */
   public static Ended run(
@@ -102,7 +102,7 @@ public final class PipelineRun {
     }
   }
 
-  /** Validation alone writes nothing, so that it works where nothing can be written. */
+  /** Opens the output folder; a run that only validates writes nothing to it. */
   private static OutputFolder outputFor(RunOptions options) {
     return options.readsOnly()
         ? OutputFolder.inMemory(new HashMap<>())
@@ -141,7 +141,7 @@ public final class PipelineRun {
     progress.ended(outcome.stage(), outcome.status(), outcome.duration(), outcome.details());
   }
 
-  /** As long as a failed verdict changes a component, the stages from there on run again. */
+  /** Reruns the stages from the components on as long as a failed verdict changes one. */
   private void correctByVerdict() {
     int rounds = run.project().configuration().repairs();
     while (rounds-- > 0 && mayBeCorrected()) {
@@ -169,20 +169,14 @@ public final class PipelineRun {
         && VerdictCorrection.isAllowed(run);
   }
 
-  /**
-   * Whether a stage asks for something that does not depend on the answer that another one waits
-   * for: a person who is asked for components may as well be asked for the rest.
-   */
+  /** Returns whether a stage needs none of the missing answers, so that it can ask meanwhile. */
   private boolean asksMeanwhile(Stage stage) {
     return failure.equals(Optional.of(DiagnosticException.Reason.WAITING))
         && (stage == Stage.MODEL || stage == Stage.CONSTRAIN)
         && !outcomes.get(Stage.DESIGN).status().isStopped();
   }
 
-  /**
-   * Whether a stage is judged by itself, in an evaluation, and what it works on is there: that one
-   * answer is wrong says nothing about the others.
-   */
+  /** Returns whether a stage of an evaluation is judged separately and has all of its inputs. */
   private boolean isTriedAnyway(Stage stage) {
     DiagnosticException.Reason reason = failure.orElseThrow();
     boolean judged =
@@ -191,13 +185,13 @@ public final class PipelineRun {
     return run.models().isEvaluated() && judged && NeededStages.areDone(stage, outcomes);
   }
 
-  /** The verdict of before stands again if a simulation now would have nothing to do. */
+  /** Restores the earlier verdict if a simulation would be up to date. */
   private void restoreVerdict() {
     try {
       new EarlierStages(run, memory, WORK).require(Stage.SIMULATE);
       standing.recall(fingerprint(Stage.SIMULATE).value());
     } catch (DiagnosticException e) {
-      // It is about other files than today's. Whoever simulates next is told which.
+      // It concerns other files than the current ones. The next simulation reports which.
       return;
     }
   }
@@ -222,7 +216,7 @@ public final class PipelineRun {
         .orElseThrow();
   }
 
-  /** Whatever ends a stage, a verdict of before does not outlive it. */
+  /** Runs a stage; withdraws an earlier verdict however the stage fails. */
   private StageOutcome runGuarded(Stage stage) {
     boolean ended = false;
     try {
@@ -257,7 +251,7 @@ public final class PipelineRun {
     }
   }
 
-  /** Ends a run that is to reach a verdict about scenarios that cannot lead to one. */
+  /** Ends a run with a verdict early if its scenarios cannot lead to one. */
   private void checkScenarios() {
     if (run.options().runs(Stage.SIMULATE)) {
       List<Diagnostic> found = ProjectScenarios.check(run);
@@ -268,7 +262,7 @@ public final class PipelineRun {
     }
   }
 
-  /** What keeps a stage from its result cannot be suppressed. */
+  /** Returns the outcome of a stage without a result; its findings cannot be suppressed. */
   private StageOutcome stopped(Stage stage, DiagnosticException problem, long start) {
     List<Diagnostic> found = new ArrayList<>(run.takeFindings());
     found.addAll(problem.diagnostics());
@@ -289,12 +283,12 @@ public final class PipelineRun {
     return WORK.get(stage).skippable() && !asked;
   }
 
-  /** Whether a stage simulates only some scenarios: then it writes no results. */
+  /** Returns whether a stage simulates only some scenarios and therefore writes no results. */
   private boolean isPartial(Stage stage) {
     return stage == Stage.SIMULATE && run.options().isPartial();
   }
 
-  /** Files that a person edited are written again if they are results, or to be replaced. */
+  /** Returns the record of an up-to-date stage, unless edited files are to be overwritten. */
   private Optional<StageRecord> recall(Stage stage, String key) {
     if (stage == Stage.SIMULATE) {
       return standing.recall(key);
@@ -312,7 +306,7 @@ public final class PipelineRun {
     if (work.skippable()) {
       announce(stage, key);
     }
-    // What was found before the stage's work is about this run, and not remembered.
+    // Findings from before the stage's work concern this run only and are not recorded.
     List<Diagnostic> all = new ArrayList<>(run.takeFindings());
     StageResult result = work.execute(run);
     List<Diagnostic> found = new ArrayList<>(run.takeFindings());
@@ -323,7 +317,7 @@ public final class PipelineRun {
     if (failed) {
       failure = Optional.of(DiagnosticException.Reason.FINDINGS);
     } else if (work.skippable() && !isPartial(stage)) {
-      // An error that is suppressed today may count tomorrow: then the stage must run again.
+      // An error that is suppressed now may count later: then the stage must run again.
       String skippedBy = Diagnostic.anyError(found) ? StageRecord.NEVER : key;
       memory.remember(stage, record(skippedBy, sources, result, found));
     }
@@ -342,7 +336,7 @@ public final class PipelineRun {
         result.report());
   }
 
-  /** Whatever happens from here on, the files are no longer those that are remembered. */
+  /** Withdraws the results and forgets the stage before it runs: its files may change. */
   private void announce(Stage stage, String key) {
     boolean resultsStay = isPartial(stage) && standing.recall(key).isPresent();
     if (!resultsStay) {
@@ -353,7 +347,7 @@ public final class PipelineRun {
     }
   }
 
-  /** A person may have edited what the stage wrote: then that is said again, and checked. */
+  /** Returns the outcome of a skipped stage; edited outputs are reported and checked again. */
   private StageOutcome unchanged(Stage stage, StageRecord record, long start) {
     run.models().recall(stage, record.report());
     StageResult result = EditedOutputs.check(run, WORK.get(stage), record);
@@ -379,7 +373,7 @@ public final class PipelineRun {
         Optional.of(result.report()));
   }
 
-  /** What an earlier run found out proves nothing about the files of this one. */
+  /** Returns the outcome of a stage that did not run; earlier results prove nothing here. */
   private static StageOutcome notRun(Stage stage) {
     return new StageOutcome(
         stage,

@@ -18,13 +18,13 @@ import java.util.Optional;
 import java.util.TreeMap;
 
 /**
- * The results of an earlier simulation, and the report, while a run works. They are withdrawn
- * before anything is done that may lead to other results, so that no unfounded verdict remains,
- * even if the run is killed; and put back if it turns out that they still hold.
+ * The results of an earlier simulation, and the report, during a run. They are withdrawn before any
+ * change, so that no unfounded verdict remains, even if the run is killed; and restored if they
+ * turn out to be still valid.
  */
 public final class StandingResults {
 
-  /** What states a verdict, or belongs to one, besides the verdict itself. */
+  /** Files besides the verdict that state it or belong to it. */
   private static final List<String> OTHERS =
       List.of(
           SimulateStage.MEASUREMENTS,
@@ -44,8 +44,8 @@ public final class StandingResults {
   }
 
   /**
-   * Withdraws the results; the verdict says in which stage the run is, and stays so if it ends
-   * there. A run that is not to reach a verdict makes none where there is none.
+   * Withdraws the results; the verdict names the current stage, and keeps it if the run ends there.
+   * A run without a verdict creates none.
    */
   void withdraw(Stage stage) {
     boolean reachesVerdict = run.options().runs(Stage.SIMULATE) && !run.options().isPartial();
@@ -55,7 +55,7 @@ public final class StandingResults {
     }
     if (!withdrawn) {
       remember();
-      // First of all: a verdict without record is never taken for a result again.
+      // First of all: a verdict without a record never counts as a result.
       memory.forget(Stage.SIMULATE);
       withdrawn = true;
     }
@@ -65,8 +65,8 @@ public final class StandingResults {
   }
 
   /**
-   * Withdraws the verdict in an output folder, for a run that could not even be begun. Nothing
-   * happens where there is not a verdict, or another run is at work.
+   * Withdraws the verdict in an output folder, for a run that could not begin. Does nothing if
+   * there is no verdict or another run is in progress.
    */
   public static void withdrawVerdict(Path output) {
     if (!Files.isRegularFile(output.resolve(SimulateStage.VERDICT))) {
@@ -75,7 +75,7 @@ public final class StandingResults {
     try (OutputFolder folder = OutputFolder.open(output)) {
       withdraw(folder);
     } catch (DiagnosticException e) {
-      // What keeps the run from beginning is said by the one who asked for it.
+      // The caller reports why the run cannot begin.
       return;
     }
   }
@@ -112,7 +112,7 @@ public final class StandingResults {
                     && run.output().written(each.getKey()).equals(each.getValue()));
   }
 
-  /** What is remembered of the simulation, with its results in place, if its key is this one. */
+  /** Returns the recorded simulation and restores its results, if its key is the given one. */
   Optional<StageRecord> recall(String key) {
     if (!withdrawn) {
       return memory.recall(Stage.SIMULATE, key).filter(this::isAsWritten);
@@ -130,7 +130,7 @@ public final class StandingResults {
     run.writeResult(name, contents.get(name));
   }
 
-  /** For a run that makes no report: the one of before, if the same came to the same verdict. */
+  /** Restores the earlier report for a run without one, if the verdict is the same. */
   void putReportBack() {
     boolean same =
         record.isPresent()

@@ -1,5 +1,6 @@
 /**
- * The order of the stages: which run, which are skipped, when results of an earlier run stand or
- * are withdrawn, and the conclusion. Knows every stage, and neither evaluations nor commands.
+ * The order of the stages: selects those that run or are skipped, keeps or withdraws results of an
+ * earlier run, and draws the conclusion. Depends on every stage, but not on evaluations or
+ * commands.
  */
 package dev.eventchain.pipeline.engine;

@@ -6,21 +6,21 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * What one run of an evaluation came to.
+ * The result of one run of an evaluation.
  *
  * @param number from 1
- * @param reason why it does not count, if it does not
- * @param chainModel whether there is a chain and a model of it that is valid
- * @param functionCode whether there are the components that the chain needs, which pass their
+ * @param reason the reason why it does not count, if it does not
+ * @param chainModel the score of the chain and its valid model
+ * @param functionCode the score of the components that the chain needs, which have to pass their
  *     checks
- * @param overall whether all of that holds, and the verdict of the scenarios is PASSED
+ * @param overall the score of all of that, with the verdict PASSED for the scenarios
  * @param implementedFor the chain that the components are for
- * @param authored whether people wrote any of the answers, so that it is not a measurement
+ * @param authored true if people wrote any of the answers, so that it is not a measurement
  * @param answeredBy the models that answered, as their providers name them
- * @param usage what the answers cost
- * @param failures what the run failed by, as {@code stage: id}
- * @param returned what was wrong with answers that a model could fix
- * @param host what depends on this machine
+ * @param usage the usage of the answers
+ * @param failures the identifiers of the errors that the run failed by, as {@code stage: id}
+ * @param returned the identifiers of the errors in answers that were sent back
+ * @param host machine-dependent values
  */
 record EvaluatedRun(
     String model,
@@ -38,14 +38,14 @@ record EvaluatedRun(
     List<String> returned,
     Host host) {
 
-  /** Whether a run counts, and why not. */
+  /** The states of a run: it counts, or the reason why not. */
   enum State {
     COUNTED("counted"),
-    /** No answer is recorded that an earlier run has not taken. */
+    /** No recorded answer that earlier runs have not used. */
     UNRECORDED("no recorded answer"),
-    /** The model could not be asked, which says nothing about its answers. */
+    /** The model could not be reached, which says nothing about its answers. */
     UNREACHABLE("not answered"),
-    /** An answer from outside is awaited. */
+    /** Waiting for an external answer. */
     WAITING("waiting for an answer"),
     /** The evaluation ended before. */
     NOT_BEGUN("not begun");
@@ -56,25 +56,25 @@ record EvaluatedRun(
       this.words = words;
     }
 
-    /** The words that people read. */
+    /** Returns the text for people. */
     String words() {
       return words;
     }
   }
 
-  /** What an artefact came to. */
+  /** The grades of an artefact. */
   enum Grade {
     PASSED,
     FAILED,
-    /** There was nothing to judge. */
+    /** Nothing to judge. */
     UNKNOWN
   }
 
   /**
-   * What an artefact came to.
+   * The grades of an artefact.
    *
-   * @param first with the first answers only
-   * @param last with the answers after repair
+   * @param first the grade with the first answers only
+   * @param last the grade with the answers after repair
    */
   record Score(Grade first, Grade last) {
     static final Score UNKNOWN = new Score(Grade.UNKNOWN, Grade.UNKNOWN);
@@ -89,9 +89,9 @@ record EvaluatedRun(
   }
 
   /**
-   * What answers cost.
+   * The usage of answers.
    *
-   * @param unknown how many of them came without a number of tokens
+   * @param unknown the number of answers without a token count
    */
   record Usage(int calls, int unknown, long inputTokens, long outputTokens) {
     static final Usage NONE = new Usage(0, 0, 0, 0);
@@ -106,9 +106,9 @@ record EvaluatedRun(
   }
 
   /**
-   * What depends on this machine.
+   * Machine-dependent values.
    *
-   * @param seconds how long it took
+   * @param seconds the duration
    */
   record Host(double seconds) {}
 
@@ -124,7 +124,7 @@ record EvaluatedRun(
     returned = List.copyOf(returned);
   }
 
-  /** Of a run that does not count. */
+  /** Returns a run that does not count. */
   static EvaluatedRun uncounted(String model, int number, State state, String reason) {
     return new EvaluatedRun(
         model,
@@ -143,7 +143,7 @@ record EvaluatedRun(
         new Host(0));
   }
 
-  /** The same with more that it failed by. */
+  /** Returns a copy with additional failures. */
   EvaluatedRun withFailures(List<String> more) {
     Set<String> all = new TreeSet<>(failures);
     all.addAll(more);

@@ -18,8 +18,8 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The folder of an evaluation: a folder for each run, with a file that is there when the run has
- * ended and says what it was made from. Thread-safe.
+ * The folder of an evaluation: a folder per run, with a file that exists once the run has ended and
+ * names its inputs. Thread-safe.
  */
 final class EvaluationFolder implements AutoCloseable {
 
@@ -42,8 +42,8 @@ final class EvaluationFolder implements AutoCloseable {
   }
 
   /**
-   * Opens the folder below the one of a project's results, and takes away what an evaluation of
-   * before has left there of its own: it does not outlive the beginning of another one.
+   * Opens the folder below that of the project's results, and deletes the results of an earlier
+   * evaluation.
    */
   static EvaluationFolder open(Path results) {
     EvaluationFolder folder = new EvaluationFolder(results.resolve(NAME));
@@ -52,7 +52,7 @@ final class EvaluationFolder implements AutoCloseable {
     return folder;
   }
 
-  /** The name of a run's folder: safe, whatever the model is called, and no other's. */
+  /** Returns the name of a run's folder: valid and unique for any model name. */
   static String nameOf(String model, int number) {
     String safe = model.replaceAll("[^A-Za-z0-9._-]", "_").replaceAll("^[.-]|[.-]$", "_");
     safe = safe.substring(0, Math.min(safe.length(), LONGEST_NAME));
@@ -65,7 +65,7 @@ final class EvaluationFolder implements AutoCloseable {
     return base.resolve(name);
   }
 
-  /** What a run came to that has ended, if it was made from the same. */
+  /** Returns the result of a finished run, if it was made from the same inputs. */
   Optional<EvaluatedRun> finished(String run, String inputs) {
     Optional<byte[]> bytes = output.read(run + "/" + RESULT);
     try {
@@ -74,17 +74,17 @@ final class EvaluationFolder implements AutoCloseable {
           ? Optional.of(MAPPER.treeToValue(result.path("run"), EvaluatedRun.class))
           : Optional.empty();
     } catch (IOException | RuntimeException e) {
-      // What cannot be read only costs the run.
+      // An unreadable result only costs the repetition of the run.
       return Optional.empty();
     }
   }
 
-  /** From now on there is no result of a run. */
+  /** Deletes the result of a run that begins. */
   void begin(String run) {
     output.remove(run + "/" + RESULT);
   }
 
-  /** Keeps what a run came to. */
+  /** Saves the result of a run. */
   void finish(String run, String inputs, EvaluatedRun result) {
     ObjectNode json = MAPPER.createObjectNode();
     json.put("inputs", inputs);
@@ -92,13 +92,13 @@ final class EvaluationFolder implements AutoCloseable {
     write(run + "/" + RESULT, JsonLayout.of(json) + "\n");
   }
 
-  /** Replaces whatever is there: it is a result. */
+  /** Writes a result; replaces any existing file. */
   void write(String name, String text) {
     byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
     output.write(name, bytes, OutputFolder.OnEdit.OVERWRITE);
   }
 
-  /** What decides what a run comes to: files, settings, and this program. */
+  /** Returns the fingerprint of all inputs of a run: files, settings and this program. */
   static String inputs(
       Project project,
       EvaluationOptions options,

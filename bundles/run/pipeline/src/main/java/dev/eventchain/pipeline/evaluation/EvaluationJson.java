@@ -17,7 +17,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 
-/** The results of an evaluation for programs, {@code evaluation.json}. */
+/** The results of an evaluation as JSON, {@code evaluation.json}. */
 final class EvaluationJson {
 
   private static final double DECIMALS = 10_000;
@@ -126,7 +126,7 @@ final class EvaluationJson {
     return Math.round(value * DECIMALS) / DECIMALS;
   }
 
-  /** The JSON Schema of the file. */
+  /** Returns the JSON Schema of the file. */
   static String schema() {
     try (InputStream stream = EvaluationJson.class.getResourceAsStream("evaluation.schema.json")) {
       return new String(stream.readAllBytes(), StandardCharsets.UTF_8);

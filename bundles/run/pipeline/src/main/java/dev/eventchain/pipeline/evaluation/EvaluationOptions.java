@@ -11,13 +11,13 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The language models that an evaluation compares, and how.
+ * The language models that an evaluation compares, and its settings.
  *
  * @param output the folder of the project's results, below which the evaluation has one of its own
- * @param models empty for those that the project's configuration names
- * @param runs how many runs each model does
- * @param parallel how many runs are done at once
- * @param llm how answers are had; empty: as the project's configuration says
+ * @param models the models; empty for those of the project's configuration
+ * @param runs the number of runs per model
+ * @param parallel the number of runs in parallel
+ * @param llm the source of answers; empty for that of the project's configuration
  * @param suppressions the findings that do not count
  * @param timeLimit the processor time that a constraint may take on the whole model
  */
@@ -35,9 +35,9 @@ public record EvaluationOptions(
   private static final String COMMAND = "command:";
 
   /**
-   * Checks what does not depend on the project.
+   * Checks the values that do not depend on the project.
    *
-   * @throws IllegalArgumentException saying what is wrong
+   * @throws IllegalArgumentException with a message about the error
    */
   public EvaluationOptions {
     models = models.stream().map(String::strip).toList();
@@ -59,17 +59,17 @@ public record EvaluationOptions(
     }
   }
 
-  /** How answers are had. */
+  /** Returns the source of answers. */
   String source(Project project) {
     return llm.orElse(project.configuration().llm());
   }
 
-  /** The same for people: without what a command is told, and without folders. */
+  /** Returns the kind of source for people: without a command's arguments and without folders. */
   String kindOfSource(Project project) {
     return source(project).replaceFirst("(?s):.*", "");
   }
 
-  /** Whether answers are taken from the project's recordings. */
+  /** Returns whether answers are taken from the project's recordings. */
   boolean takesRecordings(Project project) {
     String source = source(project);
     return !source.equals("live") && !source.startsWith(COMMAND);

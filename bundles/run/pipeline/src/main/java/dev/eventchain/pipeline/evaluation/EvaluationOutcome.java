@@ -7,12 +7,12 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * How an evaluation ended.
+ * The outcome of an evaluation.
  *
- * @param table what it came to, for people
- * @param diagnostics what keeps it from being whole, or from being an evaluation
- * @param failure why it is not whole, if it is not
- * @param files what was written for people
+ * @param table the table of results, for people
+ * @param diagnostics the findings that make it incomplete or no evaluation
+ * @param failure the reason why it is incomplete, if it is
+ * @param files the files written for people
  */
 public record EvaluationOutcome(
     String table, List<Diagnostic> diagnostics, Optional<Reason> failure, List<Path> files) {}

@@ -16,9 +16,9 @@ import java.util.Optional;
 import java.util.function.Function;
 
 /**
- * The results of an evaluation as one HTML file that needs nothing else and runs no script; its
- * Content-Security-Policy lets only exactly this style take effect. Names of models and findings
- * are text in it, whatever they hold.
+ * The results of an evaluation as one self-contained HTML file without scripts; its
+ * Content-Security-Policy allows only exactly this style. Names of models and findings are escaped
+ * as text.
  */
 final class EvaluationPage {
 
@@ -83,7 +83,7 @@ final class EvaluationPage {
     add("<h1>%s: language models compared</h1>\n", title);
   }
 
-  /** What is said before any number. */
+  /** Writes the statement that precedes all numbers. */
   private void conclusion() {
     String label = EvaluationText.label(rows);
     if (!label.isEmpty()) {
@@ -148,7 +148,7 @@ final class EvaluationPage {
     }
   }
 
-  /** The interval on a line from 0 to 1, and the rate in it. */
+  /** Adds the interval on a line from 0 to 1 with the rate. */
   private void picture(Rate rate, WilsonInterval interval) {
     add(
         "<svg class=\"ranges\" viewBox=\"-1 0 102 10\" preserveAspectRatio=\"none\""
@@ -235,7 +235,7 @@ final class EvaluationPage {
     add("<td class=\"%s\">%s</td>", tone, word);
   }
 
-  /** HTML of ours, with values that become text. */
+  /** Adds HTML with escaped values. */
   private void add(String html, Object... values) {
     int from = 0;
     for (Object value : values) {

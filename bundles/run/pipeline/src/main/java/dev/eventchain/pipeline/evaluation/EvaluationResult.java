@@ -12,7 +12,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 
-/** What all runs of an evaluation come to, in all its forms. */
+/** The result of all runs of an evaluation, in all its formats. */
 final class EvaluationResult {
 
   private final Project project;
@@ -122,7 +122,7 @@ final class EvaluationResult {
         "Run the same command again once their answers are available.");
   }
 
-  /** Whether the code could not be judged because there was no chain to write it for. */
+  /** Returns whether the code could not be judged because there was no chain. */
   private static boolean hasNoChain(EvaluatedRun run) {
     return run.isCounted()
         && run.functionCode().last() == Grade.UNKNOWN

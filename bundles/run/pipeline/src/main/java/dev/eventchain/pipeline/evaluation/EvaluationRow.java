@@ -20,20 +20,20 @@ import java.util.function.Function;
  * A row of the table: the runs of a model. Runs with answers that people wrote are never counted
  * together with others.
  *
- * @param authored whether people wrote answers of its runs, so that it measures no language model
+ * @param authored true if people wrote answers of its runs, so that it measures no language model
  * @param counted the runs that count
  * @param uncounted those that do not
  */
 record EvaluationRow(
     String model, boolean authored, List<EvaluatedRun> counted, List<EvaluatedRun> uncounted) {
 
-  /** What is judged, by its name in files. */
+  /** Judged artefacts by their names in files. */
   static final Map<String, Function<EvaluatedRun, Score>> ARTEFACTS = artefacts();
 
   /**
-   * How many of the runs in which there was something to judge passed.
+   * The number of runs that passed, of those with something to judge.
    *
-   * @param of their number
+   * @param of the number of runs with something to judge
    */
   record Rate(int passed, int of) {
     Optional<WilsonInterval> interval() {
@@ -49,7 +49,7 @@ record EvaluationRow(
     return artefacts;
   }
 
-  /** The rows of a model: one, or two where people wrote answers of some of its runs. */
+  /** Returns the rows of a model: one, or two if people wrote answers of some of its runs. */
   static List<EvaluationRow> of(String model, List<EvaluatedRun> runs) {
     List<EvaluatedRun> uncounted = runs.stream().filter(run -> !run.isCounted()).toList();
     List<EvaluationRow> rows = new ArrayList<>();
@@ -64,7 +64,9 @@ record EvaluationRow(
     return rows.isEmpty() ? List.of(new EvaluationRow(model, false, List.of(), uncounted)) : rows;
   }
 
-  /** How often an artefact passed, with the first answers only or with those after repair. */
+  /**
+   * Returns the pass rate of an artefact, with the first answers only or with those after repair.
+   */
   Rate rate(Function<EvaluatedRun, Score> artefact, boolean repaired) {
     List<Grade> grades =
         counted.stream()
@@ -75,14 +77,14 @@ record EvaluationRow(
     return new Rate((int) grades.stream().filter(Grade.PASSED::equals).count(), grades.size());
   }
 
-  /** The runs that do not count, by why. */
+  /** Returns the runs that do not count, by reason. */
   Map<State, Integer> reasons() {
     Map<State, Integer> reasons = new EnumMap<>(State.class);
     uncounted.forEach(run -> reasons.merge(run.state(), 1, Integer::sum));
     return reasons;
   }
 
-  /** In how many runs something happened, most often first. */
+  /** Returns the number of runs per class, most frequent first. */
   Map<String, Integer> classes(Function<EvaluatedRun, List<String>> each) {
     SortedMap<String, Integer> counts = new TreeMap<>();
     counted.forEach(run -> each.apply(run).forEach(name -> counts.merge(name, 1, Integer::sum)));
@@ -97,7 +99,7 @@ record EvaluationRow(
     return counted.stream().map(EvaluatedRun::usage).reduce(Usage.NONE, Usage::and);
   }
 
-  /** What the answers cost; nothing where a price or a number of tokens is not known. */
+  /** Returns the cost of the answers; empty if a price or a token count is unknown. */
   Optional<BigDecimal> cost(Configuration configuration) {
     Usage usage = usage();
     return usage.unknown() > 0 || usage.calls() == 0

@@ -33,18 +33,18 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 
-/** Does one run of an evaluation, and judges what comes of it. */
+/** Executes one run of an evaluation and judges its result. */
 final class EvaluationRun {
 
   private static final String IMPLEMENT = Stage.IMPLEMENT.id();
 
-  /** A component whose tests the model cannot write is not one that passes them. */
+  /** Tasks of the code: a component passes only with tests that the model wrote. */
   private static final Set<String> CODE = Set.of("test", IMPLEMENT);
 
   private static final Set<String> UNRECORDED =
       Set.of("llm.recording.missing", "llm.recording.exhausted");
 
-  /** Says only that what follows it is wrong. */
+  /** Identifier of a finding that only introduces the following ones. */
   private static final String REJECTED = "agents.answer.rejected";
 
   private static final String AUTHORED = "authored";
@@ -54,7 +54,7 @@ final class EvaluationRun {
   private final Progress progress;
 
   /**
-   * What is to be done.
+   * The task of a run.
    *
    * @param options of the runs of stages, with the folder of this run
    * @param reference the chain whose components are written where none has been designed
@@ -67,9 +67,9 @@ final class EvaluationRun {
       Optional<ReferenceChain> reference) {}
 
   /**
-   * What came of it.
+   * The result of a task.
    *
-   * @param findings why it does not count, if it does not
+   * @param findings the findings that explain why it does not count, if it does not
    */
   record Done(EvaluatedRun run, List<Diagnostic> findings) {}
 
@@ -80,9 +80,9 @@ final class EvaluationRun {
   }
 
   /**
-   * Does it.
+   * Executes the run.
    *
-   * @throws DiagnosticException if the project or this machine is to blame, and not the model
+   * @throws DiagnosticException if the project or this machine is the cause, and not the model
    */
   Done perform() {
     long start = System.nanoTime();
@@ -106,7 +106,7 @@ final class EvaluationRun {
     return PipelineRun.run(project, options, progress, Optional.of(asked));
   }
 
-  /** The components of a chain that this run has not designed. */
+  /** Returns the components of a chain that this run did not design. */
   private Done onReference(PipelineRun.Ended ended, ReferenceChain reference, long start) {
     Path folder = task.options().output().resolve("reference");
     try (OutputFolder output = OutputFolder.open(folder)) {
@@ -130,7 +130,10 @@ final class EvaluationRun {
     return new Done(done.run().withFailures(failures(implemented)), List.of());
   }
 
-  /** Why a run does not count, if its end is not that of the model's answers. */
+  /**
+   * Returns the result of a run that does not count because its end was not caused by the model's
+   * answers.
+   */
   private Optional<Done> stopped(PipelineRun.Ended ended, Sample asked, Path folder) {
     Optional<Reason> failure = ended.result().failure();
     List<Diagnostic> last = lastFailure(ended);
@@ -158,7 +161,10 @@ final class EvaluationRun {
     return Optional.empty();
   }
 
-  /** What happens before a model has answered is not its fault, nor what is about other files. */
+  /**
+   * Throws unless the model caused the failure: it has answered, and the findings concern its
+   * files.
+   */
   private static void requireFault(
       Reason reason, Sample asked, List<Diagnostic> found, boolean own) {
     if (asked.calls().isEmpty() || !own) {
@@ -184,7 +190,10 @@ final class EvaluationRun {
         .orElse(List.of());
   }
 
-  /** Why an answer could not be had, in whatever stage, and be it one after repair. */
+  /**
+   * Returns the errors because of which answers are missing, in any stage, including those after
+   * repair.
+   */
   private static List<Diagnostic> unasked(PipelineRun.Ended ended) {
     return ended.outcomes().values().stream()
         .filter(outcome -> outcome.status() == Status.FAILED)
@@ -204,7 +213,9 @@ final class EvaluationRun {
     return ended.outcomes().get(stage).status() == Status.DONE;
   }
 
-  /** Where no component is missing, there is no code to judge. */
+  /**
+   * Returns the score of the code; unknown if no component was missing, so that none was written.
+   */
   private static Score functionCode(PipelineRun.Ended ended, Sample asked) {
     boolean written = asked.calls().stream().anyMatch(call -> CODE.contains(call.task()));
     return written
@@ -258,7 +269,7 @@ final class EvaluationRun {
     return sum;
   }
 
-  /** What each stage failed by, and, where none did, what keeps the verdict from being PASSED. */
+  /** Returns the errors that failed stages or, if none failed, prevent the verdict PASSED. */
   private static List<String> failures(PipelineRun.Ended ended) {
     Set<String> classes = new TreeSet<>();
     for (Map.Entry<Stage, StageOutcome> each : ended.outcomes().entrySet()) {

@@ -14,7 +14,7 @@ import java.util.stream.Collectors;
 /** The table of an evaluation for a terminal. */
 final class EvaluationText {
 
-  /** What is said of answers that people wrote. */
+  /** Label of results with answers that people wrote. */
   static final String LABEL = "authored by people: not an evaluation of a language model";
 
   private final Configuration configuration;
@@ -24,7 +24,7 @@ final class EvaluationText {
     this.configuration = configuration;
   }
 
-  /** The text; without a table where nothing was counted. */
+  /** Returns the text; without a table if no run counts. */
   static String of(Configuration configuration, List<EvaluationRow> rows) {
     EvaluationText text = new EvaluationText(configuration);
     String label = label(rows);
@@ -36,7 +36,7 @@ final class EvaluationText {
     return text.out.toString();
   }
 
-  /** What stands on top of every form of the report; empty where nothing is to be said. */
+  /** Returns the label on top of every format of the report; empty if none is needed. */
   static String label(List<EvaluationRow> rows) {
     List<EvaluationRow> authored = rows.stream().filter(EvaluationRow::authored).toList();
     if (authored.isEmpty()) {
@@ -65,14 +65,14 @@ final class EvaluationText {
     classes("fixed by repair", row.classes(EvaluatedRun::returned));
   }
 
-  /** How many runs of a row count, and what they took. */
+  /** Returns the number of counted runs of a row, their cost and their duration. */
   static List<String> facts(EvaluationRow row, Configuration configuration) {
     return List.of(counted(row), cost(row, configuration), seconds(row)).stream()
         .filter(fact -> !fact.isEmpty())
         .toList();
   }
 
-  /** How many runs count, and why the others do not. */
+  /** Returns the number of counted runs, and the reasons why the others do not count. */
   static String counted(EvaluationRow row) {
     int all = row.counted().size() + row.uncounted().size();
     String others =
@@ -104,7 +104,7 @@ final class EvaluationText {
     return row.counted().isEmpty() ? "" : String.format(Locale.ROOT, "%.1f s", row.seconds());
   }
 
-  /** A rate with its interval. */
+  /** Returns a rate with its interval. */
   static String cell(Rate rate) {
     return rate.interval()
         .map(
@@ -134,7 +134,7 @@ final class EvaluationText {
     out.append(line.stripTrailing()).append('\n');
   }
 
-  /** What a run came to, in a few words. */
+  /** Returns a short description of the result of a run. */
   static String words(EvaluatedRun run) {
     return run.isCounted()
         ? "chain model %s, function code %s, overall %s"
@@ -145,7 +145,7 @@ final class EvaluationText {
         : "not counted: " + Printable.line(run.reason());
   }
 
-  /** A grade for people. */
+  /** Returns a grade for people. */
   static String word(Grade grade) {
     return switch (grade) {
       case PASSED -> "passed";

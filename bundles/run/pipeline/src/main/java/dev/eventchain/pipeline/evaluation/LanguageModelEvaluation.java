@@ -22,27 +22,27 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 
 /**
- * Compares language models: each does all tasks of several runs of a project, and the results are
- * counted, as in the paper's table.
+ * Compares language models: each does all tasks of several runs of a project; counts the results as
+ * in the paper's table.
  */
 public final class LanguageModelEvaluation {
 
   private static final String HANDOFF = "handoff:";
 
-  /** After these, asking the same model again is of no use. */
+  /** Findings after which the same model need not be asked again. */
   private static final Set<String> LASTING =
       Set.of("llm.service.unreachable", "llm.key.missing", "llm.key.refused", "llm.quota.spent");
 
-  /** Is told how an evaluation continues, on any thread. */
+  /** A listener for the progress of an evaluation, called on any thread. */
   public interface Listener {
-    /** A run does something. */
+    /** Reports a step of a run. */
     void step(String model, int run, String message);
 
     /**
-     * A run has ended.
+     * Reports the end of a run.
      *
-     * @param counted whether it counts
-     * @param words what it came to
+     * @param counted true if it counts
+     * @param words a short description of the result
      */
     void ended(String model, int run, boolean counted, Duration duration, String words);
   }
@@ -67,11 +67,11 @@ public final class LanguageModelEvaluation {
   }
 
   /**
-   * Evaluates. What has ended before and was made from the same is taken as it is; what was begun
-   * continues with the answers that it has got.
+   * Evaluates language models. Reuses finished runs with the same inputs; continues unfinished runs
+   * with the answers they already have.
    *
    * @throws IllegalArgumentException if the options do not fit the project
-   * @throws DiagnosticException if the project or this machine is to blame for what went wrong
+   * @throws DiagnosticException for failures caused by the project or this machine
    */
   public static EvaluationOutcome run(Project project, EvaluationOptions given, Listener listener) {
     EvaluationOptions options = of(project, given);
@@ -82,12 +82,12 @@ public final class LanguageModelEvaluation {
     }
   }
 
-  /** The JSON Schema of {@code evaluation.json}. */
+  /** Returns the JSON Schema of {@code evaluation.json}. */
   public static String schema() {
     return EvaluationJson.schema();
   }
 
-  /** Who names a model as the source of answers names the model. */
+  /** Returns the options with the model's name, if the source of answers is a single model. */
   private static EvaluationOptions of(Project project, EvaluationOptions given) {
     String source = given.source(project);
     boolean isModel =
@@ -115,7 +115,7 @@ public final class LanguageModelEvaluation {
         given.timeLimit());
   }
 
-  /** Whatever their order in time, the runs are in that of the models. */
+  /** Executes the runs in any order, and returns them in the order of the models. */
   private List<EvaluationRun.Done> runAll() {
     ExecutorService workers = Executors.newFixedThreadPool(options.parallel());
     try {
@@ -192,7 +192,9 @@ public final class LanguageModelEvaluation {
     return done;
   }
 
-  /** Everything is made again, of answers that are recorded; nobody edits in this folder. */
+  /**
+   * Returns options that run all stages anew, from recorded answers; nobody edits in this folder.
+   */
   private RunOptions runOptions(String name) {
     String source = options.source(project);
     boolean ownFolder = source.startsWith(HANDOFF) && source.length() > HANDOFF.length();
@@ -214,7 +216,7 @@ public final class LanguageModelEvaluation {
         options.timeLimit());
   }
 
-  /** Passes on what a run does. */
+  /** Forwards the steps of a run. */
   private record Steps(String model, int run, Listener listener) implements Progress {
     @Override
     public void started(Stage stage) {
@@ -228,7 +230,7 @@ public final class LanguageModelEvaluation {
 
     @Override
     public void ended(Stage stage, Status status, Duration duration, String details) {
-      // What a run comes to is said when it has ended.
+      // The result of a run is reported when it has ended.
     }
   }
 }

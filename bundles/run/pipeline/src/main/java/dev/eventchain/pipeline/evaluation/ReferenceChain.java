@@ -14,20 +14,19 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * The chain whose components a language model writes where it has designed none itself, so that its
- * code is judged nevertheless.
+ * The chain for the components of a language model that has designed no chain, so that its code can
+ * still be judged.
  *
- * @param name what people know it by
+ * @param name the name for people
  * @param description the text of its {@code chain.json}
  */
 record ReferenceChain(String name, String description) {
 
   /**
-   * The chain that people edit, else that of the latest run.
+   * Returns the edited chain, or else that of the latest run.
    *
-   * @param output the folder of the project's results, where the usual one has none
-   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if there is one that cannot be
-   *     read
+   * @param output the folder of the project's results, if the default one has none
+   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if it cannot be read
    */
   static Optional<ReferenceChain> of(Project project, Path output) {
     Optional<Path> edited = project.editedModel();

@@ -3,15 +3,15 @@ package dev.eventchain.pipeline.evaluation;
 import java.util.Optional;
 
 /**
- * Where the true rate of successes lies with a confidence of 95 %, by Wilson's score method, which
- * is valid for few trials and for rates near 0 and 1, too.
+ * The 95 % confidence interval of a success rate by Wilson's score method, which is also valid for
+ * few trials and for rates near 0 and 1.
  */
 record WilsonInterval(double low, double high) {
 
-  /** The quantile of the normal distribution for two sides of 2.5 %. */
+  /** The two-sided 95 % quantile of the normal distribution. */
   private static final double Z = 1.959963984540054;
 
-  /** The interval for {@code successes} of {@code trials}; none where nothing was tried. */
+  /** Returns the interval for {@code successes} of {@code trials}; empty without trials. */
   static Optional<WilsonInterval> of(int successes, int trials) {
     if (successes < 0 || successes > trials) {
       throw new IllegalArgumentException(successes + " of " + trials);

@@ -13,7 +13,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 
-/** The files that a command without a project made, and what was found on the way. */
+/** Files written by a command without a project, and the findings. */
 public final class WrittenFiles {
 
   private final Optional<Path> folder;
@@ -43,24 +43,26 @@ public final class WrittenFiles {
         });
   }
 
-  /** Notes that a generation was not whole, so that none of its files is written. */
+  /** Records that a generation is incomplete, so that none of its files is written. */
   public void wroteNothing() {
     isRefused = true;
   }
 
-  /** What templates printed instead of writing a file. */
+  /** Returns the text that templates printed outside of files. */
   public String printed() {
     return printed;
   }
 
-  /** What was found; values that are undefined, and nothing else, leave files to be written. */
+  /**
+   * Returns the findings; files are written unless there are errors other than undefined values.
+   */
   public List<Diagnostic> diagnostics() {
     return List.copyOf(found);
   }
 
   /**
-   * For people: {@code 3 files in out: 1 written, 2 unchanged}; that nothing was written because of
-   * errors; or empty if there are no files.
+   * Returns a summary for people: {@code 3 files in out: 1 written, 2 unchanged}; or that nothing
+   * was written because of errors; or empty without files.
    */
   public String summary() {
     if (isRefused) {

@@ -1,2 +1,2 @@
-/** The files that a command without a project wrote. Knows only the output folder. */
+/** The files written by a command without a project. Depends only on the output folder. */
 package dev.eventchain.pipeline.files;

@@ -16,15 +16,15 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** What the Python files of components import, and which packages provide it. */
+/** Imports of the components' Python files, and the packages that provide them. */
 final class ComponentImports {
 
-  /** Names for one package: the key of rosdep, and the name on PyPI. */
+  /** Names of one package: the rosdep key, and the name on PyPI. */
   private record Provider(String rosdep, String pypi) {}
 
   /**
-   * What components may import beyond Python itself: NumPy where they are generated; existing ones
-   * also what else there is where they run.
+   * Providers of imports beyond Python itself: NumPy for generated components; existing ones may
+   * also use other packages of their environment.
    */
   private static final Map<String, Provider> PROVIDERS =
       Map.of(
@@ -32,7 +32,7 @@ final class ComponentImports {
           "ruamel", new Provider("python3-ruamel.yaml", "ruamel.yaml"),
           "typing_extensions", new Provider("python3-typing-extensions", "typing_extensions"));
 
-  /** Packages of ROS 2 are their own keys; none of them is on PyPI. */
+  /** Packages of ROS 2 are their own rosdep keys; none of them is on PyPI. */
   private static final Pattern OF_ROS =
       Pattern.compile("rclpy|ament_index_python|tf2_ros|tf2_py|\\w+_(msgs|srvs|interfaces)");
 
@@ -79,33 +79,33 @@ final class ComponentImports {
   private final List<Diagnostic> unknown = new ArrayList<>();
 
   /**
-   * Nothing at first.
+   * Creates an empty collection of imports.
    *
    * @param messages message packages are packages of ROS 2
-   * @param pip whether pip installs what is generated, else rosdep: what it does not know is a
-   *     finding
+   * @param pip true if pip installs dependencies, false for rosdep: dependencies that it does not
+   *     know are findings
    */
   ComponentImports(MessageCatalog messages, boolean pip) {
     this.messages = messages;
     this.pip = pip;
   }
 
-  /** The packages that provide what was found, as rosdep calls them, in order. */
+  /** Returns the packages of the imports by rosdep keys, in order. */
   Set<String> rosdepKeys() {
     return rosdepKeys;
   }
 
-  /** The packages that provide what was found, as pip calls them, in order. */
+  /** Returns the packages of the imports by PyPI names, in order. */
   Set<String> pipNames() {
     return pipNames;
   }
 
-  /** A warning for each import whose package is unknown. */
+  /** Returns a warning for each import of an unknown package. */
   List<Diagnostic> unknown() {
     return unknown;
   }
 
-  /** Adds what the file of a component imports, wherever in the file. */
+  /** Adds the imports of a component's file, wherever they are in it. */
   void add(String component, SourceText file) {
     modules(file.text())
         .forEach(
@@ -139,7 +139,7 @@ final class ComponentImports {
         .withHint("Add it to the copy of " + file + " that you build.");
   }
 
-  /** The first parts of the names of imported modules, and where they are imported first. */
+  /** Returns the top-level names of imported modules, with their first locations. */
   private static SortedMap<String, Integer> modules(String text) {
     SortedMap<String, Integer> modules = new TreeMap<>();
     Matcher found = IMPORT.matcher(code(text));
@@ -147,7 +147,7 @@ final class ComponentImports {
       boolean names = found.group("names") != null;
       for (String name : (names ? found.group("names") : found.group("from")).split(",", -1)) {
         String module = name.strip().replaceFirst("[.\\s].*", "");
-        if (!module.isEmpty()) { // else of the own package
+        if (!module.isEmpty()) { // otherwise a module of the package itself
           modules.putIfAbsent(module, found.start());
         }
       }
@@ -155,7 +155,7 @@ final class ComponentImports {
     return modules;
   }
 
-  /** The text with blanks for comments and strings, and for line ends that do not count. */
+  /** Returns the text with comments, strings and continued line ends blanked. */
   private static String code(String text) {
     StringBuilder code = new StringBuilder(text);
     int start = 0;

@@ -32,10 +32,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 
-/**
- * The model to a package for the middleware: the nodes by templates, and the components next to
- * them.
- */
+/** Generates the middleware package from the model: nodes by templates, with the components. */
 public final class GenerateStage implements StageWork {
 
   @Override
@@ -59,7 +56,7 @@ public final class GenerateStage implements StageWork {
   @Override
   public StageResult execute(RunContext run) {
     ChainSnapshot model = run.chain();
-    // A generator must not turn an invalid model into software.
+    // An invalid model must not be turned into software.
     ChainChecks.Outcome checked = model.checks();
     ProjectChecks.refuseErrors(run, checked);
     String folder = Templates.folder(run.project());
@@ -74,7 +71,7 @@ public final class GenerateStage implements StageWork {
     if (Diagnostic.anyError(found)) {
       throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
     }
-    // Errors are among them only if they are suppressed, for as long as that holds.
+    // Errors among them are suppressed, for as long as the suppressions are valid.
     found.addAll(checked.diagnostics());
     SortedMap<String, byte[]> files = new TreeMap<>(OutputFolder.WRITING_ORDER);
     generated.files().forEach((file, content) -> files.put(folder + "/" + file, content));
@@ -117,7 +114,7 @@ public final class GenerateStage implements StageWork {
             .withTrace());
   }
 
-  /** What the first lines of generated files say, and what the package says of itself. */
+  /** Returns the template properties for the head of generated files and the package's metadata. */
   private static Map<String, String> properties(RunContext run, ComponentImports imports) {
     String version = GenerateStage.class.getPackage().getImplementationVersion();
     Map<String, String> properties = new TreeMap<>(run.project().configuration().packageFacts());
@@ -142,8 +139,8 @@ public final class GenerateStage implements StageWork {
   }
 
   /**
-   * Puts the components where the manifest of the generated files says; without one, as templates
-   * of a project may generate, into a package that is called after the chain.
+   * Copies the components to the folder in the manifest of the generated files; without a manifest,
+   * as with templates of a project, into a package named after the chain.
    *
    * @return the folder of the package
    */

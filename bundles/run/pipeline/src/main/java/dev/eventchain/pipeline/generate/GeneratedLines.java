@@ -17,7 +17,7 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EObject;
 
-/** Which lines of the generated files were made for which component, as trace.json says. */
+/** Lines of the generated files by the component that they were generated for, from trace.json. */
 public final class GeneratedLines {
 
   private final JsonNode files;
@@ -26,7 +26,7 @@ public final class GeneratedLines {
     this.files = files;
   }
 
-  /** Nothing where the output has no trace, or where it is unreadable. */
+  /** Reads the trace; empty if it is missing or unreadable. */
   public static GeneratedLines of(RunContext run) {
     Optional<byte[]> trace = run.output().read(TraceFile.NAME);
     try {
@@ -39,10 +39,10 @@ public final class GeneratedLines {
   }
 
   /**
-   * The files with lines that a component or its data made: {@code node}, {@code file} and {@code
-   * lines}, each {@code first}, {@code last} and the template's line in {@code from}.
+   * Returns the files with lines generated for a component or its data: {@code node}, {@code file}
+   * and {@code lines}, each {@code first}, {@code last} and the template's line in {@code from}.
    *
-   * @param locator where elements are, as the generation was told
+   * @param locator returns the locations of elements, as in the generation
    */
   public ArrayNode madeFor(SoftwareNode node, Function<EObject, SourceLocation> locator) {
     Set<String> elements = new TreeSet<>();
@@ -81,8 +81,8 @@ public final class GeneratedLines {
   }
 
   /**
-   * Elements may have the same name. Those that also stand on the same line, as in a model written
-   * on one line by hand, cannot be told apart and share their lines.
+   * Returns the key of an element by name and line. Elements with the same name on the same line,
+   * as in handwritten one-line models, share their lines.
    */
   private static String key(String element, int line) {
     return line + " " + element;

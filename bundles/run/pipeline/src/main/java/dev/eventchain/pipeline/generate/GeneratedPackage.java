@@ -18,16 +18,16 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What was generated for a chain, as its manifest says.
+ * The package generated for a chain, according to its manifest.
  *
- * @param folder that of the manifest, relative to the folder of the output
+ * @param folder the folder of the manifest, relative to the output folder
  */
 public record GeneratedPackage(String folder, NodeManifest manifest) {
 
   /**
    * Finds the manifest among generated files.
    *
-   * @param files the contents by their names, relative to the folder of the output
+   * @param files the contents by names relative to the output folder
    * @return empty if there is none, as with templates that write none
    * @throws DiagnosticException INPUT, {@code simulation.manifest}, if there are several or it is
    *     wrong
@@ -42,7 +42,7 @@ public record GeneratedPackage(String folder, NodeManifest manifest) {
   }
 
   /**
-   * Reads the manifest of what was generated before.
+   * Reads the manifest of the generated package.
    *
    * @throws DiagnosticException INPUT: {@code project.stage.missing} if nothing was generated,
    *     {@code simulation.manifest} if there is no manifest, several, or a wrong one
@@ -104,9 +104,10 @@ public record GeneratedPackage(String folder, NodeManifest manifest) {
   }
 
   /**
-   * Where a component is, relative to the folder of the output.
+   * Returns the file of a component, relative to the output folder.
    *
-   * @throws DiagnosticException INPUT, {@code simulation.manifest}, if the manifest does not say
+   * @throws DiagnosticException INPUT, {@code simulation.manifest}, if the manifest does not name
+   *     it
    */
   public String componentFile(SoftwareNode node) {
     return manifest

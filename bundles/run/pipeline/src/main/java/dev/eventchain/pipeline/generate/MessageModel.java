@@ -21,10 +21,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
-/**
- * The message types that a chain uses, as a model of {@code metamodel/messages.ecore} for
- * templates.
- */
+/** The message types of a chain as a model of {@code metamodel/messages.ecore}, for templates. */
 public final class MessageModel {
 
   private final MessageCatalog catalog;
@@ -35,14 +32,14 @@ public final class MessageModel {
     this.catalog = catalog;
   }
 
-  /** The metamodel. */
+  /** Returns the metamodel. */
   public static EPackage metamodel() {
     return EventChainMetamodel.messages();
   }
 
   /**
-   * The types that the data of a chain name, and those that they contain. Types that are not
-   * defined are left out: the contracts on messages find them.
+   * Returns the types of a chain's data, and those that they contain. Omits undefined types, which
+   * the contracts on messages report.
    *
    * @return the one root of the model; a type comes after all that it contains; otherwise, types
    *     are sorted by name
@@ -95,7 +92,7 @@ public final class MessageModel {
     field.eSet(field.eClass().getEStructuralFeature("defaultValue"), defaults);
   }
 
-  /** The values of a default, as definitions write them. */
+  /** Returns the values of a default, in the notation of definitions. */
   private static List<String> texts(FieldType.Kind kind, Object value) {
     List<String> texts = new ArrayList<>();
     if (value instanceof List<?> list) {
@@ -110,7 +107,10 @@ public final class MessageModel {
     return texts;
   }
 
-  /** Java has no unsigned numbers, so they come as signed ones of the same width. */
+  /**
+   * Returns a value as text. Unsigned values arrive as signed ones of the same width, since Java
+   * has no unsigned types.
+   */
   private static String text(FieldType.Kind kind, Object value) {
     if (!(value instanceof Number number)) {
       return value.toString();
@@ -132,7 +132,7 @@ public final class MessageModel {
     object.eSet(object.eClass().getEStructuralFeature(feature), value);
   }
 
-  @SuppressWarnings("unchecked") // the metamodel says what the features hold
+  @SuppressWarnings("unchecked") // the metamodel defines the types of the features
   private static List<EObject> values(EObject object, String feature) {
     return (List<EObject>) object.eGet(object.eClass().getEStructuralFeature(feature));
   }

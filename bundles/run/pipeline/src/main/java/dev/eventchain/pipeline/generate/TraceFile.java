@@ -14,8 +14,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The file that says which template lines and model elements made which lines of the generated
- * files, as JSON with a line for each run of output lines:
+ * The file that maps the lines of generated files to template lines and model elements, as JSON
+ * with a line for each range of output lines:
  *
  * <pre>
  * {"files":[{"file":"ros2/aeb/aeb/x_node.py","lines":[
@@ -23,8 +23,8 @@ import java.util.Map;
  *     "element":"EventChain[aeb]/software[X]","model":"chain.xmi","modelLine":7}]}]}]}
  * </pre>
  *
- * <p>What is not known is left out: {@code element}, {@code model} and {@code modelLine} where no
- * model element was at work, or where nobody knows where it is.
+ * <p>Unknown values are omitted: {@code element}, {@code model} and {@code modelLine} without a
+ * model element, or if its location is unknown.
  */
 public final class TraceFile {
 
@@ -37,11 +37,11 @@ public final class TraceFile {
   }
 
   /**
-   * The file's content.
+   * Returns the file's content.
    *
-   * @param prefix goes before the name of each generated file
-   * @param bases folders to whose files templates and models are named relatively, so that the
-   *     content does not depend on where a project lies; the first that holds a file counts
+   * @param prefix the prefix of the names of generated files
+   * @param bases folders for relative names of templates and models, so that the content does not
+   *     depend on the project's location; the first one that contains a file is used
    */
   public static byte[] content(GenerationTrace trace, String prefix, List<Path> bases) {
     TraceFile file = new TraceFile(bases);

@@ -12,12 +12,12 @@ import dev.eventchain.pipeline.stage.StageWork;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The model against its constraints and contracts. */
+/** Checks the model against its constraints and contracts. */
 public final class ValidateStage implements StageWork {
 
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
-    // Always runs: its findings should be fresh.
+    // Always runs, for up-to-date findings.
   }
 
   @Override

@@ -1,5 +1,5 @@
 /**
- * Validation of the model and generation of the package for the middleware, with the trace of
- * generated lines. Knows no language model and does not run what it generates.
+ * Validation of the model and generation of the middleware package, with the trace of generated
+ * lines. Depends on no language model, and does not run the generated code.
  */
 package dev.eventchain.pipeline.generate;

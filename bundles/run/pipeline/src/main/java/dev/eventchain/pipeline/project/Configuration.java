@@ -22,20 +22,19 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 
 /**
- * What {@code eventchain.yaml} says.
+ * The content of {@code eventchain.yaml}.
  *
- * @param name the chain's name, after which the generated package is called
- * @param title what people call the project; the name if not given
+ * @param name the chain's name, from which that of the generated package is derived
+ * @param title the title of the project; the name if not given
  * @param frequency Hz, for components whose description gives none
- * @param llm how answers are had when the command line does not say, as {@link
- *     dev.eventchain.llm.ModelAccess} has it
+ * @param llm the default source of answers, see {@link dev.eventchain.llm.ModelAccess}
  * @param models the models for each task, by task: the first one is asked, the next one where it
  *     cannot be reached
- * @param services where models are, what they cost, and what a run may cost
- * @param repairs how often a failed check goes back to the model
+ * @param services the locations and prices of models, and the spending limit of a run
+ * @param repairs the number of times that failed checks are sent back to the model
  * @param template the folder of the template set, under templates/, or a file *.mtl of the project
- * @param packageFacts what the generated package says of itself, by the properties that templates
- *     get: {@code package.license} and so on; only what is given
+ * @param packageFacts the given metadata of the generated package, by template property, such as
+ *     {@code package.license}
  */
 public record Configuration(
     String name,
@@ -48,7 +47,7 @@ public record Configuration(
     String template,
     SortedMap<String, String> packageFacts) {
 
-  /** Stands for no language model. */
+  /** Value for no language model. */
   public static final String DIRECT = "direct";
 
   private static final FindingIds IDS = ProjectSettings.IDS;
@@ -64,8 +63,8 @@ public record Configuration(
   /**
    * Reads the configuration.
    *
-   * @param folder that of the project, in which its template may be
-   * @throws DiagnosticException INPUT with everything that is not understood
+   * @param folder the folder of the project, which may contain its template
+   * @throws DiagnosticException INPUT with all errors
    */
   static Configuration read(SourceText text, Path folder) {
     List<Diagnostic> problems = new ArrayList<>();
@@ -96,7 +95,7 @@ public record Configuration(
     return configuration;
   }
 
-  /** A wrong one is said before a language model is asked for what it would generate from. */
+  /** Checks the template's name before a language model is asked for the inputs of generation. */
   private static String template(ObjectReader settings, Path folder) {
     String template = settings.text("template").orElse(Templates.DEFAULT);
     if (!Templates.exists(folder, template)) {
@@ -128,7 +127,7 @@ public record Configuration(
     return byTask;
   }
 
-  /** What is left empty is not said; the templates have something of their own to say then. */
+  /** Returns the given metadata; templates have defaults for empty values. */
   private static SortedMap<String, String> facts(ObjectReader facts) {
     SortedMap<String, String> properties = new TreeMap<>();
     for (String fact : PACKAGE_FACTS) {
@@ -143,21 +142,21 @@ public record Configuration(
     return properties;
   }
 
-  /** What it says of the chain itself. */
+  /** Returns the settings of the chain itself. */
   public ProjectSettings settings() {
     return new ProjectSettings(name, frequency);
   }
 
   /**
-   * The models for a task, the one that is wanted first; who implements also proposes tests where
-   * nobody else is to.
+   * Returns the models for a task in order of preference; the model for implementation also
+   * proposes tests unless another one is configured.
    */
   public List<String> models(String task) {
     List<String> usual = task.equals(TEST) ? models(IMPLEMENT) : List.of(DEFAULT_MODEL);
     return models.getOrDefault(task, usual);
   }
 
-  /** The same, with one model for every task. */
+  /** Returns a copy with one model for every task. */
   Configuration askingOnly(String model) {
     Map<String, List<String>> one = new TreeMap<>();
     TASKS.forEach(task -> one.put(task, List.of(model)));
@@ -165,7 +164,7 @@ public record Configuration(
         name, title, frequency, llm, one, services, repairs, template, packageFacts);
   }
 
-  /** The language models that are named for any task, in the order of the tasks. */
+  /** Returns the language models of all tasks, in the order of the tasks. */
   public List<String> languageModels() {
     return TASKS.stream()
         .flatMap(task -> models(task).stream())
@@ -174,7 +173,7 @@ public record Configuration(
         .toList();
   }
 
-  /** Names the services of the models that are to be asked. */
+  /** Passes on the names of the services of the models to ask. */
   public void services(Consumer<String> names) {
     Stream.concat(Stream.of(llm), models.values().stream().flatMap(List::stream))
         .filter(model -> model.contains("/"))
@@ -183,7 +182,7 @@ public record Configuration(
         .forEach(names);
   }
 
-  /** Whether runs ask services if the command line does not say otherwise. */
+  /** Returns whether runs ask services unless the command line says otherwise. */
   public boolean asksServices() {
     return llm.equals("live") || llm.equals("auto") || llm.contains("/");
   }

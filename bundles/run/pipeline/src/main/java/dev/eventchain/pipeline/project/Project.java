@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** A user's folder: where its files are, and what its configuration says. */
+/** A user's project folder: its files and its configuration. */
 public final class Project extends ProjectFolder {
 
   private final Configuration configuration;
@@ -25,7 +25,7 @@ public final class Project extends ProjectFolder {
    *
    * @param folder the folder that holds {@code eventchain.yaml}
    * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if it is not a project, or its
-   *     configuration is not understood
+   *     configuration is invalid
    */
   public static Project open(Path folder) {
     Configuration read = Configuration.read(new ProjectFolder(folder).configurationText(), folder);
@@ -33,8 +33,8 @@ public final class Project extends ProjectFolder {
   }
 
   /**
-   * The project as a run of an evaluation sees it: one model does every task, and designs a chain
-   * of its own.
+   * Returns the project for a run of an evaluation: one model does every task, and designs its own
+   * chain.
    */
   public Project evaluating(String model) {
     return new Project(folder(), configuration.askingOnly(model), true);
@@ -49,8 +49,8 @@ public final class Project extends ProjectFolder {
   }
 
   /**
-   * The chain that people edit, when there is one: then it is the source, unless language models
-   * are evaluated, which then have a chain of their own to design.
+   * Returns the edited chain, if there is one: it is the source, except in an evaluation, where
+   * language models design the chain.
    */
   @Override
   public Optional<Path> editedModel() {
@@ -58,9 +58,9 @@ public final class Project extends ProjectFolder {
   }
 
   /**
-   * Whether there is a model that people edit; or one that an earlier run wrote, and the
-   * constraints that stand for the design rules. A chain that people edit is not in need of a
-   * language model: design rules without constraints are findings.
+   * Returns whether there is a model that people edit, or one from an earlier run with the
+   * constraints for the design rules. An edited chain needs no language model: design rules without
+   * constraints are findings.
    *
    * @param output the folder of that run's results
    */
@@ -70,22 +70,22 @@ public final class Project extends ProjectFolder {
     return editedModel().isPresent() || (model(output).isPresent() && hasConstraints);
   }
 
-  /** As {@link #below}, none where there is no such folder. */
+  /** As {@link #below}; empty if the folder does not exist. */
   public static List<Path> existingBelow(Path folder) {
     return Files.isDirectory(folder) ? below(folder) : List.of();
   }
 
-  /** How the world and the chain are connected, where the project says so itself. */
+  /** Returns the connections between world and chain, if the project defines them itself. */
   public Optional<Path> bench() {
     return existing(Bench.FILE);
   }
 
-  /** The folder of the scenarios. */
+  /** Returns the folder of the scenarios. */
   public Path scenarios() {
     return folder().resolve("scenarios");
   }
 
-  /** Everything that people wrote and a run may read, but for recordings and the chain. */
+  /** Returns all handwritten files that a run may read, except recordings and the chain. */
   public List<Path> sources() {
     List<Path> files = new ArrayList<>(List.of(requirements(), designRulesFile()));
     files.addAll(ownConstraints());

@@ -18,26 +18,26 @@ import org.eclipse.emf.ecore.EPackage;
 /** The templates of a project: its own, or a set that ships with the program. */
 public final class Templates {
 
-  /** The set of projects that name none. */
+  /** Template set of projects that name none. */
   static final String DEFAULT = ShippedTemplates.DEFAULT;
 
   private static final String MAIN = "main";
 
-  /** The sets, and the folder of the output that each writes into. */
+  /** Template sets, and the output folder of each. */
   private static final SortedMap<String, String> FOLDERS =
       new TreeMap<>(Map.of(DEFAULT, "ros2", "cyclonedds-python", "cyclonedds"));
 
   private Templates() {}
 
-  /** The names of the sets, in order. */
+  /** Returns the names of the sets, in order. */
   static Set<String> sets() {
     return FOLDERS.keySet();
   }
 
   /**
-   * Whether there is such a template.
+   * Returns whether a template exists.
    *
-   * @param folder that of the project
+   * @param folder the folder of the project
    */
   static boolean exists(Path folder, String template) {
     return template.endsWith(".mtl")
@@ -45,18 +45,18 @@ public final class Templates {
         : FOLDERS.containsKey(template);
   }
 
-  /** The project's own template file, if its configuration names one. */
+  /** Returns the project's own template file, if its configuration names one. */
   public static Optional<Path> own(Project project) {
     String name = project.configuration().template();
     return name.endsWith(".mtl") ? Optional.of(project.folder().resolve(name)) : Optional.empty();
   }
 
-  /** The folder of the output that a project's templates write into, one for each middleware. */
+  /** Returns the output folder of a project's templates, one for each middleware. */
   public static String folder(Project project) {
     return FOLDERS.getOrDefault(project.configuration().template(), "ros2");
   }
 
-  /** Whether pip installs what is generated, else the tools of ROS 2. */
+  /** Returns whether pip installs the generated package, instead of the ROS 2 tools. */
   public static boolean installsWithPip(Project project) {
     return project.configuration().template().equals("cyclonedds-python");
   }
@@ -75,7 +75,7 @@ public final class Templates {
     return shipped(set, MAIN, packages);
   }
 
-  /** The files of the project's own template, if it has one. */
+  /** Returns the files of the project's own template, if it has one. */
   public static List<Path> ownFiles(Project project) {
     return own(project)
         .map(main -> TemplateModule.files(main, ShippedTemplates.modules(DEFAULT)))
@@ -83,7 +83,7 @@ public final class Templates {
   }
 
   /**
-   * Compiles a template that ships with the program.
+   * Compiles a shipped template.
    *
    * @param module the main module's name in the set
    */

@@ -1,5 +1,5 @@
 /**
- * A user's folder together with its configuration: language models, template and facts of the
- * generated package. Knows no run.
+ * A user's folder with its configuration: language models, template and metadata of the generated
+ * package. Depends on no run.
  */
 package dev.eventchain.pipeline.project;

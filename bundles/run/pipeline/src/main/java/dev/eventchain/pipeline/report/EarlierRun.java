@@ -15,7 +15,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 
-/** What another run measured, which the report shows next to what this one did. Immutable. */
+/** Measurements of an earlier run, which the report compares with this one's. Immutable. */
 public final class EarlierRun {
 
   private final Map<String, JsonNode> scenarios;
@@ -25,10 +25,10 @@ public final class EarlierRun {
   }
 
   /**
-   * Reads what a run measured.
+   * Reads the measurements of a run.
    *
-   * @param file its {@code measurements.json}, or the folder of its results; empty to compare with
-   *     none
+   * @param file its {@code measurements.json}, or the folder of its results; empty for no
+   *     comparison
    * @throws DiagnosticException (INPUT) {@code project.comparison.unreadable}
    */
   public static EarlierRun read(Optional<Path> file) {
@@ -65,7 +65,7 @@ public final class EarlierRun {
             .withHint("Name the measurements.json of another run, or the folder that holds it."));
   }
 
-  /** The scenarios of this run, each with what was measured of it before, if anything was. */
+  /** Returns the scenarios of this run, each with its earlier measurements, if any. */
   ArrayNode beside(JsonNode now) {
     ArrayNode all = JsonNodeFactory.instance.arrayNode();
     for (JsonNode scenario : now) {

@@ -23,7 +23,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 
-/** Collects what the report shows, from the stages' results and the files of the run. */
+/** Collects the data of the report, from the stages' results and the files of the run. */
 public final class ReportData {
 
   private static final double NANOSECONDS_IN_A_MILLISECOND = 1e6;
@@ -35,9 +35,9 @@ public final class ReportData {
   private final ObjectNode data = JsonNodeFactory.instance.objectNode();
 
   /**
-   * Of a run.
+   * Creates the data of a run.
    *
-   * @param before what the report compares with
+   * @param before the earlier run that the report compares with
    */
   public ReportData(RunContext run, Map<Stage, StageOutcome> outcomes, EarlierRun before) {
     this.run = run;
@@ -46,7 +46,9 @@ public final class ReportData {
     this.model = readable(run::chain);
   }
 
-  /** The model as this run measured it; the model where nothing was measured; else an empty one. */
+  /**
+   * Returns the model measured by this run; the model if nothing was measured; else an empty one.
+   */
   public EventChain chain() {
     Optional<EventChain> measured =
         outcomes.get(Stage.SIMULATE).report().isPresent()
@@ -105,7 +107,7 @@ public final class ReportData {
     return version == null ? "(development)" : version;
   }
 
-  /** What language models were asked, and what they said. */
+  /** Returns the prompts to language models and their answers. */
   private ArrayNode conversations() {
     ArrayNode all = JsonNodeFactory.instance.arrayNode();
     outcomes.keySet().forEach(stage -> all.addAll(run.models().conversation(stage)));
@@ -125,7 +127,7 @@ public final class ReportData {
     }
   }
 
-  /** Nothing where there is no model, or none that can be read: then that has been found before. */
+  /** Returns the value; empty without a readable model, which is then reported elsewhere. */
   private static <T> Optional<T> readable(Supplier<T> reader) {
     try {
       return Optional.of(reader.get());

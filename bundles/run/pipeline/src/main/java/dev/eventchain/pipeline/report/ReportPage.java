@@ -28,18 +28,17 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * The report of a run as one HTML file that needs nothing else: style, script and data are inside,
- * and its Content-Security-Policy lets only exactly this style and this script take effect.
+ * The report of a run as one self-contained HTML file with style, script and data. Its
+ * Content-Security-Policy allows only exactly this style and this script.
  *
- * <p>The templates of templates/report make the page from the model; what they are told besides is
- * text, which they escape. The data of the script is untrusted, too: it is in the page as JSON in
- * which nothing can end the element or start another, and the script turns it into text nodes only.
- * A viewer that runs no script shows the verdict, the chain, the requirements and the measured
- * values.
+ * <p>The templates of templates/report generate the page from the model; all other inputs are text,
+ * which they escape. The data of the script is untrusted, too: it is embedded as JSON that cannot
+ * end the element or start another, and the script turns it into text nodes only. Without scripts,
+ * a viewer shows the verdict, the chain, the requirements and the measured values.
  */
 public final class ReportPage {
 
-  /** In the order in which they make up the script; later parts use earlier ones. */
+  /** Parts of the script in order; later parts use earlier ones. */
   private static final List<String> SCRIPTS =
       List.of(
           "dom.js",
@@ -59,10 +58,10 @@ public final class ReportPage {
   private ReportPage() {}
 
   /**
-   * The page in UTF-8. The same model and data, in the same order, give the same bytes.
+   * Returns the page in UTF-8. The same model and data, in the same order, give the same bytes.
    *
    * @param chain the measured model; an empty one where there is none
-   * @param data an object with what the run found out; every part of it may be absent
+   * @param data an object with the run's results; every part may be absent
    */
   public static byte[] render(EventChain chain, JsonNode data) {
     String style = "\n" + resource("report.css");
@@ -112,7 +111,7 @@ public final class ReportPage {
     return "sha256-" + Base64.getEncoder().encodeToString(Sha256.of(text).bytes());
   }
 
-  /** JSON in ASCII without a character that means something to HTML. */
+  /** Returns JSON in ASCII without characters that are special in HTML. */
   private static String json(JsonNode data) {
     JsonMapper mapper = JsonMapper.builder().build();
     StringWriter text = new StringWriter();
@@ -126,7 +125,7 @@ public final class ReportPage {
     return text.toString();
   }
 
-  /** A part of the pages that is in its own file. */
+  /** Returns a part of the page from its own file. */
   public static String resource(String name) {
     try (InputStream stream = ReportPage.class.getResourceAsStream(name)) {
       return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
@@ -152,7 +151,7 @@ public final class ReportPage {
       return escapes;
     }
 
-    /** None of its own: everything outside ASCII is written as an escape already. */
+    /** Returns no custom escapes: everything outside ASCII is already escaped. */
     @Override
     public SerializableString getEscapeSequence(int character) {
       return null;

@@ -22,9 +22,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * From each requirement and design rule to what implements it, with the lines that were generated
- * for it, and what proves it: scenarios that name a requirement, and constraints whose comment
- * names a design rule.
+ * Maps each requirement and design rule to its implementation, with the generated lines, and to its
+ * proofs: scenarios that name a requirement, and constraints whose comment names a design rule.
  */
 final class Traceability {
 
@@ -50,7 +49,7 @@ final class Traceability {
         table.add(designRule(item));
       }
     } catch (DiagnosticException e) {
-      // The file's problems are among the findings of the stage that needed it.
+      // The file's problems are reported by the stage that needs it.
       return table;
     }
     return table;
@@ -99,8 +98,9 @@ final class Traceability {
   }
 
   /**
-   * What the constraints say that stand for a requirement or design rule. The measured model is the
-   * designed one with more in it: a constraint on what is only there is tested by it alone.
+   * Returns the results of the constraints that implement a requirement or design rule. The
+   * measured model extends the designed one: constraints on its additional elements are tested by
+   * it alone.
    */
   private List<Proof> checks(WrittenRequirement item) {
     JsonNode designed = report(Stage.VALIDATE).path("validation");

@@ -6,12 +6,12 @@ import java.time.Duration;
 /** Is notified of the progress of a run, on the thread that runs it. */
 public interface Progress {
 
-  /** How a stage ended. */
+  /** The final states of a stage. */
   enum Status {
     DONE("done"),
     UNCHANGED("unchanged"),
     FAILED("failed"),
-    /** An answer from outside is awaited; the same command continues when it is there. */
+    /** Waiting for an external answer; the same command continues when it exists. */
     WAITING("waiting"),
     NOT_RUN("not run");
 
@@ -21,19 +21,19 @@ public interface Progress {
       this.words = words;
     }
 
-    /** Whether later stages cannot continue. */
+    /** Returns whether later stages cannot continue. */
     public boolean isStopped() {
       return this == FAILED || this == WAITING;
     }
 
-    /** The words that people read. */
+    /** Returns the text for people. */
     @Override
     public String toString() {
       return words;
     }
   }
 
-  /** Nobody is told. */
+  /** A listener that does nothing. */
   Progress NONE =
       new Progress() {
         @Override
@@ -46,22 +46,22 @@ public interface Progress {
         public void ended(Stage stage, Status status, Duration duration, String details) {}
       };
 
-  /** A stage begins. */
+  /** Reports the beginning of a stage. */
   void started(Stage stage);
 
-  /** Something inside a stage begins or is worth knowing, in a few words. */
+  /** Reports a step or an event in a stage, in a few words. */
   void step(Stage stage, String message);
 
   /**
-   * A stage has ended.
+   * Reports the end of a stage.
    *
-   * @param details what it made, in a few words; may be empty
+   * @param details a short description of its results; may be empty
    */
   void ended(Stage stage, Status status, Duration duration, String details);
 
   /**
-   * The model of a chain, or its description, is read and understood: once for each state of the
-   * files that this depends on.
+   * Reports that the model of a chain, or its description, was read: once for each state of its
+   * files.
    */
   default void read(Path file) {}
 }

@@ -8,22 +8,22 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What a run should do.
+ * Options of a run.
  *
- * @param output the folder that everything is written to
- * @param first the first stage; what earlier stages made is read from the output folder
+ * @param output the output folder
+ * @param first the first stage; results of earlier stages are read from the output folder
  * @param last the last stage
- * @param again whether stages run even where nothing has changed since they last did
- * @param llm how answers are had ({@code replay} or {@code handoff:DIR}); empty: as the project's
- *     configuration says
- * @param record whether answers from elsewhere are kept as recordings of the project
- * @param overwrite whether files that a person has edited in the output folder are replaced
+ * @param again true to run stages even if nothing has changed since their last run
+ * @param llm the source of answers ({@code replay} or {@code handoff:DIR}); empty for that of the
+ *     project's configuration
+ * @param record true to keep answers from elsewhere as recordings of the project
+ * @param overwrite true to replace files in the output folder that a person has edited
  * @param scenarios the names of the scenarios to simulate; empty: all
- * @param driver how the nodes are run that are simulated
- * @param mcap whether the messages of the scenarios are recorded, too
- * @param compare what another run measured, which the report shows next to what this one does: its
- *     {@code measurements.json}, or the folder of it
- * @param faults a file with faults that scenarios are simulated with besides
+ * @param driver the driver of the simulated nodes
+ * @param mcap true to record the messages of the scenarios, too
+ * @param compare the measurements of another run, which the report compares with this one's: its
+ *     {@code measurements.json} or its folder
+ * @param faults a file of faults for additional simulations of the scenarios
  * @param suppressions the findings that do not count
  * @param timeLimit the processor time that a constraint may take on the whole model
  */
@@ -43,23 +43,23 @@ public record RunOptions(
     Suppressions suppressions,
     Duration timeLimit) {
 
-  /** What brings messages from one node to another, and lets time pass. */
+  /** Drivers of the nodes: they transport messages and advance time. */
   public enum Driver {
-    /** All nodes in one process, messages in its memory. */
+    /** All nodes in one process, with messages in memory. */
     LOCKSTEP,
     /** Each node in its own process on Cyclone DDS, in simulated time. */
     DDS,
     /** The same in real time. */
     DDS_IN_REAL_TIME,
-    /** Others run the nodes, in the DDS domain that the environment names, in real time. */
+    /** Nodes started elsewhere, in the DDS domain of the environment, in real time. */
     DDS_ATTACHED
   }
 
   /**
-   * All stages, in lock-step, with answers as the project's configuration says; nothing is
-   * suppressed.
+   * Returns options for all stages, in lock-step, with the project's source of answers and without
+   * suppressions.
    *
-   * @param output the folder that everything is written to
+   * @param output the output folder
    */
   public static RunOptions of(Path output) {
     return new RunOptions(
@@ -88,7 +88,7 @@ public record RunOptions(
     scenarios = List.copyOf(scenarios);
   }
 
-  /** The same for other stages, in another folder. */
+  /** Returns options for other stages and another folder. */
   public RunOptions in(Path folder, Stage from, Stage to) {
     return new RunOptions(
         folder,
@@ -107,22 +107,22 @@ public record RunOptions(
         timeLimit);
   }
 
-  /** Whether only some of the scenarios are simulated, which is not enough for a verdict. */
+  /** Returns whether only some scenarios are simulated, which is not enough for a verdict. */
   public boolean isPartial() {
     return !scenarios.isEmpty();
   }
 
-  /** Whether the nodes are run elsewhere: it is unknown whether they are the same as before. */
+  /** Returns whether the nodes run elsewhere, so that changes in them are unknown. */
   public boolean isAttached() {
     return driver == Driver.DDS_ATTACHED;
   }
 
-  /** Whether scenarios are simulated even where nothing has changed here. */
+  /** Returns whether scenarios are simulated even if nothing has changed here. */
   public boolean simulatesAnyway() {
     return mcap || isAttached();
   }
 
-  /** Whether nothing is written, so that it works where nothing can be written. */
+  /** Returns whether the run writes nothing, so that it works on read-only folders. */
   public boolean readsOnly() {
     return first == Stage.VALIDATE && last == Stage.VALIDATE;
   }

@@ -9,16 +9,16 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * How a run ended.
+ * The result of a run.
  *
- * @param verdict what it comes to
+ * @param verdict the verdict
  * @param summary the verdict in a sentence
  * @param scenarios a line for each scenario that was simulated
- * @param diagnostics everything that was found, in order of the stages, but for what is suppressed
- * @param suppressed what was found and is suppressed
- * @param coverage what was checked
+ * @param diagnostics the findings that are not suppressed, in order of the stages
+ * @param suppressed the suppressed findings
+ * @param coverage the number of checks
  * @param report the report, when one was written
- * @param failure why the run could not continue, when it could not
+ * @param failure the reason why the run could not continue, if it could not
  * @param recordings the messages of scenarios, where they were recorded
  * @param faults a line for each run with a fault
  */
@@ -34,7 +34,7 @@ public record RunResult(
     List<Path> recordings,
     List<FaultLine> faults) {
 
-  /** Without recordings. */
+  /** Creates a result without recordings. */
   public RunResult(
       Verdict verdict,
       String summary,
@@ -57,7 +57,7 @@ public record RunResult(
         List.of());
   }
 
-  /** The same with recordings. */
+  /** Returns a copy with recordings. */
   public RunResult withRecordings(List<Path> files) {
     return new RunResult(
         verdict,
@@ -72,7 +72,7 @@ public record RunResult(
         faults);
   }
 
-  /** The same with what came of faults. */
+  /** Returns a copy with results of faults. */
   public RunResult withFaults(List<FaultLine> lines) {
     return new RunResult(
         verdict,
@@ -87,36 +87,36 @@ public record RunResult(
         lines);
   }
 
-  /** What a run comes to. */
+  /** The verdicts of a run. */
   public enum Verdict {
-    /** Every stage asked for ran, no finding is an error, and every scenario met its criteria. */
+    /** All requested stages ran without errors, and every scenario met its criteria. */
     PASSED,
-    /** Something was found wrong. */
+    /** At least one error. */
     FAILED,
     /**
-     * Nothing was found wrong, but not everything was run or tested that a verdict needs: then it
-     * is a finding, unless it was not asked for.
+     * No errors, but not everything that a verdict needs was run or tested: a finding, unless it
+     * was not requested.
      */
     INCOMPLETE
   }
 
   /**
-   * A scenario in a line.
+   * The summary of a scenario in one line.
    *
    * @param name the scenario's name
-   * @param tested whether all components worked and every criterion could be judged, or one fails
-   * @param passed whether it met its criteria
-   * @param text what happened, in a sentence
+   * @param tested true if all components worked and every criterion could be judged, or one fails
+   * @param passed true if it met its criteria
+   * @param text the course of events, in a sentence
    */
   public record ScenarioLine(String name, boolean tested, boolean passed, String text) {}
 
   /**
-   * A run with a fault in a line.
+   * The summary of a run with a fault in one line.
    *
    * @param name the fault's name
-   * @param tested whether something was expected and all of it could be judged, or one fails
-   * @param passed whether it was judged and everything expected holds
-   * @param text what happened, in a sentence
+   * @param tested true if something was expected and all of it could be judged, or one fails
+   * @param passed true if it was judged and everything expected holds
+   * @param text the course of events, in a sentence
    */
   public record FaultLine(String name, boolean tested, boolean passed, String text) {}
 }

@@ -21,17 +21,17 @@ public enum Stage {
     this.purpose = purpose;
   }
 
-  /** The name that people see. */
+  /** Returns the name for people. */
   public String title() {
     return title;
   }
 
-  /** What the stage makes of what, in a few words. */
+  /** Returns a short description of the stage's inputs and outputs. */
   public String purpose() {
     return purpose;
   }
 
-  /** The name on the command line and in files. */
+  /** Returns the name on the command line and in files. */
   public String id() {
     return name().toLowerCase(Locale.ROOT);
   }

@@ -1,5 +1,5 @@
 /**
- * A run as its caller sees it: its stages, its options, its progress and its result. Knows nothing
- * of how the stages work.
+ * A run as its caller sees it: its stages, options, progress and result. Does not depend on the
+ * work of the stages.
  */
 package dev.eventchain.pipeline.run;

@@ -13,21 +13,21 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The copies of components in a generated package, which are what is simulated. */
+/** Copies of components in a generated package, which the simulation runs. */
 final class ComponentCopies {
 
   private ComponentCopies() {}
 
-  /** Where the copy of a component is. */
+  /** Returns the path of a component's copy. */
   static Path of(RunContext run, GeneratedPackage generated, SoftwareNode node) {
     return run.file(generated.componentFile(node));
   }
 
   /**
-   * An edited copy is kept, but a verdict about it would say nothing about the component of the
-   * project.
+   * Checks that the copies equal the components: an edited copy is kept, but a verdict about it
+   * would not apply to the project's component.
    *
-   * @throws DiagnosticException FINDINGS with an error for each, unless people accept them
+   * @throws DiagnosticException FINDINGS with an error for each, unless suppressed
    */
   static List<Diagnostic> requireSame(
       RunContext run, EventChain chain, GeneratedPackage generated) {

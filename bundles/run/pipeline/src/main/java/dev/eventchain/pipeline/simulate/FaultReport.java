@@ -13,17 +13,17 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 
-/** What came of faults, as the report and {@code verdict.json} show it. */
+/** The results of faults for the report and {@code verdict.json}. */
 final class FaultReport {
 
   private static final double KMH = 3.6;
 
-  /** Below a millimetre, a vehicle is in the same place. */
+  /** Largest distance in metres of the same position. */
   private static final double SAME_PLACE = 1e-3;
 
   private FaultReport() {}
 
-  /** One object for each fault. */
+  /** Returns one object per fault. */
   static ArrayNode of(SimulationResult result) {
     ArrayNode all = JsonNodeFactory.instance.arrayNode();
     result.faults().forEach(fault -> add(all.addObject(), fault));
@@ -81,7 +81,7 @@ final class FaultReport {
     return Math.round(value * 1e4) / 1e4;
   }
 
-  /** What a vehicle did, in a few words. */
+  /** Returns a short description of a vehicle's behaviour. */
   private static String did(Vehicle vehicle) {
     if (vehicle.impactSpeed().isPresent()) {
       return format(
@@ -97,7 +97,7 @@ final class FaultReport {
         : motion;
   }
 
-  /** What came of it, in a sentence. */
+  /** Returns the result of a fault, in a sentence. */
   private static String text(FaultVerdict fault) {
     if (!fault.effective()) {
       return fault.scenario() + ": no effect, " + fault.effect();

@@ -20,15 +20,14 @@ import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
- * Whether what was measured decides what a constraint says. One that holds whatever the measured
- * numbers are, such as a {@code forAll} over latencies where there are none, was evaluated but
- * tests nothing.
+ * Decides whether the result of a constraint depends on measured values. A constraint that holds
+ * for all values, such as a {@code forAll} over an empty collection of latencies, tests nothing.
  */
 final class MeasuredValues {
 
   private static final EventchainPackage METAMODEL = EventchainPackage.eINSTANCE;
 
-  /** The classes of what a simulation adds to a chain. */
+  /** Classes of the elements that a simulation adds to a chain. */
   private static final Set<EClass> MEASURED =
       Set.of(
           METAMODEL.getChainMeasurement(),
@@ -38,7 +37,7 @@ final class MeasuredValues {
           METAMODEL.getNodeMeasurement(),
           METAMODEL.getStatistics());
 
-  /** What every number is tried with by itself. */
+  /** Values that are tried for each number on its own. */
   private static final List<Double> EXTREMES = List.of(-1e300, -1.0, 0.0, 1e300);
 
   /** A measured number or Boolean of the model. */
@@ -48,9 +47,9 @@ final class MeasuredValues {
   private final List<EObject> elements = new ArrayList<>();
 
   /**
-   * What was measured.
+   * Creates the values of a measured model.
    *
-   * @param measured the model that holds it; stays as it is
+   * @param measured the measured model; not modified
    */
   MeasuredValues(EventChain measured) {
     chain = EcoreUtil.copy(measured);
@@ -61,10 +60,11 @@ final class MeasuredValues {
   }
 
   /**
-   * Whether another measured value would make a constraint fail that holds, if it reads any at all.
+   * Returns whether other measured values can violate a constraint that holds; true if it reads
+   * none.
    *
-   * @param constraint holds for all elements of the model
-   * @param budget the time that the search may take; what it is too short for does not decide
+   * @param constraint a constraint that holds for all elements of the model
+   * @param budget the time limit of the search; on timeout, the result is false
    */
   boolean decide(OclConstraint constraint, TimeBudget budget) {
     Set<EStructuralFeature> read = new LinkedHashSet<>();
@@ -90,7 +90,7 @@ final class MeasuredValues {
     return false;
   }
 
-  /** Names and units say which value is meant; they are no result. */
+  /** Returns whether a feature is a measured value; names and units are not. */
   private static boolean isMeasuredValue(EStructuralFeature feature) {
     if (!(feature instanceof EAttribute attribute)
         || !MEASURED.contains(attribute.getEContainingClass())) {
@@ -112,7 +112,9 @@ final class MeasuredValues {
     return slots;
   }
 
-  /** Zero, and both signs of 1, 2 and 5 in all magnitudes that times, speeds and ways have. */
+  /**
+   * Returns zero, and 1, 2 and 5 with both signs in all magnitudes of times, speeds and distances.
+   */
   private static List<Double> sweep() {
     List<Double> values = new ArrayList<>(EXTREMES);
     for (double magnitude = 1e-6; magnitude < 1e10; magnitude *= 10) {

@@ -8,13 +8,13 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** The faults that a run is to inject. */
+/** Faults that a run injects. */
 final class ProjectFaults {
 
   private ProjectFaults() {}
 
   /**
-   * The faults of the scenarios that are simulated; that others are left out is found.
+   * Returns the faults of the simulated scenarios; a finding reports omitted ones.
    *
    * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if the file cannot be read
    */

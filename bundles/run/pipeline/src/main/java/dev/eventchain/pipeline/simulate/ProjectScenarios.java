@@ -13,14 +13,14 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 
-/** The scenarios of a project, and the requirements that they test. */
+/** Scenarios of a project, and the requirements that they test. */
 public final class ProjectScenarios {
 
   private ProjectScenarios() {}
 
   /**
-   * Reads what a verdict will be about, before any language model is asked: a scenario that cannot
-   * be read, or that tests a requirement that there is not, would be found when all is paid for.
+   * Reads bench and scenarios before any language model is asked: otherwise unreadable scenarios or
+   * unknown requirements would be found only after the cost.
    *
    * @return the findings about the requirements that the scenarios name
    * @throws DiagnosticException INPUT if the bench or a scenario cannot be read
@@ -63,7 +63,7 @@ public final class ProjectScenarios {
         .withHint(NearestName.question(id, known));
   }
 
-  /** The scenarios that a run asks for, in the order of their files. */
+  /** Returns the scenarios that a run requests, in the order of their files. */
   static List<Scenario> selected(RunContext run) {
     List<Scenario> all = Scenario.readFolder(run.project().scenarios(), run.bench(), run::find);
     Set<String> wanted = new TreeSet<>(run.options().scenarios());

@@ -8,9 +8,9 @@ import java.nio.file.Path;
 import java.util.List;
 
 /**
- * The recordings of scenarios, one file each: all of them begin at time 0, so that one file of all
- * would mix them up. They are of the last simulation of their scenario: older ones go when a
- * simulation starts, whether it makes new ones or not.
+ * Recordings of scenarios, one file each, since all of them begin at time 0. Each is from the last
+ * simulation of its scenario: older ones are deleted when a simulation starts, with or without new
+ * ones.
  */
 final class Recordings {
 
@@ -26,7 +26,7 @@ final class Recordings {
   }
 
   /**
-   * Removes those that the simulation makes obsolete, and asks it for new ones if they are wanted.
+   * Deletes the recordings that the simulation makes obsolete, and requests new ones if configured.
    */
   SimulationRequest begin(SimulationRequest request) {
     if (run.options().isPartial()) {
@@ -37,7 +37,7 @@ final class Recordings {
     return run.options().mcap() ? request.withRecordings(run.output().scratch()) : request;
   }
 
-  /** Puts those that are whole in place; whatever happened to the scenarios. */
+  /** Moves complete recordings into place, whatever the result of the scenarios. */
   void keep() {
     if (!run.options().mcap()) {
       return;

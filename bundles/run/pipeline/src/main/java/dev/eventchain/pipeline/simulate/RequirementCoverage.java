@@ -24,7 +24,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 
-/** Which requirements the scenarios can say something about, whatever happens in them. */
+/** Requirements that the scenarios can test, whatever their outcome. */
 final class RequirementCoverage {
 
   private static final String UNTESTED = "project.requirement.untested";
@@ -41,7 +41,10 @@ final class RequirementCoverage {
     this.scenarios = scenarios;
   }
 
-  /** What no scenario tests is not proved by all scenarios passing: an error for each. */
+  /**
+   * Returns an error for each requirement that no scenario tests, and that passing scenarios do not
+   * prove.
+   */
   static List<Diagnostic> untested(RunContext run, EventChain chain, List<Scenario> scenarios) {
     Map<String, String> unproven = unproven(run, chain, scenarios);
     Set<String> named =
@@ -68,10 +71,11 @@ final class RequirementCoverage {
   }
 
   /**
-   * What is not tested because people accept that something could not be judged must be accepted by
-   * itself: who suppresses a finding need not see which requirements hang on it.
+   * Returns a finding for each requirement that is untested because of a suppressed finding, but
+   * not suppressed itself: people who suppress a finding may not know which requirements depend on
+   * it.
    *
-   * @param outcomes as {@link RequirementOutcomes#of} makes them
+   * @param outcomes the outcomes from {@link RequirementOutcomes#of}
    * @param found all findings so far; as long as one of them counts, nothing is added
    */
   static List<Diagnostic> unlisted(RunContext run, ArrayNode outcomes, List<Diagnostic> found) {
@@ -104,9 +108,9 @@ final class RequirementCoverage {
   }
 
   /**
-   * The requirements that scenarios name but that none of their criteria can prove, with the reason
-   * by the id: one that asks for a signal that leaves the chain needs a criterion on its value, and
-   * any other one a criterion that depends on what the components write that are to satisfy it.
+   * Returns the reasons, by identifier, why requirements of scenarios cannot be proved by any of
+   * their criteria. A requirement on an output signal needs a criterion on its value, any other one
+   * a criterion that depends on outputs of the components that satisfy it.
    */
   static Map<String, String> unproven(RunContext run, EventChain chain, List<Scenario> scenarios) {
     RequirementCoverage coverage = new RequirementCoverage(chain, run.bench(), scenarios);
@@ -116,7 +120,10 @@ final class RequirementCoverage {
     return unproven;
   }
 
-  /** Nothing on the road shows whether a signal that leaves the chain is sent. */
+  /**
+   * Adds requirements on output signals that no criterion reads: the simulated world does not show
+   * whether they are sent.
+   */
   private void findUnread(Map<String, String> unproven) {
     for (SoftwareNode node : chain.getSoftware()) {
       for (Data output : node.getOutput()) {
@@ -161,7 +168,10 @@ final class RequirementCoverage {
     return scenarios.stream().filter(it -> it.requirements().contains(requirement)).toList();
   }
 
-  /** The topics whose messages depend on simulated components: theirs, and what comes of them. */
+  /**
+   * Returns the topics that depend on simulated components: their outputs, and topics derived from
+   * these.
+   */
   private Set<String> influenced(List<SoftwareNode> components) {
     Set<String> influenced = new HashSet<>();
     Set<SoftwareNode> reached = new HashSet<>(components);

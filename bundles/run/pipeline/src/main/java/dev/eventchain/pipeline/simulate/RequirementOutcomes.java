@@ -11,15 +11,15 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 
-/** What the scenarios, and the constraints that stand for a requirement, say of it. */
+/** Outcomes of requirements, from the scenarios and from the constraints that implement them. */
 public final class RequirementOutcomes {
 
   private enum Outcome {
-    /** Each scenario that names it passed, and there is one; so do its constraints, if any. */
+    /** At least one scenario names it and all of them passed; so did its constraints, if any. */
     PROVED,
-    /** A scenario that names it failed, or a constraint that stands for it is violated. */
+    /** A scenario that names it failed, or one of its constraints is violated. */
     VIOLATED,
-    /** No scenario names it, or a scenario or constraint that does could not be judged. */
+    /** No scenario names it, or a scenario or constraint that names it could not be judged. */
     NOT_TESTED;
 
     String words() {
@@ -30,11 +30,11 @@ public final class RequirementOutcomes {
   private RequirementOutcomes() {}
 
   /**
-   * The id and the outcome of each requirement, in their order.
+   * Returns the identifier and the outcome of each requirement, in their order.
    *
-   * @param unproven ids of those that no criterion can prove, see {@link
+   * @param unproven requirements that no criterion can prove, see {@link
    *     RequirementCoverage#unproven}
-   * @param evidence what the measured model says of their constraints
+   * @param evidence the evidence from their constraints on the measured model
    */
   static ArrayNode of(
       List<WrittenRequirement> requirements,
@@ -61,7 +61,7 @@ public final class RequirementOutcomes {
     return proved && !untested ? Outcome.PROVED : Outcome.NOT_TESTED;
   }
 
-  /** The ids of those that are not tested. */
+  /** Returns the identifiers of untested requirements. */
   static Set<String> untested(JsonNode outcomes) {
     Set<String> ids = new TreeSet<>();
     outcomes.forEach(
@@ -74,9 +74,10 @@ public final class RequirementOutcomes {
   }
 
   /**
-   * How many there are of each kind: "5 requirements proved, 1 violated"; empty if there are none.
+   * Returns the number of requirements by outcome: "5 requirements proved, 1 violated"; empty if
+   * there are none.
    *
-   * @param outcomes as {@link #of} makes them
+   * @param outcomes the outcomes from {@link #of}
    */
   public static String counted(JsonNode outcomes) {
     List<String> counts = new ArrayList<>();

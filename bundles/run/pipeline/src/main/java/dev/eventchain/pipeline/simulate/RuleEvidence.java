@@ -15,9 +15,9 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * What the measured model says of the constraints that stand for a requirement or a design rule, as
- * their comments say: a constraint that was evaluated on nothing, or that would hold whatever had
- * been measured, is not tested.
+ * Evidence from the constraints that implement a requirement or a design rule according to their
+ * comments, on the measured model. A constraint that was never evaluated, or that holds for all
+ * measured values, is not tested.
  */
 final class RuleEvidence {
 
@@ -31,10 +31,10 @@ final class RuleEvidence {
   }
 
   /**
-   * The evidence for what a project's requirements and design rules are.
+   * Returns the evidence for a project's requirements and design rules.
    *
    * @param measured the model that was validated
-   * @param validation what came of it
+   * @param validation its result
    */
   static RuleEvidence of(RunContext run, EventChain measured, OclResult validation) {
     Set<String> ids = ids(run);
@@ -55,7 +55,7 @@ final class RuleEvidence {
     return evidence;
   }
 
-  /** The ids of the project's requirements and design rules. */
+  /** Returns the identifiers of the project's requirements and design rules. */
   static Set<String> ids(RunContext run) {
     Set<String> ids = new TreeSet<>();
     run.writtenRequirements().forEach(item -> ids.add(item.id()));
@@ -63,7 +63,7 @@ final class RuleEvidence {
     return ids;
   }
 
-  /** Why a constraint that nothing violates is not tested; empty if it is. */
+  /** Returns the reason why a constraint without violations is not tested; empty if it is. */
   private static Optional<String> why(
       OclResult.Check check, MeasuredValues values, TimeBudget budget) {
     OclConstraint constraint = check.constraint();
@@ -94,24 +94,24 @@ final class RuleEvidence {
   }
 
   /**
-   * The findings of the validation and, in a run of all scenarios, one for each constraint that was
-   * not tested.
+   * Returns the findings of the validation and, in a run of all scenarios, one for each untested
+   * constraint.
    */
   List<Diagnostic> findings() {
     return findings;
   }
 
-  /** Adds the qualified names of the constraints that were not tested to a report. */
+  /** Adds the qualified names of untested constraints to a report. */
   void addTo(ObjectNode report) {
     untestedConstraints.forEach(report.putArray("untested")::add);
   }
 
-  /** The requirements and design rules that such a constraint stands for. */
+  /** Returns the requirements and design rules of an untested constraint. */
   Set<String> untestedIds() {
     return untestedIds;
   }
 
-  /** The requirements and design rules that a violated constraint stands for. */
+  /** Returns the requirements and design rules of a violated constraint. */
   Set<String> violatedIds() {
     return violatedIds;
   }

@@ -43,7 +43,9 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.eclipse.emf.ecore.EObject;
 
-/** The generated nodes in the closed loop: verdicts, measurements, and the measured model. */
+/**
+ * Simulates the generated nodes in the closed loop: verdicts, measurements, and the measured model.
+ */
 public final class SimulateStage implements StageWork {
 
   public static final String MEASUREMENTS = "measurements.json";
@@ -51,7 +53,7 @@ public final class SimulateStage implements StageWork {
   public static final String VERDICT = "verdict.json";
   public static final String MEASURED_MODEL = "chain.measured.xmi";
 
-  /** The results of all scenarios; those of some must not take their place. */
+  /** Results of all scenarios, which must not be replaced by results of some. */
   private static final List<String> RESULTS =
       List.of(MEASUREMENTS, MEASUREMENTS_TABLE, VERDICT, MEASURED_MODEL);
 
@@ -97,7 +99,7 @@ public final class SimulateStage implements StageWork {
     ArrayNode outcomes = outcomes(run, chain, scenarios, result, evidence);
     if (!run.options().isPartial()) {
       addUntested(run, chain, scenarios, result, outcomes, found);
-      // Last, so that it is never there without what it is about.
+      // Last, so that it never exists without the results it refers to.
       run.writeResult(VERDICT, verdict(run, chain, result, found, outcomes));
     }
     Coverage coverage = Constraints.coverage(List.of(measuredFile(run)), validation).and(ecore);
@@ -115,8 +117,8 @@ public final class SimulateStage implements StageWork {
   }
 
   /**
-   * What the bench leaves unconnected; that ends the stage, since a simulation would say nothing
-   * about the chain, unless people have decided to live with it.
+   * Returns the findings about unconnected parts of the bench. They end the stage unless
+   * suppressed, since a simulation would prove nothing about the chain.
    */
   private static List<Diagnostic> connections(RunContext run, EventChain chain) {
     List<Diagnostic> found = new ArrayList<>(run.bench().check(chain, run.chain()::locate));
@@ -170,7 +172,7 @@ public final class SimulateStage implements StageWork {
     found.addAll(RequirementCoverage.unlisted(run, outcomes, found));
   }
 
-  /** A bound on a time that was never measured is not kept, but not tested. */
+  /** Returns findings about bounds on times that were never measured, and so were not tested. */
   private static List<Diagnostic> unmeasured(
       EventChain chain, SimulationResult result, Function<EObject, SourceLocation> locator) {
     List<Diagnostic> found = new ArrayList<>();
@@ -209,7 +211,9 @@ public final class SimulateStage implements StageWork {
     return node == null ? "?" : node.getName();
   }
 
-  /** A verdict must not be better than the run that reached it. */
+  /**
+   * Returns the verdict based on all findings of the run, so that it is not better than the run.
+   */
   private static byte[] verdict(
       RunContext run,
       EventChain chain,
@@ -236,7 +240,7 @@ public final class SimulateStage implements StageWork {
         Locale.ROOT, "%.0f times real time, %s", host.realTimeFactor(), host.confinement());
   }
 
-  /** Simulates, and adds what was found. */
+  /** Simulates and adds the findings. */
   private static SimulationResult simulate(
       RunContext run, EventChain chain, List<Scenario> scenarios, List<Diagnostic> found) {
     found.addAll(ComponentCopies.requireSame(run, chain, GeneratedPackage.required(run)));
@@ -300,7 +304,7 @@ public final class SimulateStage implements StageWork {
     };
   }
 
-  /** The components that a language model wrote: those that the software base does not have. */
+  /** Returns the components of a language model: those that the software base does not have. */
   private static Set<String> written(RunContext run, EventChain chain) {
     return chain.getSoftware().stream()
         .map(SoftwareNode::getName)
@@ -308,7 +312,7 @@ public final class SimulateStage implements StageWork {
         .collect(Collectors.toSet());
   }
 
-  /** A finding in the generated package's copy of a component belongs to the file it is from. */
+  /** Relocates a finding in the generated package's copy of a component to the original file. */
   private static Diagnostic atSource(
       Diagnostic found, RunContext run, EventChain chain, GeneratedPackage generated) {
     SourceLocation place = found.location();

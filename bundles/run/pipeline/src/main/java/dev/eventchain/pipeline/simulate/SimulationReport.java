@@ -22,20 +22,20 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** A simulation's result as the report and {@code verdict.json} show it. */
+/** A simulation's result for the report and {@code verdict.json}. */
 public final class SimulationReport {
 
-  /** Four decimals show everything that can be seen, and keep the page small. */
+  /** Four decimals are enough for display, and keep the page small. */
   private static final double FINEST = 1e4;
 
   private static final double CENTIMETRES = 1e2;
 
-  /** There if others ran the nodes: how they were driven, in words. */
+  /** Property for nodes that were started elsewhere: describes their driver. */
   public static final String ATTACHED = "attached";
 
   private SimulationReport() {}
 
-  /** What the simulation adds to the report. */
+  /** Returns the simulation's part of the report. */
   static ObjectNode of(SimulationResult result) {
     ObjectNode report = JsonNodeFactory.instance.objectNode();
     report.put("confinement", result.host().confinement());
@@ -72,7 +72,7 @@ public final class SimulationReport {
     }
   }
 
-  /** What is not measured is absent. */
+  /** Adds the measured values; omits missing ones. */
   private static void flow(ObjectNode report, MessageFlow flow) {
     ArrayNode hops = report.putArray("hops");
     for (MessageFlow.Hop hop : flow.hops()) {
@@ -105,11 +105,11 @@ public final class SimulationReport {
   }
 
   /**
-   * The content of {@code verdict.json}: the same bytes for the same nodes and scenarios.
+   * Returns the content of {@code verdict.json}: the same bytes for the same nodes and scenarios.
    *
-   * @param outcomes what the scenarios say of each requirement
-   * @param found all findings, of the scenarios and of what was measured, parted by what people
-   *     have decided to live with: a scenario that did not pass has one
+   * @param outcomes the outcome of each requirement
+   * @param found all findings about scenarios and measurements, suppressed ones apart; each
+   *     scenario that did not pass has one
    */
   static byte[] verdict(
       EventChain chain, SimulationResult result, ArrayNode outcomes, Suppressions.Parted found) {
@@ -119,7 +119,7 @@ public final class SimulationReport {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.put("chain", chain.getName()).put("passed", accepted && errors.isEmpty());
     if (result.host().attached()) {
-      json.put("driver", result.host().driver()); // else the driver does not matter
+      json.put("driver", result.host().driver()); // otherwise the driver does not matter
     }
     if (!found.suppressed().isEmpty()) {
       json.put("suppressed", found.suppressed().size());
@@ -152,9 +152,10 @@ public final class SimulationReport {
   }
 
   /**
-   * The content of {@code verdict.json} where there is none: a run is at work, or was stopped.
+   * Returns the content of {@code verdict.json} without a verdict, because a run is in progress or
+   * was stopped.
    *
-   * @param stage where it is or was stopped; none if it could not be begun
+   * @param stage the stage that is running or was stopped; empty if the run could not begin
    */
   public static byte[] noVerdict(String chain, Optional<Stage> stage) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
@@ -164,7 +165,7 @@ public final class SimulationReport {
     return pretty(json);
   }
 
-  /** The name of the chain that a verdict is about; empty if it cannot be read. */
+  /** Returns the name of the verdict's chain; empty if it cannot be read. */
   public static String chainOf(byte[] verdict) {
     try {
       return new ObjectMapper().readTree(verdict).path("chain").asText();
@@ -243,7 +244,7 @@ public final class SimulationReport {
         .orElse("not tested");
   }
 
-  /** What came out, in a sentence: what is missed, or how much holds. */
+  /** Returns the result in a sentence: missed criteria, or the number of satisfied ones. */
   private static String words(ScenarioVerdict verdict) {
     List<ScenarioVerdict.CriterionResult> criteria = verdict.criteria();
     String words =
@@ -277,7 +278,7 @@ public final class SimulationReport {
     }
   }
 
-  /** Where everything was, for the view from above; in centimetres, which is finer than a pixel. */
+  /** Adds the positions of all objects for the top view, in centimetres: finer than a pixel. */
   private static void scene(ObjectNode json, ScenarioVerdict.Scene scene) {
     json.put("curvature", scene.curvature()).put("lane_width", scene.laneWidth());
     json.put("wall_distance", scene.wallDistance());
@@ -303,7 +304,7 @@ public final class SimulationReport {
     column(json, values, FINEST);
   }
 
-  /** Rounded to such parts of one. */
+  /** Adds values, rounded to {@code 1 / parts}. */
   private static void column(ArrayNode json, List<Double> values, double parts) {
     for (double value : values) {
       if (Double.isFinite(value)) {

@@ -3,7 +3,7 @@ package dev.eventchain.pipeline.simulate;
 import dev.eventchain.diagnostics.Diagnostic;
 import java.util.Set;
 
-/** The findings that say that something was not tested, and not that it is wrong. */
+/** Findings about missing tests, rather than errors. */
 public final class UntestedFindings {
 
   private static final Set<String> IDS =
@@ -23,7 +23,7 @@ public final class UntestedFindings {
 
   private UntestedFindings() {}
 
-  /** Whether a finding is one of them. */
+  /** Returns whether a finding is about something untested. */
   public static boolean include(Diagnostic found) {
     return IDS.contains(found.id());
   }

@@ -1,6 +1,5 @@
 /**
  * The simulation stage: the scenarios and faults of a project, the verdict, and the evidence for
- * each requirement. Does not know how the components were written, nor the page that shows the
- * results.
+ * each requirement. Depends neither on the origin of the components nor on the report page.
  */
 package dev.eventchain.pipeline.simulate;

@@ -14,8 +14,8 @@ import java.util.List;
 import org.eclipse.emf.ecore.EObject;
 
 /**
- * The chain of a project as its files say it: its model, where the elements come from, and what the
- * checks find. Each is had once for each state of the files that it depends on. Nobody changes it.
+ * The chain of a project according to its files: its model, the locations of elements, and the
+ * results of checks. Each is computed once per state of its files. Immutable by convention.
  */
 public final class ChainSnapshot {
 
@@ -40,7 +40,7 @@ public final class ChainSnapshot {
     return run.snapshots().of("chain", files, () -> new ChainSnapshot(run, files));
   }
 
-  /** The files that decide where elements come from, besides the model. */
+  /** Returns the files that determine the locations of elements, besides the model. */
   private static List<Path> originFiles(RunContext run) {
     List<Path> files = new ArrayList<>(run.project().softwareBaseFiles());
     files.add(run.project().requirements());
@@ -49,7 +49,7 @@ public final class ChainSnapshot {
   }
 
   /**
-   * The model that a description gives without a language model. Nobody changes it.
+   * Returns the model converted directly from a description. It must not be changed.
    *
    * @throws DiagnosticException INPUT if it cannot be read
    */
@@ -68,12 +68,12 @@ public final class ChainSnapshot {
     return model.chain();
   }
 
-  /** Where an element is: in the description that the chain was made from, or in the model. */
+  /** Returns the location of an element: in the description of the chain or in the model. */
   public SourceLocation locate(EObject element) {
     return model.locate(element);
   }
 
-  /** What the project's constraints and contracts say of it. */
+  /** Returns the result of the project's constraints and contracts. */
   public ChainChecks.Outcome checks() {
     List<Path> all = new ArrayList<>(files);
     all.addAll(ProjectChecks.files(run));

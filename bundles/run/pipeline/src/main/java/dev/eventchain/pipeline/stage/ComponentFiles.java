@@ -7,21 +7,21 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/** The Python files of components: those that exist already, and those that a run writes. */
+/** Python files of components: existing ones and those that a run writes. */
 public final class ComponentFiles {
 
-  /** The folder of the output with the components that did not exist. */
+  /** Output folder of the components that did not exist. */
   public static final String FOLDER = "components";
 
   private ComponentFiles() {}
 
-  /** The file of a component that a run writes, relative to the folder of the output. */
+  /** Returns the file of a component that a run writes, relative to the output folder. */
   public static String name(String component) {
     return FOLDER + "/" + component + ".py";
   }
 
   /**
-   * The file of a component: from the software base, or else the one that a run wrote.
+   * Returns the file of a component: from the software base, or else from a run.
    *
    * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if it does not exist and no run
    *     has written it

@@ -12,14 +12,13 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 /**
- * A hash of everything that a stage reads: values, files, and the program itself; and of each
- * source of its results, so that a later stage can tell which of them have changed. The program,
- * the language model and its recordings are no sources: they say how something was made, not of
- * what.
+ * A hash of all inputs of a stage: values, files and the program itself; and of each source of its
+ * results, so that a later stage can detect changed sources. The program, the language model and
+ * its recordings are inputs but not sources of results.
  */
 public final class Fingerprint {
 
-  /** The content of a source that is not there. */
+  /** The content of a missing source. */
   public static final String ABSENT = "absent";
 
   /** The build of this program. */
@@ -47,38 +46,38 @@ public final class Fingerprint {
     return add(name).add(value);
   }
 
-  /** Adds a file's name and content; a missing file is content of its own kind. */
+  /** Adds a file's name and content; a missing file has a special content. */
   public Fingerprint addFile(Path file) {
     String content = contentOf(file);
     sources.put(SourceName.of(file, run), content);
     return add(file.getFileName()).add(content);
   }
 
-  /** Adds files, which the caller has put into a fixed order. */
+  /** Adds files in the given order, which the caller fixes. */
   public Fingerprint addFiles(Collection<Path> files) {
     add(files.size());
     files.forEach(this::addFile);
     return this;
   }
 
-  /** Adds files that say how something is made. */
+  /** Adds files that are inputs but not sources. */
   public Fingerprint addMeans(Collection<Path> files) {
     add(files.size());
     files.forEach(file -> add(file.getFileName()).add(contentOf(file)));
     return this;
   }
 
-  /** The hash in hexadecimal. No more can be added. */
+  /** Returns the hash in hexadecimal. Nothing can be added afterwards. */
   public String value() {
     return digest.hex();
   }
 
-  /** The sources by {@link SourceName}, each with a hash of its content, or its value. */
+  /** Returns the sources by {@link SourceName}, each with a hash of its content, or its value. */
   public SortedMap<String, String> sources() {
     return sources;
   }
 
-  /** A link to nothing is there, and cannot be read. */
+  /** Returns the hash of a file's content; a dangling link exists, but cannot be read. */
   public static String contentOf(Path file) {
     try {
       return ProjectFolder.isAbsent(file)
@@ -89,7 +88,7 @@ public final class Fingerprint {
     }
   }
 
-  /** Another build of this program may do another thing with the same files. */
+  /** Returns the build of the program, because another one may treat the same files differently. */
   private static String program() {
     StringBuilder program = new StringBuilder();
     for (String entry : System.getProperty("java.class.path").split(File.pathSeparator, -1)) {

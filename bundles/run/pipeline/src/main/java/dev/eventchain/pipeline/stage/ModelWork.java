@@ -22,8 +22,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What a run has to do with language models: how its stages ask them, what was said, what it cost,
- * and what came of a verdict.
+ * The use of language models in a run: access, conversations, cost, and corrections after a
+ * verdict.
  */
 public final class ModelWork {
   private final RunContext run;
@@ -34,9 +34,9 @@ public final class ModelWork {
   private Optional<SimulationResult> simulated = Optional.empty();
 
   /**
-   * What a run has not asked yet.
+   * Creates the state of a run without calls.
    *
-   * @param sample the run of an evaluation that this is, if it is one
+   * @param sample the sample, if this is the run of an evaluation
    */
   ModelWork(RunContext run, Optional<Sample> sample) {
     this.run = run;
@@ -47,26 +47,26 @@ public final class ModelWork {
             .orElseGet(() -> new Spending(run.project().configuration().services()));
   }
 
-  /** Whether this is a run by which a language model is evaluated. */
+  /** Returns whether this run is part of an evaluation of a language model. */
   public boolean isEvaluated() {
     return sample.isPresent();
   }
 
-  /** What the agent of a stage works with. */
+  /** Returns the context of a stage's agent. */
   public AgentContext agent(Stage stage) {
     return agent(stage, stage.id());
   }
 
   /**
-   * What an agent works with.
+   * Returns the context of an agent.
    *
-   * @param task which the configuration names models for
+   * @param task a task with models in the configuration
    */
   public AgentContext agent(Stage stage, String task) {
     return agent(stage, task, task);
   }
 
-  /** What the correction of a component by a verdict works with. */
+  /** Returns the context of the agent that corrects a component after a verdict. */
   public AgentContext correcting() {
     return agent(Stage.IMPLEMENT, Stage.IMPLEMENT.id(), "verdict");
   }
@@ -95,7 +95,7 @@ public final class ModelWork {
         exchange -> conversation(stage).add(said(exchange)));
   }
 
-  /** A finding in an answer where it is in the file that the answer becomes. */
+  /** Returns a finding in an answer, located in the file that is written from the answer. */
   public Diagnostic placed(Diagnostic finding) {
     SourceLocation place = finding.location();
     return becomesFile(place.file())
@@ -103,7 +103,10 @@ public final class ModelWork {
         : finding;
   }
 
-  /** What an answer is about may be wrong elsewhere, such as in a message definition. */
+  /**
+   * Returns whether an answer is written to this file; findings may concern others, such as message
+   * definitions.
+   */
   private static boolean becomesFile(String name) {
     return name.equals(ProjectFolder.DESCRIPTION)
         || name.equals(ProjectFolder.GENERATED)
@@ -138,12 +141,12 @@ public final class ModelWork {
     return said;
   }
 
-  /** All that a stage has asked, with the answers; those of earlier runs first. */
+  /** Returns all prompts of a stage with their answers; those of earlier runs first. */
   public ArrayNode conversation(Stage stage) {
     return conversations.computeIfAbsent(stage, each -> JsonNodeFactory.instance.arrayNode());
   }
 
-  /** Takes up what an earlier run, whose result stands, has asked. */
+  /** Restores the conversations of an earlier run whose result is still valid. */
   public void recall(Stage stage, JsonNode report) {
     if (report.path("conversation").isArray()) {
       conversation(stage).removeAll();
@@ -151,27 +154,27 @@ public final class ModelWork {
     }
   }
 
-  /** Components as a language model corrected them after a verdict, by their names. */
+  /** Returns components that a language model corrected after a verdict, by name. */
   public Map<String, AgentResult> corrections() {
     return corrections;
   }
 
-  /** Takes on components that a language model corrected after a verdict. */
+  /** Adopts components that a language model corrected after a verdict. */
   public void correct(Map<String, AgentResult> corrected) {
     corrections = Map.copyOf(corrected);
   }
 
-  /** What was simulated last in this run, if anything was. */
+  /** Returns the last simulation in this run, if there was one. */
   public Optional<SimulationResult> simulated() {
     return simulated;
   }
 
-  /** Remembers what was simulated. */
+  /** Stores the simulation. */
   public void simulated(SimulationResult result) {
     simulated = Optional.of(result);
   }
 
-  /** What the calls of language models have cost in this run. */
+  /** Returns the cost of language model calls in this run. */
   public Spending spending() {
     return spending;
   }

@@ -16,12 +16,12 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 
-/** The checks of a run's project, made of what the run has read once. */
+/** Checks of a run's project, based on the run's snapshots. */
 public final class ProjectChecks {
 
   private ProjectChecks() {}
 
-  /** All constraints that there are. */
+  /** Returns all constraints. */
   public static Constraints constraints(RunContext run) {
     Path output = run.options().output();
     return run.snapshots()
@@ -31,7 +31,7 @@ public final class ProjectChecks {
             () -> Constraints.of(run.project(), output, run.options().timeLimit()));
   }
 
-  /** The checks of a project, whose software base knows the vehicle and its messages. */
+  /** Returns the checks of a project, with the vehicle and the messages of its software base. */
   static ChainChecks of(RunContext run) {
     Constraints constraints = constraints(run);
     List<WrittenRequirement> rules = run.designRules().map(Requirements::items).orElse(List.of());
@@ -39,7 +39,7 @@ public final class ProjectChecks {
     return of(run, constraints, ChainChecks.unchecked(run.project(), constraints, rules, output));
   }
 
-  /** The checks of a project before constraints are generated. */
+  /** Returns the checks of a project before constraints are generated. */
   public static ChainChecks withoutGenerated(RunContext run) {
     Constraints written = Constraints.withoutGenerated(run.project(), run.options().timeLimit());
     return of(run, written, List.of());
@@ -51,7 +51,7 @@ public final class ProjectChecks {
         constraints, run.softwareBase(), run.messages(), run.writtenRequirements(), unchecked);
   }
 
-  /** The files that the checks of a project depend on, besides the chain's. */
+  /** Returns the files that the checks of a project depend on, besides the chain's. */
   static List<Path> files(RunContext run) {
     List<Path> files = new ArrayList<>(run.project().constraintFiles(run.options().output()));
     files.add(run.project().designRulesFile());
@@ -62,7 +62,7 @@ public final class ProjectChecks {
   }
 
   /**
-   * Goes on with a valid model only.
+   * Throws unless the model is valid.
    *
    * @throws DiagnosticException FINDINGS if a finding is an error that is not suppressed
    */
@@ -73,7 +73,7 @@ public final class ProjectChecks {
     }
   }
 
-  /** What the constraints said, for the report. */
+  /** Returns the results of the constraints, for the report. */
   public static ObjectNode report(String model, OclResult result) {
     ObjectNode report = JsonNodeFactory.instance.objectNode();
     report

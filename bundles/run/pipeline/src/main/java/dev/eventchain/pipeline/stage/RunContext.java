@@ -25,10 +25,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 
-/** What the stages of a run share: the project, the output folder, and the Python environment. */
+/** The shared context of a run's stages: project, output folder and Python environment. */
 public final class RunContext {
 
-  /** The generated package is for people to copy, not for a colcon build of the project. */
+  /** Marker file: the generated package is for copying, not for a colcon build of the project. */
   public static final String IGNORE = "COLCON_IGNORE";
 
   private final Project project;
@@ -44,9 +44,9 @@ public final class RunContext {
   private boolean recordsAreLost;
 
   /**
-   * A run that has not begun.
+   * Creates the context of a new run.
    *
-   * @param sample the run of an evaluation that this is, if it is one
+   * @param sample the sample, if this is the run of an evaluation
    */
   public RunContext(
       Project project,
@@ -77,15 +77,15 @@ public final class RunContext {
     return progress;
   }
 
-  /** A file of the output folder. */
+  /** Returns a file of the output folder. */
   public Path file(String name) {
     return options.output().resolve(name);
   }
 
   /**
-   * A file that an earlier stage makes.
+   * Returns a file that an earlier stage writes.
    *
-   * @throws DiagnosticException INPUT if it is not there
+   * @throws DiagnosticException INPUT if it does not exist
    */
   public Path required(String name, Stage maker) {
     Path file = file(name);
@@ -101,23 +101,23 @@ public final class RunContext {
     return file;
   }
 
-  /** The chain's model: the one that people edit, if there is one, else the generated one. */
+  /** Returns the chain's model: the edited one, if there is one, else the generated one. */
   public Path model() {
     return project.editedModel().orElseGet(() -> required(ProjectFolder.MODEL, Stage.MODEL));
   }
 
-  /** The command that runs this project into this output folder. */
+  /** Returns the command that runs this project into this output folder. */
   public String command(String more) {
     return project.command(options.output(), more);
   }
 
-  /** What was read of files, once for each state of them. */
+  /** Returns the snapshots of files, one for each of their states. */
   Snapshots snapshots() {
     return snapshots;
   }
 
   /**
-   * The project's chain as its files say it now.
+   * Returns the project's chain according to its current files.
    *
    * @throws DiagnosticException INPUT if there is no model, it cannot be read, or is not an event
    *     chain
@@ -127,7 +127,7 @@ public final class RunContext {
   }
 
   /**
-   * A chain's model.
+   * Returns a chain's model.
    *
    * @throws DiagnosticException INPUT if it cannot be read, or is not an event chain
    */
@@ -140,22 +140,22 @@ public final class RunContext {
     return ChainModel.read(project, options.output(), model, options.timeLimit());
   }
 
-  /** The folders that files of a run are in, inner ones first. */
+  /** Returns the folders of a run's files, inner ones first. */
   public List<Path> baseFolders() {
     return List.of(options.output(), project.folder());
   }
 
-  /** The functional requirements. */
+  /** Returns the functional requirements. */
   public Requirements requirements() {
     return readRules(project.requirements());
   }
 
-  /** The functional requirements; none where the project has written none. */
+  /** Returns the functional requirements; empty if the project has none. */
   public List<WrittenRequirement> writtenRequirements() {
     return ProjectFolder.isAbsent(project.requirements()) ? List.of() : requirements().items();
   }
 
-  /** The design rules; none where the project has no such file. */
+  /** Returns the design rules; empty if the project has no such file. */
   public Optional<Requirements> designRules() {
     return project.designRules().map(this::readRules);
   }
@@ -164,12 +164,12 @@ public final class RunContext {
     return snapshots.of("rules " + file, List.of(file), () -> ProjectFolder.readRules(file));
   }
 
-  /** What exists already. */
+  /** Returns the existing software components. */
   public SoftwareBase softwareBase() {
     return snapshots.of("software base", project.softwareBaseFiles(), project::readSoftwareBase);
   }
 
-  /** How the world and the chain are connected. */
+  /** Returns the connections between world and chain. */
   public Bench bench() {
     List<Path> files = new ArrayList<>(project.softwareBaseFiles());
     project.bench().ifPresent(files::add);
@@ -183,17 +183,17 @@ public final class RunContext {
         MessageCatalog.of(project.messageFolders()));
   }
 
-  /** The message definitions, the standard ones and the project's own, all of them sound. */
+  /** Returns the valid message definitions: standard ones and the project's own. */
   public MessageCatalog messages() {
     return snapshots.of("messages", project.messageFiles(), project::readMessages);
   }
 
-  /** What the run has to do with language models. */
+  /** Returns the use of language models in this run. */
   public ModelWork models() {
     return models;
   }
 
-  /** Writes a file; what comes of it is a finding of the stage that runs. */
+  /** Writes a file; resulting findings go to the current stage. */
   public void write(String name, byte[] content) {
     OutputFolder.OnEdit onEdit =
         options.overwrite() ? OutputFolder.OnEdit.OVERWRITE : OutputFolder.OnEdit.KEEP;
@@ -211,8 +211,8 @@ public final class RunContext {
   }
 
   /**
-   * Writes a result of the run. A person's version in its place would pass for the result: it is
-   * replaced, and that is said.
+   * Writes a result of the run. A person's version would pass for the result, so it is replaced and
+   * reported.
    */
   public void writeResult(String name, byte[] content) {
     findAboutResult(output.write(name, content, OutputFolder.OnEdit.OVERWRITE).finding());
@@ -223,7 +223,10 @@ public final class RunContext {
     findAboutResult(output.remove(name));
   }
 
-  /** Where nobody knows whether a person edited a result, it is likely that nobody did. */
+  /**
+   * Adds a finding about a result; without records of outputs, only errors, because an edit is
+   * unlikely.
+   */
   private void findAboutResult(Optional<Diagnostic> finding) {
     finding
         .filter(each -> output.hasRecords() || each.severity() == Severity.ERROR)
@@ -231,9 +234,9 @@ public final class RunContext {
   }
 
   /**
-   * Says once that the output folder has lost its records of what it wrote.
+   * Reports once that the output folder has lost its records of written files.
    *
-   * @param restored whether what the stages remember replaces them
+   * @param restored true if the records of the stages replace them
    */
   public void findLostRecords(boolean restored) {
     boolean used = Files.exists(file(IGNORE));
@@ -274,22 +277,22 @@ public final class RunContext {
     return Optional.of(kept);
   }
 
-  /** Remembers a recording, to name it when the run ends. */
+  /** Stores the path of a recording, for the result of the run. */
   public void recorded(Path recording) {
     recordings.add(recording);
   }
 
-  /** The recordings of this run. */
+  /** Returns the recordings of this run. */
   public List<Path> recordings() {
     return List.copyOf(recordings);
   }
 
-  /** Adds a finding to the stage that runs. */
+  /** Adds a finding to the current stage. */
   public void find(Diagnostic finding) {
     findings.add(finding);
   }
 
-  /** The findings since the last call. */
+  /** Returns the findings since the last call. */
   public List<Diagnostic> takeFindings() {
     keptStrangers().ifPresent(findings::add);
     List<Diagnostic> taken = List.copyOf(findings);
@@ -297,7 +300,7 @@ public final class RunContext {
     return taken;
   }
 
-  /** The project's Python environment, made if need be. */
+  /** Returns the project's Python environment, created on demand. */
   public PythonEnvironment python(Stage stage) {
     if (python == null) {
       Consumer<String> said = message -> progress.step(stage, message);

@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * One of several runs by which a language model is evaluated: gets its answers, and remembers them.
+ * One of several runs by which a language model is evaluated: provides its answers and stores them.
  * Thread-safe.
  */
 public final class Sample {
@@ -23,21 +23,21 @@ public final class Sample {
   private final List<Call> calls = new ArrayList<>();
 
   /**
-   * An answer.
+   * An answer of a language model.
    *
-   * @param task what it was for, as configurations name it; {@code verdict} where a failed verdict
-   *     had gone back
-   * @param repair whether it came after another one had gone back
+   * @param task the task as in configurations; {@code verdict} for a correction after a failed
+   *     verdict
+   * @param repair true if it corrects an answer that was sent back
    */
   public record Call(String task, boolean repair, ChatResponse response) {}
 
   /**
-   * A run that has not asked yet.
+   * Creates a run without calls.
    *
    * @param number of the run, from 0
    * @param common the recordings of the project
-   * @param own where this run records
-   * @param spending what the whole evaluation has spent
+   * @param own the recordings of this run
+   * @param spending the spending of the whole evaluation
    */
   public Sample(String model, int number, Path common, Path own, Spending spending) {
     this.model = model;
@@ -47,7 +47,7 @@ public final class Sample {
     this.spending = spending;
   }
 
-  /** The same run, which has not asked yet. */
+  /** Returns the same run without calls. */
   public Sample again() {
     return new Sample(model, number, common, own, spending);
   }
@@ -60,12 +60,12 @@ public final class Sample {
     return spending;
   }
 
-  /** The answers until now, in their order. */
+  /** Returns the answers so far, in their order. */
   public synchronized List<Call> calls() {
     return List.copyOf(calls);
   }
 
-  /** The model that is asked for a task. */
+  /** Returns the model for a task. */
   ChatModel open(ModelAccess usual, String task) {
     ModelAccess access =
         new ModelAccess(

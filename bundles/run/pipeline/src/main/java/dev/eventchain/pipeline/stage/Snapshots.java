@@ -9,9 +9,9 @@ import java.util.Map;
 import java.util.function.Supplier;
 
 /**
- * What was read of files, or made of that, each with the state of the files then. Stages pass files
- * to each other and nothing else: a later stage gets what an earlier one has read only while the
- * files are the same, byte for byte. Only the latest state is kept.
+ * A cache of objects read from files, each with the state of the files. Stages exchange files only:
+ * a later stage gets an object of an earlier one only while its files are identical byte for byte.
+ * Only the latest state is kept.
  */
 final class Snapshots {
 
@@ -25,11 +25,11 @@ final class Snapshots {
   }
 
   /**
-   * What the files say.
+   * Returns the object read from files.
    *
-   * @param what names it; the same name always goes with the same type
-   * @param files all files that it depends on; such that are not there count, too
-   * @param reader reads it; what it throws is not kept
+   * @param what the name of the object; one name always has the same type
+   * @param files all files that it depends on, including missing ones
+   * @param reader reads it; exceptions are not cached
    */
   @SuppressWarnings("unchecked")
   <T> T of(String what, Collection<Path> files, Supplier<T> reader) {

@@ -3,9 +3,8 @@ package dev.eventchain.pipeline.stage;
 import java.nio.file.Path;
 
 /**
- * The names under which the sources of a stage are remembered, so that they stay the same wherever
- * the project and its output lie: {@code project:requirements.md}, {@code output:chain.json},
- * {@code setting:frequency}.
+ * Names of the sources of a stage, independent of the folders of project and output: {@code
+ * project:requirements.md}, {@code output:chain.json}, {@code setting:frequency}.
  */
 public final class SourceName {
 
@@ -29,7 +28,7 @@ public final class SourceName {
     return SETTING + name;
   }
 
-  /** The file that holds a source. */
+  /** Returns the file of a source. */
   public static Path file(String source, RunContext run) {
     if (source.startsWith(OUTPUT)) {
       return run.file(source.substring(OUTPUT.length()));
@@ -39,7 +38,7 @@ public final class SourceName {
     return source.startsWith(SETTING) ? run.project().configurationFile() : Path.of(source);
   }
 
-  /** The source for people, who see the file's place besides. */
+  /** Returns the source for people, who also see the file's location. */
   public static String words(String source) {
     return source.startsWith(SETTING)
         ? "the setting '" + source.substring(SETTING.length()) + "'"

@@ -9,7 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/** Remembers stages in the output folder, a file each. */
+/** Records of stages in the output folder, a file each. */
 public final class StageMemory {
 
   private static final ObjectMapper JSON = new ObjectMapper();
@@ -18,9 +18,9 @@ public final class StageMemory {
   private final Path base;
 
   /**
-   * A memory.
+   * Creates a memory.
    *
-   * @param base where it is read; a run that only reads writes its output elsewhere
+   * @param base the folder that it is read from; a read-only run writes its output elsewhere
    */
   public StageMemory(OutputFolder output, Path base) {
     this.output = output;
@@ -28,8 +28,8 @@ public final class StageMemory {
   }
 
   /**
-   * What is remembered of a stage that has ended. What cannot be read is forgotten: it only costs
-   * running the stage again.
+   * Returns the record of a finished stage. Ignores unreadable records: they only cost another run
+   * of the stage.
    */
   public Optional<StageRecord> recall(Stage stage) {
     try {
@@ -42,7 +42,7 @@ public final class StageMemory {
     }
   }
 
-  /** As {@link #recall(Stage)}, if what it read is the same and what it wrote is still there. */
+  /** As {@link #recall(Stage)}, if the inputs are the same and the outputs still exist. */
   public Optional<StageRecord> recall(Stage stage, String key) {
     return recall(stage).filter(record -> record.key().equals(key)).filter(this::isThere);
   }
@@ -52,7 +52,7 @@ public final class StageMemory {
         .allMatch(name -> Files.isRegularFile(base.resolve(name)));
   }
 
-  /** Whether a stage was begun and has not ended well: what it was to make is that of before. */
+  /** Returns whether a stage was begun and did not succeed, so that its results are outdated. */
   public boolean isUnfinished(Stage stage) {
     try {
       return bytes(stage).length == 0;
@@ -65,12 +65,12 @@ public final class StageMemory {
     return Files.readAllBytes(base.resolve(name(stage)));
   }
 
-  /** Forgets a stage, which is about to run, and then is unfinished until it is remembered. */
+  /** Removes the record of a stage before it runs; it is unfinished until it is recorded again. */
   public void forget(Stage stage) {
     output.write(name(stage), new byte[0], OutputFolder.OnEdit.OVERWRITE);
   }
 
-  /** Remembers a stage that succeeded. */
+  /** Stores the record of a successful stage. */
   public void remember(Stage stage, StageRecord record) {
     try {
       output.write(name(stage), JSON.writeValueAsBytes(record), OutputFolder.OnEdit.OVERWRITE);
@@ -80,10 +80,9 @@ public final class StageMemory {
   }
 
   /**
-   * Takes what is remembered of the files of stages into an output folder that has lost its own
-   * records of them.
+   * Restores the records of an output folder that has lost them from the records of the stages.
    *
-   * @return whether anything is remembered
+   * @return true if there are any records
    */
   public boolean restoreRecords() {
     boolean any = false;

@@ -11,12 +11,12 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * How a stage ended in this run.
+ * The outcome of a stage in this run.
  *
- * @param duration how long it took, on the host
- * @param found what was found, and of it what is suppressed
- * @param coverage what was checked, in this run or an earlier one
- * @param report what it adds to the report, from this run or an earlier one; empty if it never ran
+ * @param duration the duration on the host
+ * @param found the findings, with suppressed ones apart
+ * @param coverage the coverage of the checks, from this run or an earlier one
+ * @param report its part of the report, from this run or an earlier one; empty if it never ran
  */
 public record StageOutcome(
     Stage stage,
@@ -27,7 +27,7 @@ public record StageOutcome(
     Coverage coverage,
     Optional<JsonNode> report) {
 
-  /** The findings that count. */
+  /** Returns the findings that are not suppressed. */
   public List<Diagnostic> diagnostics() {
     return found.remaining();
   }

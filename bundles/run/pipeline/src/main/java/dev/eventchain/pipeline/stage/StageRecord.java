@@ -9,19 +9,19 @@ import java.util.Objects;
 import java.util.TreeMap;
 
 /**
- * What is remembered of a stage that succeeded, so that it need not run again while nothing
- * changes, and later stages can tell whether what it made is up to date.
+ * The record of a successful stage: the stage is skipped while its inputs are unchanged, and later
+ * stages can tell whether its results are up to date.
  *
  * @param key the fingerprint of everything that the stage read; {@link #NEVER} if it has to run
  *     again anyway
- * @param sources what its results were made from, by {@link SourceName}, as {@link
- *     Fingerprint#sources} gives it
+ * @param sources the fingerprints of its results' sources, by {@link SourceName}, see {@link
+ *     Fingerprint#sources}
  * @param outputs the files it wrote, relative to the output folder, each with the fingerprint of
- *     what it wrote; empty where a person's file was kept that it never wrote
- * @param details what it made, in a few words
- * @param diagnostics what it found; none of it is an error
- * @param coverage what it checked
- * @param report what it adds to the report
+ *     the written content; empty for a person's file that was kept
+ * @param details a short description of its results
+ * @param diagnostics its findings, without errors
+ * @param coverage the coverage of its checks
+ * @param report its part of the report
  */
 public record StageRecord(
     String key,
@@ -34,7 +34,7 @@ public record StageRecord(
   /** The key of a stage that is not skipped. */
   public static final String NEVER = "";
 
-  /** Refuses what a damaged file leaves out. */
+  /** Rejects missing values, as from a damaged file. */
   public StageRecord {
     Objects.requireNonNull(key);
     sources = new TreeMap<>(sources);

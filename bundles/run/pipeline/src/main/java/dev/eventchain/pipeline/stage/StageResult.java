@@ -7,13 +7,13 @@ import dev.eventchain.diagnostics.Diagnostic;
 import java.util.List;
 
 /**
- * What a stage made.
+ * The result of a stage.
  *
- * @param details in a few words
+ * @param details a short description of its results
  * @param outputs the files it wrote, relative to the output folder
- * @param diagnostics what it found
- * @param report what it adds to the report; an object
- * @param coverage what it checked
+ * @param diagnostics its findings
+ * @param report its part of the report; an object
+ * @param coverage the coverage of its checks
  */
 public record StageResult(
     String details,
@@ -22,7 +22,7 @@ public record StageResult(
     JsonNode report,
     Coverage coverage) {
 
-  /** Of a stage that checks nothing. */
+  /** Creates the result of a stage without checks. */
   public StageResult(
       String details, List<String> outputs, List<Diagnostic> diagnostics, JsonNode report) {
     this(details, outputs, diagnostics, report, Coverage.NONE);

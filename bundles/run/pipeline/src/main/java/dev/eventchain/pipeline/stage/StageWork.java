@@ -6,45 +6,44 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 
-/** What a stage does. */
+/** The work of a stage. */
 public interface StageWork {
 
   /**
-   * Adds everything that the stage reads, so that it runs again when any of it changes.
+   * Adds all inputs of the stage, so that it runs again when any of them changes.
    *
-   * @param fingerprint already holds the stage's name and the build of the program
+   * @param fingerprint the fingerprint, which already has the stage's name and the program's build
    */
   void fingerprint(RunContext run, Fingerprint fingerprint);
 
   /**
-   * Does the work.
+   * Runs the stage.
    *
-   * @throws DiagnosticException if the stage cannot make its result
+   * @throws DiagnosticException if the stage cannot produce its result
    */
   StageResult execute(RunContext run);
 
   /**
-   * What a person's changes of its outputs came to.
+   * The result of checking outputs that a person edited.
    *
-   * @param details what the stage made, in a few words, as its outputs are now
-   * @param diagnostics what was found in its outputs
+   * @param details a short description of the outputs as they are now
+   * @param diagnostics the findings in the outputs
    */
   record Checked(String details, List<Diagnostic> diagnostics) {}
 
   /**
-   * Checks the outputs of the stage as a person has left them, in a run that has nothing to do for
-   * the stage otherwise. What the stage found in its own version of them says nothing about
-   * another.
+   * Checks the outputs of a skipped stage after a person edited them: the stage's findings in its
+   * own version do not apply to another one.
    *
    * @param editedOutputs relative to the output folder; at least one
-   * @return nothing where the later stages check all that can be wrong with them
+   * @return empty if the later stages check them completely
    * @throws DiagnosticException if they cannot be read
    */
   default Optional<Checked> checkEdited(RunContext run, Collection<String> editedOutputs) {
     return Optional.empty();
   }
 
-  /** Whether the stage may be skipped when nothing it reads has changed. */
+  /** Returns whether the stage may be skipped while its inputs are unchanged. */
   default boolean skippable() {
     return true;
   }

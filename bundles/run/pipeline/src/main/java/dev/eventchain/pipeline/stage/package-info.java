@@ -1,5 +1,5 @@
 /**
- * The frame of every stage: what the stages of a run share, what each one reads and makes, and the
- * memory by which an unchanged stage is skipped. Knows no particular stage.
+ * The framework of stages: the shared context of a run, inputs and results of stages, and the
+ * memory that allows unchanged stages to be skipped. Depends on no particular stage.
  */
 package dev.eventchain.pipeline.stage;

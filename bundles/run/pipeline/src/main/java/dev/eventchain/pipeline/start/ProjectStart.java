@@ -38,9 +38,8 @@ import java.util.Set;
 import java.util.stream.Stream;
 
 /**
- * Starts a project: a small one that runs as it is, or one around the software that a folder has,
- * with the bench filled in from its signals, and the chain from the description of its components
- * if these are all that it needs.
+ * Creates a project: a small one that runs immediately, or one around existing software, with a
+ * bench from its signals, and the chain from its component descriptions if these are complete.
  */
 public final class ProjectStart {
 
@@ -52,7 +51,7 @@ public final class ProjectStart {
         model: direct # made from chain.json without a language model; name one to have it modelled as in the paper
       """;
 
-  /** The files of {@code examples/radar-aeb}, which are in the jar. */
+  /** Files of {@code examples/radar-aeb}, which are in the jar. */
   static final List<String> STARTER =
       List.of(
           BENCH,
@@ -75,11 +74,11 @@ public final class ProjectStart {
   private static final String COMPONENTS = "software-base/components.json";
 
   /**
-   * What there is now.
+   * The content of the new project.
    *
-   * @param files those that were written, relative to the folder
-   * @param unfed why there is no chain, although there are components: one of them reads what
-   *     nobody writes, so that something is still to be designed; empty otherwise
+   * @param files the written files, relative to the folder
+   * @param unfed the reason why there is no chain although there are components: one of them reads
+   *     a topic that nobody writes, so that design is incomplete; empty otherwise
    */
   public record Started(List<String> files, Optional<String> unfed) {}
 
@@ -92,27 +91,26 @@ public final class ProjectStart {
     this.bench = bench;
   }
 
-  /** Fills in {@code bench.yaml}. */
+  /** Proposes {@code bench.yaml}. */
   @FunctionalInterface
   public interface BenchProposal {
 
     /**
-     * The text of the file.
+     * Returns the text of the file.
      *
-     * @param signals that the software base declares
+     * @param signals the signals of the software base
      * @param messages the definitions of their types
      */
     String text(List<Signal> signals, MessageCatalog messages);
   }
 
   /**
-   * Writes the files that a project needs and the folder does not have.
+   * Writes the missing files of a project.
    *
-   * @param folder empty or missing; or with {@code software-base/signals.json}
+   * @param folder the folder: empty, missing, or with {@code software-base/signals.json}
    * @param bench connects the signals of a software base with the simulated world
-   * @throws DiagnosticException INPUT if it is a project already ({@code project.exists}), holds
-   *     something else ({@code project.foreign}), has signals that cannot be read, or cannot be
-   *     written
+   * @throws DiagnosticException INPUT if it is a project already ({@code project.exists}), contains
+   *     other files ({@code project.foreign}), has unreadable signals, or cannot be written
    */
   public static Started create(Path folder, BenchProposal bench) {
     return new ProjectStart(folder, bench).create();
@@ -180,7 +178,7 @@ public final class ProjectStart {
     }
   }
 
-  /** The folder's, as the name of a ROS 2 package. */
+  /** Returns the folder's name as the name of a ROS 2 package. */
   private String name() {
     String plain =
         folder
@@ -204,7 +202,7 @@ public final class ProjectStart {
     return Requirements.read(SourceText.of(name, text));
   }
 
-  /** The chain of the components as they are described, which from then on people edit. */
+  /** Returns the chain of the described components, which people edit from then on. */
   private EventChain chain(String name, Requirements requirements, SoftwareBase base) {
     ProjectSettings settings = new ProjectSettings(name, ProjectSettings.DEFAULT_FREQUENCY);
     Modeled<EventChain> chain =
@@ -215,7 +213,10 @@ public final class ProjectStart {
     return chain.root();
   }
 
-  /** Which component reads a topic that no component writes and no signal provides, if one does. */
+  /**
+   * Returns the component that reads a topic without a writing component or a signal, if there is
+   * one.
+   */
   private static Optional<String> unfed(EventChain chain, SoftwareBase base) {
     Set<String> written = new HashSet<>();
     base.signals().orElse(List.of()).stream()
@@ -252,7 +253,7 @@ public final class ProjectStart {
         .formatted(requirements.items().stream().map(WrittenRequirement::id).toList());
   }
 
-  /** What the folder has; no components are an empty list of them. */
+  /** Returns the folder's software; an empty list if there are no components. */
   private SoftwareBase software(Map<String, String> files) {
     SoftwareBase base = SoftwareBase.read(folder.resolve("software-base"));
     boolean withoutComponents = !exists(COMPONENTS);

@@ -1,5 +1,5 @@
 /**
- * The files of a new project. Knows no language model and no simulation: its caller says how the
- * bench is filled in.
+ * The files of a new project. Depends on neither language models nor simulation: its caller
+ * provides the bench.
  */
 package dev.eventchain.pipeline.start;

@@ -31,7 +31,9 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 class DiagramsTest {
 
-  /** What would be directives, variables, comments, creole or markup, or hide what it is. */
+  /**
+   * Texts that could act as directives, variables, comments, Creole or markup, or be misleading.
+   */
   private static final List<String> HOSTILE =
       List.of(
           "!include /etc/passwd",
@@ -237,7 +239,7 @@ class DiagramsTest {
     assertEquals(4, Pictures.matches("(?m)^object ", text).size());
   }
 
-  /** What was measured has no name. */
+  /** Measurements have no name. */
   @Test
   void elementsWithoutANameAreDrawnUnderTheirClass() throws IOException {
     EventchainFactory factory = EventchainFactory.eINSTANCE;
@@ -281,8 +283,8 @@ class DiagramsTest {
     assertEquals(
         List.of("diagram.too-large", "diagram.too-large"),
         found.stream().map(Diagnostic::id).toList());
-    // 1,000 components and 1,001 topics, one arrow into and out of each, one from the start and to
-    // the end.
+    // 1,000 components and 1,001 topics, one arrow into and out of each, one from the start and one
+    // to the end.
     assertEquals(
         "The activity diagram has 4003 boxes and arrows; at most 1000 are drawn.",
         found.get(0).message());
@@ -327,7 +329,9 @@ class DiagramsTest {
     return chain;
   }
 
-  /** One writes what two read, whose results a fourth reads. */
+  /**
+   * Returns a chain in which two components read the same topic, and a fourth reads both results.
+   */
   private static EventChain forkAndJoin() {
     EventChain chain = chain();
     node(chain, "A", "/a", "/b");
@@ -361,7 +365,7 @@ class DiagramsTest {
         .diagnostics();
   }
 
-  /** The PlantUML text of a chain without findings. */
+  /** Returns the PlantUML text of a chain without findings. */
   private String drawn(EventChain chain, Kind kind) throws IOException {
     assertEquals(List.of(), draw(chain, EnumSet.of(kind)));
     return Files.readString(folder.resolve("out/" + kind + ".puml"));

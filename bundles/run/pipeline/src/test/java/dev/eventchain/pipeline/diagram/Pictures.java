@@ -16,21 +16,21 @@ import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
 import org.xml.sax.InputSource;
 
-/** What pictures and their sources hold. */
+/** Contents of pictures and their sources. */
 final class Pictures {
 
-  /** All that the library makes of text without markup. */
+  /** Elements that the library creates for text without markup. */
   private static final Set<String> ELEMENTS =
       Set.of("svg", "defs", "g", "rect", "text", "path", "polygon", "ellipse", "line", "circle");
 
   private Pictures() {}
 
-  /** The first words of the lines, in which no name may come. */
+  /** Returns the first words of the lines, which must not contain names. */
   static List<String> lines(String text) {
     return text.lines().map(line -> line.replaceAll("\".*\"|= .*|=\u00a0.*|^  .*", "")).toList();
   }
 
-  /** The names of the elements; fails for one that text has no need of. */
+  /** Returns the names of the elements; fails for one that text does not need. */
   static Set<String> shape(String svg) throws Exception {
     NodeList all = parsed(svg).getElementsByTagName("*");
     Set<String> names = new TreeSet<>();
@@ -44,7 +44,7 @@ final class Pictures {
     return names;
   }
 
-  /** What the picture says, spaces as people type them. */
+  /** Returns the texts of the picture, with ordinary spaces. */
   static List<String> texts(String svg) {
     try {
       NodeList all = parsed(svg).getElementsByTagName("text");
@@ -64,7 +64,7 @@ final class Pictures {
     return factory.newDocumentBuilder().parse(new InputSource(new StringReader(svg)));
   }
 
-  /** The places in a text that a regular expression matches. */
+  /** Returns the matches of a regular expression in a text. */
   static List<MatchResult> matches(String pattern, String text) {
     return Pattern.compile(pattern).matcher(text).results().toList();
   }

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** How runs are counted, and where they are kept. */
+/** Tests the counting and the storage of runs. */
 class EvaluationRowTest {
 
   private static EvaluatedRun run(boolean authored, Score code, String... failures) {

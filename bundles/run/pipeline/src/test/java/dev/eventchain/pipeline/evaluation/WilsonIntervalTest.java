@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The interval of a rate. */
+/** Tests the confidence interval of a rate. */
 class WilsonIntervalTest {
 
   /** R. G. Newcombe, Two-sided confidence intervals for the single proportion (1998), table I. */

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the imports of components need to be installed. */
+/** Tests the dependencies that the components' imports require. */
 class ComponentImportsTest {
 
   private static ComponentImports of(String text, boolean pip) {

@@ -18,7 +18,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.junit.jupiter.api.Test;
 
-/** Message definitions as a model for templates. */
+/** Tests message definitions as a model for templates. */
 class MessageModelTest {
 
   /** A chain and its message definitions, from which a template case generates nodes. */

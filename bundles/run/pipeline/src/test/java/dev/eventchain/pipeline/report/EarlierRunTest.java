@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the report shows of another run. */
+/** Tests the report's comparison with another run. */
 class EarlierRunTest {
 
   private static final String MEASURED =

@@ -40,7 +40,7 @@ class ReportPageTest {
 
   private static final JsonMapper MAPPER = JsonMapper.builder().build();
 
-  /** Text that would leave its place, run, or be taken for a part of the template. */
+  /** Texts that could break out, be executed, or act as part of the template. */
   private static final List<String> HOSTILE =
       List.of(
           "</script><script>alert(1)</script>",
@@ -131,7 +131,7 @@ class ReportPageTest {
     assertTrue(ChainPicture.of(chain).path("edges").toString().contains("\"external\":true"));
   }
 
-  /** Without a script, since it comes from the model. */
+  /** Without a script, since the data come from the model. */
   @Test
   void longestLatencyIsStackedByNode() {
     EventChain chain = chain("Detection");
@@ -260,7 +260,7 @@ class ReportPageTest {
     assertEquals("{\"title\":\"half \\uD800.\"}", json);
   }
 
-  /** Every text of it is the name. */
+  /** Returns a chain whose texts are all the name. */
   private static EventChain chain(String name) {
     EventchainFactory factory = EventchainFactory.eINSTANCE;
     EventChain chain = factory.createEventChain();
@@ -300,7 +300,7 @@ class ReportPageTest {
     return chain;
   }
 
-  /** The page's markup without its texts, and without the data and code of the script. */
+  /** Returns the page's markup without its texts and without the data and code of the script. */
   private static String tags(String page) {
     StringBuilder tags = new StringBuilder();
     Matcher tag =

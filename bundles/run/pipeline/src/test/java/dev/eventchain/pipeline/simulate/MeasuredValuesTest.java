@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Which constraints a measured value decides. */
+/** Tests which constraints depend on measured values. */
 class MeasuredValuesTest {
 
   private static final EventchainFactory FACTORY = EventchainFactory.eINSTANCE;
@@ -40,7 +40,7 @@ class MeasuredValuesTest {
         "context Statistics inv: self.minimum <= self.maximum",
         "context EventChain def: slowest : Real = self.measured.latency.maximum->max()"
             + " inv: self.slowest <= 250.0",
-        // Nothing measured is read: evaluated is tested.
+        // Reads no measured value, so evaluation counts as a test.
         "context SoftwareNode inv: self.frequency > 0.0",
         "context ChainMeasurement inv: self.scenario <> null"
       })
@@ -90,7 +90,7 @@ class MeasuredValuesTest {
     return rules.constraints().get(0);
   }
 
-  /** A component with a period but no jitter, and a scenario with a latency and a gap. */
+  /** Returns a component with a period but no jitter, and a scenario with a latency and a gap. */
   private static EventChain chain() {
     EventChain chain = FACTORY.createEventChain();
     SoftwareNode node = FACTORY.createSoftwareNode();

@@ -9,9 +9,8 @@ import org.eclipse.core.runtime.content.IContentDescription;
 import org.eclipse.core.runtime.content.ITextContentDescriber;
 
 /**
- * Tells event chains from other XMI by the namespace of their root element. Only the beginning of a
- * file is looked at, as text: nothing that it refers to is followed, and a file that is broken
- * after its root's start tag is an event chain still.
+ * Distinguishes event chains from other XMI by the namespace of the root element. Reads only the
+ * beginning of the file, as text, and follows no references; the rest may be malformed.
  */
 public final class ChainDescriber implements ITextContentDescriber {
 
@@ -66,7 +65,9 @@ public final class ChainDescriber implements ITextContentDescriber {
     return true;
   }
 
-  /** The names that matter are ASCII, which Latin 1 reads in files of UTF-8, too. */
+  /**
+   * Decodes UTF-16 by its mark, else Latin 1: the relevant names are ASCII, in UTF-8 files, too.
+   */
   private static String decode(byte[] head, byte[] mark) {
     return mark.length == 2
         ? new String(head, StandardCharsets.UTF_16)

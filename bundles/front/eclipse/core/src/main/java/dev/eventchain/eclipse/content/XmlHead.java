@@ -3,18 +3,18 @@ package dev.eventchain.eclipse.content;
 import java.util.HashMap;
 import java.util.Map;
 
-/** The first start tags of an XML text, of which the end may be missing. */
+/** The first start tags of an XML text, which may be cut off. */
 final class XmlHead {
 
   private static final String NAMESPACE = "http://eventchain.dev/eventchain/1.0";
   private static final String ROOT = "EventChain";
 
-  /** The namespaces of XMI 1.x and 2.x begin like this. */
+  /** Common prefixes of the namespaces of XMI 1.x and 2.x. */
   private static final String[] XMI = {
     "http://www.omg.org/XMI", "http://www.omg.org/spec/XMI", "http://schema.omg.org/spec/XMI"
   };
 
-  /** A start tag, with the namespaces that hold inside it. */
+  /** A start tag with the namespaces in scope. */
   private record Tag(String name, Map<String, String> namespaces, boolean isEmpty) {
 
     boolean isEventChain() {
@@ -47,7 +47,7 @@ final class XmlHead {
     this.text = text;
   }
 
-  /** Whether the root is an event chain, or the root of XMI around one. */
+  /** Returns whether the root element is an event chain, or an XMI root that contains one. */
   boolean isEventChain() {
     Tag root = nextTag(Map.of());
     if (root == null || !root.isXmi() || root.isEmpty()) {
@@ -75,7 +75,7 @@ final class XmlHead {
     return next >= 0;
   }
 
-  /** The next start tag if nothing but comments and the like is before it; else null. */
+  /** Returns the next start tag if only comments and the like precede it; else null. */
   private Tag nextTag(Map<String, String> outer) {
     while (true) {
       skipSpace();
@@ -96,7 +96,7 @@ final class XmlHead {
     }
   }
 
-  /** A document type, with the declarations inside it. */
+  /** Skips a document type declaration. */
   private void skipDeclaration() {
     int depth = 0;
     do {
@@ -167,7 +167,7 @@ final class XmlHead {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r';
   }
 
-  /** The offset after the next occurrence of something; the end of the text if there is none. */
+  /** Returns the offset after the next occurrence of a text; the end if there is none. */
   private int after(String what, int from) {
     int found = text.indexOf(what, from);
     return found < 0 ? text.length() : found + what.length();

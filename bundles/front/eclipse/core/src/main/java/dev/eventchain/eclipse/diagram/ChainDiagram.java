@@ -12,25 +12,25 @@ import org.eclipse.emf.ecore.EObject;
  */
 public record ChainDiagram(String name, List<Box> boxes, List<Line> lines, int width, int height) {
 
-  /** What a box stands for. */
+  /** The kinds of boxes. */
   public enum Kind {
     /** A software component. */
     COMPONENT,
     /** A topic that components of the chain write and read. */
     TOPIC,
-    /** A topic that comes from outside: no component writes it. */
+    /** A topic from outside that no component writes. */
     SIGNAL_IN,
-    /** A topic that leads outside: no component reads it, or the model says that others do. */
+    /** A topic to outside: no component reads it, or the model declares other readers. */
     SIGNAL_OUT
   }
 
-  /** A place. */
+  /** A point. */
   public record Point(int x, int y) {}
 
   /** A rectangle. */
   public record Area(int x, int y, int width, int height) {
 
-    /** Whether a place is inside, or at most so far away. */
+    /** Returns whether a point is inside the box or at most the given distance away. */
     public boolean isNear(int px, int py, int distance) {
       return px >= x - distance
           && py >= y - distance
@@ -38,7 +38,7 @@ public record ChainDiagram(String name, List<Box> boxes, List<Line> lines, int w
           && py < y + height + distance;
     }
 
-    /** The place in the middle. */
+    /** Returns the centre. */
     public Point center() {
       return new Point(x + width / 2, y + height / 2);
     }
@@ -50,13 +50,13 @@ public record ChainDiagram(String name, List<Box> boxes, List<Line> lines, int w
   /**
    * A component or a topic.
    *
-   * @param elements the component, or the data that are on the topic, with what writes it first; at
-   *     least one
-   * @param name the whole name: of the component, which may be empty, or of the topic
-   * @param facts what else it says, as a person reads it
-   * @param texts what is written in it, from the top
-   * @param bars where its flow joins above it and forks below it; none, one or both
-   * @param generated whether it is a component that was generated
+   * @param elements the component, or the data that are on the topic, the writer's first; at least
+   *     one
+   * @param name the unabbreviated name of the component, which may be empty, or of the topic
+   * @param facts further properties, as readable text
+   * @param texts the lines of text in the box, from the top
+   * @param bars the bars where its flow joins above it and forks below it; none, one or both
+   * @param generated true if it is a generated component
    */
   public record Box(
       Kind kind,
@@ -68,17 +68,17 @@ public record ChainDiagram(String name, List<Box> boxes, List<Line> lines, int w
       List<Area> bars,
       boolean generated) {
 
-    /** What a click on the box selects. */
+    /** Returns the element that a click on the box selects. */
     public EObject element() {
       return elements.get(0);
     }
   }
 
-  /** What a line stands for. */
+  /** The kinds of lines. */
   public enum LineKind {
-    /** Data. */
+    /** Data flow. */
     FLOW,
-    /** The model names a next step, but no topic leads there. */
+    /** A next step of the model that no topic leads to. */
     NEXT_STEP
   }
 
@@ -87,8 +87,8 @@ public record ChainDiagram(String name, List<Box> boxes, List<Line> lines, int w
    *
    * @param from the index of the box that it leaves
    * @param to the index of the box that it enters
-   * @param isBack whether it leads upwards, against the order of the chain
-   * @param points at least two; between two of them it goes straight down or bends once
+   * @param isBack true if it leads upwards, against the order of the chain
+   * @param points at least two; each segment is vertical or bends once
    */
   public record Line(int from, int to, LineKind kind, boolean isBack, List<Point> points) {}
 }

@@ -46,7 +46,7 @@ final class ChainGraph {
     return vertex;
   }
 
-  /** Without the digits that a whole number does not need. */
+  /** Formats a frequency, without decimals for whole numbers. */
   private static String hertz(double frequency) {
     String number =
         Double.isFinite(frequency)
@@ -91,7 +91,7 @@ final class ChainGraph {
     return vertex;
   }
 
-  /** A chain without data has an order, too. */
+  /** Adds an edge for the next step, since a chain without data has an order, too. */
   private void addNextStep(SoftwareNode node) {
     Vertex from = components.get(node);
     Vertex to = components.get(node.getNextstep());

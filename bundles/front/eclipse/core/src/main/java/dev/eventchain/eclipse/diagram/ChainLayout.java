@@ -12,22 +12,22 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Draws up an event chain from the top down, like its activity diagram: components, the topics
- * between them, signals from outside at the top and to outside at the bottom, bars where the flow
- * forks and joins. Lines lead downwards but where the flow goes in a cycle.
+ * Lays out an event chain from top to bottom, like its activity diagram: components with the topics
+ * between them, external signals at the top and bottom, bars where the flow forks and joins. Lines
+ * lead downwards except in cycles.
  */
 public final class ChainLayout {
 
-  /** Around the picture. */
+  /** Margin around the diagram. */
   static final int MARGIN = 16;
 
-  /** Between layers. */
+  /** Gap between layers. */
   private static final int LAYER_GAP = 34;
 
   private static final int PADDING_X = 14;
   private static final int PADDING_Y = 7;
 
-  /** What the slanted sides of signals take. */
+  /** Width of the slanted sides of signals. */
   private static final int SLANT = 12;
 
   private static final int LEAST_WIDTH = 64;
@@ -48,9 +48,9 @@ public final class ChainLayout {
   }
 
   /**
-   * The picture of a chain as it is now.
+   * Returns the diagram of a chain.
    *
-   * @param sizes asked for each text that is written
+   * @param sizes measures the texts
    */
   public static ChainDiagram of(EventChain chain, TextSizes sizes) {
     ChainLayout layout = new ChainLayout(chain, sizes);
@@ -88,12 +88,12 @@ public final class ChainLayout {
         Math.max(
             Math.max(LEAST_WIDTH, lines * Routing.PORT),
             text + 2 * (PADDING_X + (slanted ? SLANT : 0)));
-    vertex.width += vertex.width % 2; // an odd box has no middle for its line
+    vertex.width += vertex.width % 2; // a box of odd height has no centre for its line
     vertex.height =
         texts.stream().mapToInt(line -> sizes.height(line.title())).sum() + 2 * PADDING_Y;
   }
 
-  /** The height of each layer: that of its tallest box, with its bars. */
+  /** Returns the height of each layer: that of its tallest box, including bars. */
   private static List<int[]> bands(List<List<Vertex>> layers) {
     List<int[]> bands = new ArrayList<>();
     int y = MARGIN;
@@ -116,7 +116,7 @@ public final class ChainLayout {
     return bands;
   }
 
-  /** What no line leads to is below the rest, about as wide as high. */
+  /** Places the unconnected boxes below the rest, in an area about as wide as high. */
   private void placeLoose(int top) {
     int columns = (int) Math.ceil(Math.sqrt(loose.size()));
     int y = top;

@@ -10,7 +10,9 @@ import dev.eventchain.eclipse.diagram.ChainDiagram.Point;
 import dev.eventchain.eclipse.diagram.ChainDiagram.Text;
 import java.util.List;
 
-/** The picture as SVG, in colours that print well. The same picture gives the same text. */
+/**
+ * Renders a diagram as SVG, in colours suitable for printing. The same diagram gives the same text.
+ */
 public final class DiagramSvg {
 
   private static final String LINE = "#39434b";
@@ -25,9 +27,9 @@ public final class DiagramSvg {
   }
 
   /**
-   * Writes a picture.
+   * Renders a diagram.
    *
-   * @param sizes those that it was laid out with
+   * @param sizes the text sizes of the layout
    */
   public static String of(ChainDiagram diagram, TextSizes sizes) {
     return new DiagramSvg(diagram, sizes).write();
@@ -103,7 +105,7 @@ public final class DiagramSvg {
             .formatted(area.x(), area.y(), area.width(), area.height(), radius, fill, stroke));
   }
 
-  /** Any font is made as wide as the one that the picture was laid out with. */
+  /** Adds a text; any font is scaled to the width in the layout. */
   private void text(Shapes.PlacedText placed) {
     Text text = placed.text();
     int height = sizes.height(text.title());

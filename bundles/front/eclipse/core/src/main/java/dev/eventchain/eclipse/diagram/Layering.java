@@ -13,12 +13,12 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Gives each box a layer below those that its flow comes from. Where the flow goes in a cycle, it
- * is the lines against the order of the chain that lead upwards.
+ * Assigns each box a layer below its predecessors in the flow. In a cycle, the lines against the
+ * order of the chain lead upwards.
  */
 final class Layering {
 
-  /** Beyond so many parts of lines, signals stay next to those that read or write them. */
+  /** Number of line parts above which signals only stay next to their writers or readers. */
   private static final int MOST_PASSES = 400;
 
   private final List<Vertex> vertices;
@@ -29,7 +29,7 @@ final class Layering {
     this.edges = edges;
   }
 
-  /** The layers from the top, with the parts of lines that pass them. */
+  /** Returns the layers from the top, with the parts of lines that cross them. */
   static List<List<Vertex>> of(List<Vertex> vertices, List<Edge> edges) {
     Layering layering = new Layering(vertices, edges);
     edges.forEach(layering::turnIfItClosesACycle);
@@ -57,7 +57,7 @@ final class Layering {
     return false;
   }
 
-  /** Each one below the lowest that leads to it. */
+  /** Assigns each box the layer below its lowest predecessor. */
   private void assign() {
     Map<Vertex, Integer> waitsFor = new IdentityHashMap<>();
     edges.forEach(edge -> waitsFor.merge(edge.lower(), 1, Integer::sum));
@@ -77,7 +77,7 @@ final class Layering {
     }
   }
 
-  /** Signals from outside at the top and to outside at the bottom, if the picture stays clear. */
+  /** Places external inputs at the top and outputs at the bottom, if the diagram stays clear. */
   private void place() {
     int last = vertices.stream().mapToInt(vertex -> vertex.layer).max().orElse(0);
     List<Vertex> leaving =

@@ -6,14 +6,14 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * Orders the boxes of each layer so that few lines cross: each one at the mean position of its
+ * Orders the boxes of each layer for few line crossings: each at the mean position of its
  * neighbours, layer by layer down and up, after Sugiyama, Tagawa and Toda (1981).
  */
 final class Ordering {
 
   private static final int SWEEPS = 12;
 
-  /** Beyond so many boxes and parts of lines, less is tried. */
+  /** Number of boxes and line parts above which fewer passes are tried. */
   private static final int LARGE = 20_000;
 
   private final List<List<Vertex>> layers;
@@ -55,7 +55,7 @@ final class Ordering {
   private static void number(List<Vertex> layer) {
     for (int i = 0; i < layer.size(); i++) {
       layer.get(i).position = i;
-      layer.get(i).x = i; // the mean of its neighbours while layers are sorted
+      layer.get(i).x = i; // mean position of the neighbours while layers are sorted
     }
   }
 
@@ -80,11 +80,12 @@ final class Ordering {
     return count;
   }
 
-  /** Counts the pairs of lines that are in one order above and in the other below. */
+  /** Returns the number of line crossings between two layers. */
   private static long crossings(List<Vertex> upper, int size) {
     long count = 0;
     int seen = 0;
-    int[] tree = new int[size + 1]; // after Fenwick (1994): how many lines end up to a position
+    int[] tree =
+        new int[size + 1]; // number of lines that end up to a position, after Fenwick (1994)
     for (Vertex vertex : upper) {
       int[] ends = vertex.below.stream().mapToInt(other -> other.position).toArray();
       Arrays.sort(ends);

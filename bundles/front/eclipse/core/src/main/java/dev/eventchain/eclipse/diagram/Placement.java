@@ -5,8 +5,8 @@ import java.util.Deque;
 import java.util.List;
 
 /**
- * Moves the boxes of each layer as near to their neighbours as their order and the gaps between
- * them let them: least squares under these constraints, by pooling adjacent violators.
+ * Places the boxes of each layer as near to their neighbours as order and gaps allow: constrained
+ * least squares by pooling adjacent violators.
  */
 final class Placement {
 
@@ -14,14 +14,14 @@ final class Placement {
   private static final int GAP_OF_LINES = 16;
   private static final int SWEEPS = 16;
 
-  /** Long lines are straight first of all. */
+  /** Weight of line parts, so that long lines become straight first. */
   private static final double BETWEEN_PASSES = 8;
 
   private static final double TO_A_PASS = 2;
 
   private Placement() {}
 
-  /** Gives each vertex its middle, the leftmost box beginning at 0. */
+  /** Sets the centre of each vertex, with the leftmost box at 0. */
   static void place(List<List<Vertex>> layers) {
     for (List<Vertex> layer : layers) {
       double x = 0;
@@ -44,11 +44,11 @@ final class Placement {
 
   private static double gap(Vertex left, Vertex right) {
     int between = left.isPass() || right.isPass() ? GAP_OF_LINES : GAP;
-    // Middles are rounded in the end.
+    // Centres are rounded in the end.
     return Math.ceil((left.width + right.width) / 2.0) + between;
   }
 
-  /** Neighbours in order that would overlap, and share what they want. */
+  /** A block of adjacent boxes that would overlap and therefore move together. */
   private static final class Pool {
     private double weight;
     private double wanted;
@@ -91,7 +91,7 @@ final class Placement {
   }
 
   private static Pool wish(Vertex vertex, boolean byUpper, boolean byLower) {
-    double weight = 1e-6; // stay where nothing pulls
+    double weight = 1e-6; // stays in place without a pull
     double sum = vertex.x * weight;
     for (List<Vertex> side : List.of(vertex.above, vertex.below)) {
       if (side == vertex.above ? byUpper : byLower) {

@@ -12,20 +12,20 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Leads lines from the lower side of a box to the upper side of another. Between layers they may
- * bend; next to the boxes of a layer they go straight down, so that none runs through a box.
+ * Routes lines from the bottom of a box to the top of another. They may bend between layers; next
+ * to boxes they are vertical, so that none crosses a box.
  */
 final class Routing {
 
   static final int BAR = 4;
 
-  /** From a bar to its box. */
+  /** Distance between a bar and its box. */
   static final int STEM = 8;
 
-  /** The room that each line needs on the side of a box. */
+  /** Space for each line at the side of a box. */
   static final int PORT = 12;
 
-  /** A line that would bend by so little goes straight. */
+  /** Largest offset of a line that is drawn straight instead of bent. */
   private static final int CROOKED = 3;
 
   private final List<int[]> bands;
@@ -33,7 +33,7 @@ final class Routing {
   private final Map<Edge, Integer> upperPorts = new IdentityHashMap<>();
 
   /**
-   * Routes for boxes that have their places.
+   * Creates a router for placed boxes.
    *
    * @param bands the first and the last y of each layer
    */
@@ -45,7 +45,7 @@ final class Routing {
     }
   }
 
-  /** Spreads the lines over a side, in the order in which they come; those upwards at the right. */
+  /** Distributes the lines over a side, in their order; upward lines are at the right. */
   private void assign(Vertex vertex, boolean lowerSide) {
     List<Edge> forward = new ArrayList<>();
     List<Edge> back = new ArrayList<>();
@@ -77,7 +77,7 @@ final class Routing {
     }
   }
 
-  /** The bars of a box, over the lines that meet there. */
+  /** Returns the bars of a box, which span the lines that meet there. */
   List<Area> bars(Vertex vertex) {
     List<Area> bars = new ArrayList<>();
     if (vertex.hasJoin()) {
@@ -120,7 +120,7 @@ final class Routing {
     return new Line(from, to, edge.kind, edge.isReversed, List.copyOf(points));
   }
 
-  /** Leaves out a place between two on one vertical line. */
+  /** Adds a point; merges collinear vertical segments. */
   private static void add(List<Point> points, int x, int y) {
     int size = points.size();
     if (size > 1 && points.get(size - 1).x() == x && points.get(size - 2).x() == x) {

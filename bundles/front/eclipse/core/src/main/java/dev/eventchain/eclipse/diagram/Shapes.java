@@ -9,23 +9,23 @@ import dev.eventchain.eclipse.diagram.ChainDiagram.Text;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What boxes look like, for all that draw them. */
+/** The shapes of boxes, for all renderers. */
 public final class Shapes {
 
-  /** How far the sides of a signal point in or out. */
+  /** Width by which the sides of a signal point in or out. */
   private static final int SLANT = 10;
 
   private Shapes() {}
 
-  /** The line between a box and its bar, from the upper to the lower end. */
+  /** A line between a box and its bar, from the upper to the lower end. */
   public record Stem(int x, int from, int to) {}
 
   /** A text and its upper left corner. */
   public record PlacedText(Text text, int x, int y) {}
 
   /**
-   * The corners of a box. Signals look as UML draws them: one that is sent has a point on the
-   * right, one that is accepted a notch on the left.
+   * Returns the corners of a box. Signals have UML shapes: a sent one has a point on the right, a
+   * received one a notch on the left.
    */
   public static List<Point> outline(Box box) {
     Area area = box.area();
@@ -47,7 +47,7 @@ public final class Shapes {
     return corners;
   }
 
-  /** The lines between a box and its bars. */
+  /** Returns the lines between a box and its bars. */
   public static List<Stem> stems(Box box) {
     Area area = box.area();
     List<Stem> stems = new ArrayList<>();
@@ -62,7 +62,7 @@ public final class Shapes {
     return stems;
   }
 
-  /** Whether a place is on a line, or at most so far away. */
+  /** Returns whether a point is on a line or at most the given distance away. */
   public static boolean isNear(Line line, int x, int y, int distance) {
     for (int i = 1; i < line.points().size(); i++) {
       Point a = line.points().get(i - 1);
@@ -71,7 +71,7 @@ public final class Shapes {
       int bottom = Math.max(a.y(), b.y());
       if (y >= top - distance && y <= bottom + distance) {
         double part = Math.max(0, Math.min(1, (y - a.y()) / (double) (b.y() - a.y())));
-        // Close to the curve that is drawn, which begins and ends vertically.
+        // Close to the drawn curve, which begins and ends vertically.
         double bent = part * part * (3 - 2 * part);
         if (Math.abs(a.x() + bent * (b.x() - a.x()) - x) <= distance) {
           return true;
@@ -81,7 +81,7 @@ public final class Shapes {
     return false;
   }
 
-  /** Where the texts of a box stand: in the middle, one below the other. */
+  /** Returns the texts of a box with their positions: centred, one below the other. */
   public static List<PlacedText> texts(Box box, TextSizes sizes) {
     int height = box.texts().stream().mapToInt(text -> sizes.height(text.title())).sum();
     Point center = box.area().center();

@@ -2,12 +2,12 @@ package dev.eventchain.eclipse.diagram;
 
 import dev.eventchain.eclipse.diagram.ChainDiagram.Text;
 
-/** Cuts texts in the middle: both ends of a long name tell it from others. */
+/** Abbreviates texts in the middle, because both ends of a long name are distinctive. */
 final class TextFit {
 
   private static final String GAP = "\u2026";
 
-  /** No more characters are ever shown, and so they are not measured. */
+  /** Largest number of characters shown, and so measured. */
   private static final int LONGEST = 1000;
 
   private final TextSizes sizes;
@@ -17,9 +17,9 @@ final class TextFit {
   }
 
   /**
-   * The longest form of a text that fits.
+   * Returns the longest fitting form of a text.
    *
-   * @param most the width that it may have
+   * @param most the largest width
    */
   Text fit(String text, boolean title, int most) {
     int characters = text.codePointCount(0, text.length());

@@ -6,17 +6,17 @@ import java.util.ArrayList;
 import java.util.List;
 import org.eclipse.emf.ecore.EObject;
 
-/** A box on its way to its place, or a part of a line that passes a layer. */
+/** A box during layout, or a part of a line that crosses a layer. */
 final class Vertex {
 
-  /** A line on its way; the layout turns it round where it would close a cycle. */
+  /** A line during layout; reversed if it would close a cycle. */
   static final class Edge {
     final Vertex from;
     final Vertex to;
     final LineKind kind;
     boolean isReversed;
 
-    /** The parts that pass layers, from the top. */
+    /** The parts that cross layers, from the top. */
     final List<Vertex> passes = new ArrayList<>();
 
     Edge(Vertex from, Vertex to, LineKind kind) {
@@ -40,10 +40,10 @@ final class Vertex {
   final List<EObject> elements = new ArrayList<>();
   final String name;
 
-  /** The place in the order of the chain: a topic comes after the last that writes it. */
+  /** Position in the order of the chain: a topic comes after its last writer. */
   final double rank;
 
-  /** What it says below its name. */
+  /** The text below its name. */
   String facts = "";
 
   boolean isGenerated;
@@ -51,7 +51,7 @@ final class Vertex {
   final List<Edge> in = new ArrayList<>();
   List<ChainDiagram.Text> texts = List.of();
 
-  /** Neighbours in the layers next to this one, once lines are cut into parts. */
+  /** Neighbours in the adjacent layers, after lines were split into parts. */
   final List<Vertex> above = new ArrayList<>();
 
   final List<Vertex> below = new ArrayList<>();
@@ -59,12 +59,12 @@ final class Vertex {
   int layer;
   int position;
 
-  /** The middle. */
+  /** The centre. */
   double x;
 
   int width;
 
-  /** Of the box without its bars. */
+  /** Height of the box without its bars. */
   int height;
 
   /** The upper side of the box. */
@@ -80,22 +80,22 @@ final class Vertex {
     return kind == null;
   }
 
-  /** How many lines join above the box; those that lead upwards are apart. */
+  /** Returns the number of lines that join above the box; upward lines are not counted. */
   int joining() {
     return (int) in.stream().filter(edge -> !edge.isReversed).count();
   }
 
-  /** How many lines fork below the box. */
+  /** Returns the number of lines that fork below the box. */
   int forking() {
     return (int) out.stream().filter(edge -> !edge.isReversed).count();
   }
 
-  /** Whether a bar is drawn above: a component waits there for all its topics. */
+  /** Returns whether a bar is drawn above: the component waits there for all its topics. */
   boolean hasJoin() {
     return kind == Kind.COMPONENT && joining() > 1;
   }
 
-  /** Whether a bar is drawn below. */
+  /** Returns whether a bar is drawn below. */
   boolean hasFork() {
     return !isPass() && forking() > 1;
   }

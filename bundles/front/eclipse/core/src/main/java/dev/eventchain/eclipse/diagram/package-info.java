@@ -1,5 +1,5 @@
 /**
- * The picture of an event chain: what is in it and where, whatever draws it. The same chain with
- * the same sizes of texts gives the same picture.
+ * The diagram of an event chain: its contents and layout, independent of the renderer. The same
+ * chain with the same text sizes gives the same diagram.
  */
 package dev.eventchain.eclipse.diagram;

@@ -8,7 +8,7 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** What the build made, and the sources that say what has to be in it. */
+/** The build's artefacts, and the sources that define their expected contents. */
 final class Built {
 
   private static final Path ECLIPSE = Path.of("").toAbsolutePath().getParent();
@@ -19,7 +19,7 @@ final class Built {
   static final Path WORKBENCH =
       ECLIPSE.resolve("product/target/products/dev.eventchain.workbench/linux/gtk/x86_64");
 
-  /** What people install, as p2 names it. */
+  /** Identifier by which p2 installs the feature. */
   static final String FEATURE = "dev.eventchain.feature.feature.group";
 
   private static final Pattern PLUGIN = Pattern.compile("<plugin id=\"([^\"]+)\"");
@@ -27,12 +27,12 @@ final class Built {
 
   private Built() {}
 
-  /** The symbolic names of our bundles. */
+  /** Returns the symbolic names of our bundles. */
   static SortedSet<String> ours() throws IOException {
     return names(PLUGIN, Files.readString(FEATURE_XML));
   }
 
-  /** The symbolic names of the bundles of others that the update site brings along. */
+  /** Returns the symbolic names of the bundles of others that the update site brings along. */
   static SortedSet<String> theirs() throws IOException {
     return names(BUNDLE, Files.readString(ECLIPSE.resolve("site/category.xml")));
   }

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Document;
 
-/** The update site, installed into an Eclipse that has nothing of ours. */
+/** Tests the installation of the update site into an Eclipse without our bundles. */
 class InstallTest {
 
   private static final long LARGEST_SITE_BYTES = 15_000_000;
@@ -59,7 +59,7 @@ class InstallTest {
     assertEquals(Files.readString(Built.LICENSE).strip(), shown.strip());
   }
 
-  /** What is wrong with our bundles among the installed ones, by bundle or class. */
+  /** Returns the problems of our installed bundles, by bundle or class. */
   private SortedMap<String, String> unusable(SortedMap<String, Path> installed) throws Exception {
     SortedMap<String, String> unusable = new TreeMap<>();
     int classes = 0;

@@ -19,11 +19,11 @@ import java.util.stream.Stream;
  * A copy of the workbench, for a test to change.
  *
  * @param home the folder of the copy
- * @param scratch where what it writes aside goes
+ * @param scratch the folder for its other output
  */
 record Installation(Path home, Path scratch) {
 
-  /** For the slowest of machines; only ends what would never end. */
+  /** Time limit in seconds for the slowest machines; only ends processes that hang. */
   private static final long LONGEST_SECONDS = 900;
 
   static Installation copy(Path scratch) throws IOException {
@@ -36,7 +36,7 @@ record Installation(Path home, Path scratch) {
     return new Installation(home, scratch);
   }
 
-  /** The installed bundles: where each stands, by symbolic name. */
+  /** Returns the locations of the installed bundles, by symbolic name. */
   SortedMap<String, Path> bundles() throws IOException {
     SortedMap<String, Path> bundles = new TreeMap<>();
     for (String line : Files.readAllLines(bundlesInfo())) {
@@ -48,13 +48,13 @@ record Installation(Path home, Path scratch) {
     return bundles;
   }
 
-  /** Adds a bundle that is started with the workbench, as no p2 would. */
+  /** Adds a bundle that is started with the workbench, without p2. */
   void add(String name, Path jar) throws IOException {
     String line = String.join(",", name, "1.0.0", jar.toUri().toString(), "4", "true\n");
     Files.writeString(bundlesInfo(), line, StandardOpenOption.APPEND);
   }
 
-  /** Installs or removes something with p2's own program, which has to succeed. */
+  /** Installs or removes a feature with p2's director, which has to succeed. */
   void direct(String... arguments) throws IOException, InterruptedException {
     List<String> all =
         new ArrayList<>(List.of("-application", "org.eclipse.equinox.p2.director", "-consoleLog"));
@@ -78,7 +78,7 @@ record Installation(Path home, Path scratch) {
     return builder.redirectErrorStream(true).redirectOutput(printed.toFile()).start();
   }
 
-  /** Waits until a process ended and returns its exit code. */
+  /** Waits until a process has ended and returns its exit code. */
   static int end(Process process, Path printed) throws InterruptedException {
     if (!process.waitFor(LONGEST_SECONDS, TimeUnit.SECONDS)) {
       process.destroyForcibly().waitFor();
@@ -87,7 +87,7 @@ record Installation(Path home, Path scratch) {
     return process.exitValue();
   }
 
-  /** Waits until a process, which must not end before, wrote a file. */
+  /** Waits until a process has written a file; fails if it ends before. */
   static void await(Path file, Process process, Path printed) throws InterruptedException {
     long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(LONGEST_SECONDS);
     while (!Files.exists(file)) {

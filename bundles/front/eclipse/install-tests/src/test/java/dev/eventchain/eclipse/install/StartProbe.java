@@ -17,17 +17,18 @@ import org.osgi.service.event.EventConstants;
 import org.osgi.service.event.EventHandler;
 
 /**
- * A bundle that writes what the workbench shows into a file of the workspace, as soon as its window
- * is open. It is wired to nothing of the workbench, so that it fits any.
+ * A bundle that writes the contents of the workbench into a file of the workspace once its window
+ * is open. It imports nothing of the workbench, so that it fits any version.
  */
 public final class StartProbe implements BundleActivator {
 
   static final String FILE = "shown.xmi";
 
-  /** What the workbench sends when its window is open. */
+  /** Event topic that the workbench sends when its window is open. */
   private static final String STARTED = "org/eclipse/e4/ui/LifeCycle/appStartupComplete";
 
-  @SuppressWarnings("JdkObsolete") // OSGi asks for a Dictionary, and Hashtable is the only one
+  @SuppressWarnings(
+      "JdkObsolete") // OSGi requires a Dictionary, and Hashtable is the only implementation
   @Override
   public void start(BundleContext context) {
     Path workspace = Path.of(URI.create(context.getProperty("osgi.instance.area")));
@@ -49,7 +50,7 @@ public final class StartProbe implements BundleActivator {
   @Override
   public void stop(BundleContext context) {}
 
-  /** The model of the workbench as XMI; why not, if it cannot be had. */
+  /** Returns the model of the workbench as XMI, or the reason why it is not available. */
   private static byte[] shown(Object application) {
     try {
       Object resource = application.getClass().getMethod("eResource").invoke(application);

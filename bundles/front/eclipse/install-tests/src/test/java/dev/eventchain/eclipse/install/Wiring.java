@@ -22,7 +22,7 @@ import org.osgi.framework.launch.Framework;
 import org.osgi.framework.launch.FrameworkFactory;
 import org.osgi.framework.wiring.FrameworkWiring;
 
-/** A framework with the bundles of an installation, which it wires but does not start. */
+/** A framework that resolves the bundles of an installation without starting them. */
 final class Wiring implements AutoCloseable {
 
   private static final Pattern CLASS = Pattern.compile("\\sclass=\"(dev\\.eventchain\\.[\\w.$]+)");
@@ -47,7 +47,7 @@ final class Wiring implements AutoCloseable {
     }
   }
 
-  /** Why a bundle cannot be wired; empty if it can be. */
+  /** Returns the reason why a bundle cannot be wired; empty if it can be. */
   String unresolved(String name) {
     Bundle bundle = bundles.get(name);
     if (bundle == null) {
@@ -64,7 +64,7 @@ final class Wiring implements AutoCloseable {
     return "started, although it was not resolved";
   }
 
-  /** The classes of ours that a bundle's extensions name. */
+  /** Returns the classes of ours that a bundle's extensions name. */
   SortedSet<String> named(String name) throws IOException {
     SortedSet<String> classes = new TreeSet<>();
     URL extensions = bundles.get(name).getEntry("plugin.xml");
@@ -79,7 +79,7 @@ final class Wiring implements AutoCloseable {
     return classes;
   }
 
-  /** Loads a class with all that its declaration needs, by the class loader of a bundle. */
+  /** Loads a class and its dependencies with the class loader of a bundle. */
   Class<?> load(String name, String className) throws ClassNotFoundException {
     Class<?> loaded = bundles.get(name).loadClass(className);
     Objects.requireNonNull(loaded.getDeclaredMethods());
@@ -92,7 +92,7 @@ final class Wiring implements AutoCloseable {
     try {
       framework.waitForStop(0);
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt(); // nobody needs it to have ended
+      Thread.currentThread().interrupt(); // a clean end is not needed
     }
   }
 }

@@ -20,10 +20,10 @@ import org.junit.jupiter.api.io.TempDir;
 /** The workbench, started by its script. */
 class WorkbenchTest {
 
-  /** What a process that SIGTERM ended returns to a shell. */
+  /** Exit status that a shell reports for a process ended by SIGTERM. */
   private static final int ENDED_BY_SIGTERM = 143;
 
-  /** How the error log marks an entry of the severity error. */
+  /** Mark of an entry of severity error in the error log. */
   private static final String ERROR = "!ENTRY \\S+ 4 .*";
 
   @TempDir Path scratch;
@@ -81,7 +81,7 @@ class WorkbenchTest {
     return Files.readAllLines(log).stream().filter(line -> line.matches(ERROR)).toList();
   }
 
-  /** The bundle that notices the start. */
+  /** Returns the bundle that notices the start. */
   private Path probe() throws IOException {
     Manifest manifest = new Manifest();
     Attributes attributes = manifest.getMainAttributes();

@@ -16,7 +16,7 @@ import org.eclipse.core.runtime.OperationCanceledException;
 import org.junit.jupiter.api.Assertions;
 import org.junit.jupiter.api.Test;
 
-/** What the builder finds in projects as they are saved, and the markers that it sets. */
+/** Tests the builder's findings and markers for saved projects. */
 class BuilderTest {
 
   @Test

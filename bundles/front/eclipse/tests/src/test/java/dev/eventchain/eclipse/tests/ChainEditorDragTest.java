@@ -33,7 +33,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** Dragging in the tree, as SWT tells the tree of it: the window system needs a person. */
+/** Tests dragging in the tree by SWT events, since the window system needs a person. */
 class ChainEditorDragTest {
 
   private EditorBench bench;
@@ -61,7 +61,9 @@ class ChainEditorDragTest {
         Tree.class, each -> each.getParent().getParent() instanceof FilteredTree);
   }
 
-  /** The middle of a component's line on the screen, or a place near its upper or lower end. */
+  /**
+   * Returns the middle of a component's line on the screen, or a place near its upper or lower end.
+   */
   private static Point place(int component, double height) {
     return Workbench.run(
         () -> {
@@ -71,7 +73,7 @@ class ChainEditorDragTest {
         });
   }
 
-  /** An event as SWT makes it of what the window system reports; nobody else can make one. */
+  /** Returns an event as SWT creates it for the window system; only SWT can create one. */
   private static <T> T event(Class<T> type, Widget widget, TreeItem item, Point at)
       throws ReflectiveOperationException {
     Class<?> reported = type.getClassLoader().loadClass("org.eclipse.swt.dnd.DNDEvent");
@@ -98,7 +100,7 @@ class ChainEditorDragTest {
     field.set(event, value);
   }
 
-  /** What SWT tells the tree while people drag the element that is selected onto a component. */
+  /** Sends the tree the SWT events of dragging the selected element onto a component. */
   private static void drag(int component, double height) {
     Point at = place(component, height);
     Workbench.run(

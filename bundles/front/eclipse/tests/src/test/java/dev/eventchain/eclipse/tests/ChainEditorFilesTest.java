@@ -18,7 +18,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** What an editor does when its file is not as it was. */
+/** Tests an editor whose file was changed, moved or deleted. */
 class ChainEditorFilesTest {
 
   private EditorBench bench;

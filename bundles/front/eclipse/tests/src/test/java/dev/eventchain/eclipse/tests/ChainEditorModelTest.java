@@ -41,7 +41,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** What an editor knows of the chain: its structure, what is wrong with it, what may be in it. */
+/** Tests the editor's model of the chain: structure, findings and content proposals. */
 class ChainEditorModelTest {
 
   private EditorBench bench;
@@ -67,7 +67,7 @@ class ChainEditorModelTest {
     }
   }
 
-  /** The tree of the editor, which has a filter: that of the Outline has none. */
+  /** Returns the tree of the editor, which has a filter, unlike that of the Outline. */
   private static Tree tree() {
     return EditorBench.find(Tree.class, ChainEditorModelTest::hasFilter);
   }
@@ -233,7 +233,7 @@ class ChainEditorModelTest {
     return texts;
   }
 
-  /** The list that is open over the window, whose items are filled when they are seen. */
+  /** Returns the open list over the window, whose items are filled when shown. */
   private static Table proposals() {
     Shell window = Workbench.page().getWorkbenchWindow().getShell();
     return EditorBench.find(
@@ -270,7 +270,7 @@ class ChainEditorModelTest {
                     .getFirstElement());
   }
 
-  /** Written by the command line, with message types of its own. */
+  /** A chain from the command line, with message types of its own. */
   @Test
   void editsTheChainOfAProject() throws IOException {
     Path example = Path.of("..", "..", "..", "..", "examples", "radar-aeb");

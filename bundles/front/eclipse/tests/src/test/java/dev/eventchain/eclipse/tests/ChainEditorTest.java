@@ -16,7 +16,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** Opening, editing, undoing and saving a chain. */
+/** Tests opening, editing, undoing and saving a chain. */
 class ChainEditorTest {
 
   private EditorBench bench;

@@ -13,7 +13,7 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The description of a chain as JSON becomes a model, or a finding with its line. */
+/** Tests that a JSON description becomes a model, or a finding with its line. */
 class ChainImportTest {
 
   static final String DESCRIPTION =

@@ -42,7 +42,7 @@ class ChainLayoutTest {
     return diagram;
   }
 
-  /** What holds for every picture. */
+  /** Checks the invariants of every diagram. */
   private static void check(ChainDiagram diagram) {
     SortedMap<Integer, List<Area>> rows = new TreeMap<>();
     for (Box box : diagram.boxes()) {
@@ -60,7 +60,7 @@ class ChainLayoutTest {
     diagram.lines().forEach(line -> checkLine(diagram, line, rows));
   }
 
-  /** Looks only where a box can be that is not too high. */
+  /** Checks that an area overlaps allowed ones only; boxes are at most 100 high. */
   private static void assertFree(
       SortedMap<Integer, List<Area>> rows, Area area, List<Area> allowed) {
     for (List<Area> row : rows.subMap(area.y() - 100, area.y() + area.height()).values()) {
@@ -109,7 +109,7 @@ class ChainLayoutTest {
     }
   }
 
-  /** Whether a line ends at a side of a box, or at its bar. */
+  /** Returns whether a line ends at a side of a box or at its bar. */
   private static boolean touches(Box box, Point point, boolean lowerSide) {
     List<Area> areas = new ArrayList<>(box.bars());
     areas.add(box.area());

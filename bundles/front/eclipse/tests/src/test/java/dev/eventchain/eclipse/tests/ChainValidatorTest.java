@@ -15,7 +15,7 @@ import org.eclipse.emf.ecore.resource.impl.ResourceSetImpl;
 import org.eclipse.emf.ecore.util.Diagnostician;
 import org.junit.jupiter.api.Test;
 
-/** EMF's own Validate, as any editor of EMF calls it: with resource sets and registries of EMF. */
+/** Tests EMF's own Validate as EMF editors call it: with EMF's resource sets and registries. */
 class ChainValidatorTest {
 
   private static EventChain load(TestProject project) {

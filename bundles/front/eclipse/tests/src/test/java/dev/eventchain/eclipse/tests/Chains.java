@@ -12,7 +12,7 @@ final class Chains {
 
   private Chains() {}
 
-  /** A chain whose components read and write the topics that texts such as "a b &gt; c" say. */
+  /** Returns a chain whose components read and write the topics in texts such as "a b &gt; c". */
   static EventChain of(String... components) {
     EventChain chain = EventchainFactory.eINSTANCE.createEventChain();
     chain.setName("test");
@@ -48,7 +48,7 @@ final class Chains {
     return data;
   }
 
-  /** Any chain: with cycles, loops, topics that many write and read, names of any length. */
+  /** Returns a random chain, with cycles, loops, shared topics and names of any length. */
   static EventChain random(long seed) {
     Random random = new Random(seed);
     EventChain chain = EventchainFactory.eINSTANCE.createEventChain();

@@ -10,7 +10,7 @@ import dev.eventchain.eclipse.ProjectChecks;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Which files of a project are checked, with what, and what is said of those that are not. */
+/** Tests the selection of checked files, their checks, and the findings about unchecked files. */
 class CheckedFilesTest {
 
   private static final String ECORE =

@@ -33,7 +33,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** Editing constraints and templates in the workbench. */
+/** Tests editing of constraints and templates in the workbench. */
 class CodeEditorTest {
 
   private static final String COLORS = "dev.eventchain.eclipse.ui.text.";
@@ -217,7 +217,7 @@ class CodeEditorTest {
     assertTrue(blocks.containsAll(List.of("template", "trace")), "" + blocks);
   }
 
-  /** What the pop-up lists; closed again. */
+  /** Returns the entries of the proposal pop-up, and closes it. */
   private static List<String> proposals(TextEditor editor, int offset) {
     Workbench.run(
         () -> {
@@ -263,7 +263,7 @@ class CodeEditorTest {
   private static List<String> texts(Table table) {
     List<String> texts = new ArrayList<>();
     for (int i = 0; i < table.getItemCount(); i++) {
-      table.setSelection(i); // a virtual table asks for what is shown
+      table.setSelection(i); // a virtual table fetches shown items only
       texts.add(table.getItem(i).getText());
     }
     return texts;

@@ -37,7 +37,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What people click, and what they see then. */
+/** Tests the commands of the user interface and their visible results. */
 class CommandsUiTest {
 
   private static final String TEXT_EDITOR = "org.eclipse.ui.DefaultTextEditor";
@@ -79,7 +79,7 @@ class CommandsUiTest {
     return (ITextEditor) editor;
   }
 
-  /** Selects a resource in the explorer and runs a command as its menu does. */
+  /** Selects a resource in the explorer and runs a command of its menu. */
   private static void run(String command, IResource resource) {
     Workbench.run(
         () -> {
@@ -90,14 +90,14 @@ class CommandsUiTest {
           return explorer;
         });
     Workbench.display()
-        .asyncExec( // a dialog would block whoever waits
+        .asyncExec( // a dialog would block the waiting thread
             () -> {
               try {
                 Workbench.page()
                     .getWorkbenchWindow()
                     .getService(IHandlerService.class)
                     .executeCommand(COMMANDS + command, null);
-              } catch (Exception e) { // seen by the test, which then waits in vain
+              } catch (Exception e) { // the test notices, because it then waits in vain
                 throw new IllegalStateException(e);
               }
             });

@@ -11,7 +11,7 @@ import org.eclipse.core.runtime.Platform;
 import org.eclipse.core.runtime.content.IContentType;
 import org.junit.jupiter.api.Test;
 
-/** Which files are event chains. */
+/** Tests which files have the content type of event chains. */
 class ContentTypeTest {
 
   private static final String CHAIN = "dev.eventchain.eclipse.chain";

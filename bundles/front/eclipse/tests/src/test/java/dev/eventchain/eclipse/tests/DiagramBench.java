@@ -38,7 +38,7 @@ import org.eclipse.ui.handlers.IHandlerService;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 
-/** The diagram on a chain of a project, and what tests do with it. */
+/** The diagram of a project's chain, with actions for tests. */
 abstract class DiagramBench {
 
   private static final String ID = "dev.eventchain.eclipse.ui.diagram";
@@ -131,7 +131,7 @@ abstract class DiagramBench {
     return event;
   }
 
-  /** Sends what the mouse does over a box, at the size that it is drawn in. */
+  /** Sends a mouse event over a box, at the current zoom. */
   void mouse(int type, String name) {
     Workbench.run(
         () -> {

@@ -19,7 +19,7 @@ import org.eclipse.ui.IWorkbenchPart2;
 import org.eclipse.ui.ide.IDE;
 import org.junit.jupiter.api.Test;
 
-/** Whose chain the diagram shows as files, editors and projects change. */
+/** Tests which chain the diagram shows as files, editors and projects change. */
 class DiagramSubjectTest extends DiagramBench {
 
   @Test

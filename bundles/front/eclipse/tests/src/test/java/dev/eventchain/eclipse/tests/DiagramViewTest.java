@@ -19,7 +19,7 @@ import org.eclipse.ui.IEditorPart;
 import org.eclipse.ui.IWorkbenchPage;
 import org.junit.jupiter.api.Test;
 
-/** What the diagram shows, and what mouse and keyboard do there. */
+/** Tests the contents of the diagram and its response to mouse and keyboard. */
 class DiagramViewTest extends DiagramBench {
 
   @Test

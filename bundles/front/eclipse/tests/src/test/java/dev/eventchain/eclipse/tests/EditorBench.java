@@ -49,7 +49,7 @@ final class EditorBench implements AutoCloseable {
 
   private final IProject project;
 
-  /** What reaches the error log: nothing must. */
+  /** Entries of the error log; there must be none. */
   private final List<String> logged = new CopyOnWriteArrayList<>();
 
   private final ILogListener listener = (status, plugin) -> log(status);
@@ -116,7 +116,7 @@ final class EditorBench implements AutoCloseable {
     }
   }
 
-  /** A sound chain: what one component writes is what the other one reads. */
+  /** Returns a valid chain in which one component reads the data that the other one writes. */
   static EventChain chain() {
     EventchainFactory factory = EventchainFactory.eINSTANCE;
     EventChain chain = factory.createEventChain();
@@ -190,7 +190,7 @@ final class EditorBench implements AutoCloseable {
         });
   }
 
-  /** Runs a command of the workbench, as its menu does. */
+  /** Runs a command of the workbench, as from its menu. */
   static void command(String id) {
     Workbench.run(
         () ->
@@ -216,12 +216,12 @@ final class EditorBench implements AutoCloseable {
     return Workbench.run(() -> field(Text.class, feature).getText());
   }
 
-  /** The control for a feature of what is selected; in the user interface's thread only. */
+  /** Returns the control of a feature of the selection; in the user interface's thread only. */
   static <T extends Control> T field(Class<T> type, String feature) {
     return find(type, control -> feature.equals(control.getData("dev.eventchain.feature")));
   }
 
-  /** A control in any window; in the user interface's thread only. */
+  /** Returns a control in any window; in the user interface's thread only. */
   static <T extends Control> T find(Class<T> type, Predicate<T> wanted) {
     for (Shell shell : Workbench.display().getShells()) {
       List<Control> all = new ArrayList<>(List.of(shell));
@@ -244,7 +244,7 @@ final class EditorBench implements AutoCloseable {
     Workbench.waitUntil("the button " + text + " is gone", () -> button(text) == null);
   }
 
-  /** Chooses from the menu of a tree, by the texts of the menu and its submenus. */
+  /** Chooses an item from the menu of a tree, by the texts of menu and submenus. */
   static void choose(Tree tree, String... texts) {
     Menu menu = tree.getMenu();
     List<Menu> shown = new ArrayList<>();

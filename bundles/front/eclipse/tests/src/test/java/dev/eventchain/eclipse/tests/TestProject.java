@@ -27,7 +27,7 @@ import org.eclipse.core.runtime.CoreException;
 import org.eclipse.core.runtime.IPath;
 import org.eclipse.core.runtime.NullProgressMonitor;
 
-/** A project of the test's workspace, which is built when the test says so. */
+/** A project in the test's workspace, which is built on demand. */
 final class TestProject implements AutoCloseable {
 
   /** The chain of the example. */
@@ -41,7 +41,7 @@ final class TestProject implements AutoCloseable {
     this.project = project;
   }
 
-  /** An empty project with our nature. */
+  /** Returns an empty project with our nature. */
   static TestProject create(String name) throws CoreException {
     IWorkspace workspace = ResourcesPlugin.getWorkspace();
     IWorkspaceDescription description = workspace.getDescription();
@@ -57,7 +57,7 @@ final class TestProject implements AutoCloseable {
     return new TestProject(project);
   }
 
-  /** A project that holds a copy of an example: the one whose chain people edit. */
+  /** Returns a project with a copy of an example: the one with an edited chain. */
   static TestProject ofRadarExample(String name) throws CoreException, IOException {
     TestProject project = create(name);
     Path example = EXAMPLES.resolve("radar-aeb").normalize();
@@ -112,25 +112,25 @@ final class TestProject implements AutoCloseable {
     }
   }
 
-  /** Replaces a text that a file has once. */
+  /** Replaces a text that occurs once in a file. */
   void replace(String name, String text, String by) throws CoreException, IOException {
     String before = text(name);
     assertTrue(before.indexOf(text) >= 0 && before.indexOf(text) == before.lastIndexOf(text), text);
     write(name, before.replace(text, by));
   }
 
-  /** Builds what has changed, which leaves these markers and no other. */
+  /** Builds the changes, and expects exactly these markers. */
   void buildsTo(String... expected) throws CoreException {
     build();
     assertEquals(List.of(expected), markers());
   }
 
-  /** Builds what has changed. */
+  /** Builds the changes. */
   void build() throws CoreException {
     project.build(IncrementalProjectBuilder.INCREMENTAL_BUILD, null);
   }
 
-  /** Our markers, as texts: {@code error model/chain.xmi:12 ocl.violated}. */
+  /** Returns our markers as texts: {@code error model/chain.xmi:12 ocl.violated}. */
   List<String> markers() throws CoreException {
     return Arrays.stream(found()).map(TestProject::text).sorted().toList();
   }
@@ -139,7 +139,7 @@ final class TestProject implements AutoCloseable {
     return project.findMarkers(EventchainCore.PROBLEM, true, IResource.DEPTH_INFINITE);
   }
 
-  /** The only marker of an id. */
+  /** Returns the only marker with an identifier. */
   IMarker marker(String id) throws CoreException {
     List<IMarker> found =
         Arrays.stream(found())

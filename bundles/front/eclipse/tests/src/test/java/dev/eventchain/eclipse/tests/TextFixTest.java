@@ -6,7 +6,7 @@ import dev.eventchain.eclipse.TextFix;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
-/** Changes of texts that fix findings, and when none is offered. */
+/** Tests text changes that fix findings, and cases without a fix. */
 class TextFixTest {
 
   private static final String XML =

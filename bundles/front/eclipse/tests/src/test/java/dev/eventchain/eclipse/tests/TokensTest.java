@@ -16,7 +16,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** What the texts of constraints and templates consist of. */
+/** Tests the tokens of constraints and templates. */
 class TokensTest {
 
   private static final Path TEXTS = Path.of("src", "test", "resources", "text");
@@ -38,7 +38,7 @@ class TokensTest {
     check("node.mtl.outline", outline(Outlines.templates(text)));
   }
 
-  /** However a text is cut off while somebody types it, its tokens are all of it, in order. */
+  /** The tokens of an incomplete text cover it completely, in order. */
   @Test
   void coverAnyText() throws IOException {
     try (Stream<Path> files = Files.walk(TEXTS)) {
@@ -54,7 +54,7 @@ class TokensTest {
     }
   }
 
-  /** The templates that ship hold every kind of tag, and the generator reads them. */
+  /** The shipped templates contain every kind of tag, and the generator can read them. */
   @Test
   void shippedTemplatesAreOutlined() throws IOException {
     String text = Files.readString(ROOT.resolve("templates/report/html.mtl"));

@@ -19,13 +19,13 @@ import org.eclipse.ui.IWorkbenchWizard;
 import org.eclipse.ui.PlatformUI;
 import org.eclipse.ui.wizards.IWizardDescriptor;
 
-/** A wizard that is open, as people use it. */
+/** An open wizard, used as by people. */
 final class WizardBench implements AutoCloseable {
 
   private final IWorkbenchWizard wizard;
   private final WizardDialog dialog;
 
-  /** Opens a wizard of the registry on what is selected. */
+  /** Opens a registered wizard on the selection. */
   WizardBench(IWizardDescriptor descriptor, Object... selected) {
     wizard = Workbench.run(descriptor::createWizard);
     dialog =
@@ -47,7 +47,7 @@ final class WizardBench implements AutoCloseable {
     return dialog.getShell();
   }
 
-  /** Types into the field behind a label. */
+  /** Types into the field with a label. */
   void type(String label, String text) {
     Workbench.run(
         () -> {
@@ -60,7 +60,7 @@ final class WizardBench implements AutoCloseable {
     return Workbench.run(() -> ((Text) behind(label)).getText());
   }
 
-  /** The control that comes after a label. */
+  /** Returns the control after a label. */
   Control behind(String label) {
     List<Control> all = all(control -> true);
     for (int i = 0; i + 1 < all.size(); i++) {
@@ -95,7 +95,7 @@ final class WizardBench implements AutoCloseable {
     return Workbench.run(() -> button("Finish").isEnabled());
   }
 
-  /** What the page says is wrong; empty if nothing is. */
+  /** Returns the error message of the page; empty if there is none. */
   String error() {
     return Workbench.run(
         () -> {
@@ -104,19 +104,19 @@ final class WizardBench implements AutoCloseable {
         });
   }
 
-  /** Finishes, and says whether the wizard was closed. */
+  /** Finishes the wizard and returns whether it was closed. */
   boolean finish() {
     press("Finish");
     return Workbench.run(() -> shell() == null || shell().isDisposed());
   }
 
-  /** Finishes without waiting for it. */
+  /** Finishes without waiting. */
   void begin() {
     Workbench.display()
         .asyncExec(() -> button("Finish").notifyListeners(SWT.Selection, new Event()));
   }
 
-  /** Stops what {@link #begin} began, and waits until the page can be used again. */
+  /** Stops the work of {@link #begin} and waits until the page can be used again. */
   void stop() {
     Workbench.run(
         () -> {

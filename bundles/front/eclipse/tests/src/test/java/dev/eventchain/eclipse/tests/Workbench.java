@@ -23,12 +23,12 @@ import org.eclipse.ui.IWorkbenchPage;
 import org.eclipse.ui.PlatformUI;
 
 /**
- * The workbench as tests use it, from a thread that is not its own. Without a display there is
- * none, and a test that needs it is skipped.
+ * The workbench for tests that run on another thread. Without a display there is none, and tests
+ * that need it are skipped.
  */
 final class Workbench {
 
-  /** Only ends what would never end: no test depends on how fast the machine is. */
+  /** Time limit that only ends hanging tests: no test depends on the speed of the machine. */
   private static final Duration FOREVER = Duration.ofMinutes(3);
 
   private Workbench() {}
@@ -46,7 +46,7 @@ final class Workbench {
         });
   }
 
-  /** Does something in the user interface's thread and returns what came of it. */
+  /** Runs work on the user interface's thread and returns its result. */
   static <T> T run(Callable<T> work) {
     AtomicReference<T> result = new AtomicReference<>();
     AtomicReference<Throwable> failure = new AtomicReference<>();
@@ -55,7 +55,7 @@ final class Workbench {
             () -> {
               try {
                 result.set(work.call());
-              } catch (Throwable e) { // handed to the test's own thread
+              } catch (Throwable e) { // passed to the test's own thread
                 failure.set(e);
               }
             });
@@ -65,12 +65,12 @@ final class Workbench {
     return result.get();
   }
 
-  /** Waits until something holds, asking in the user interface's thread. */
+  /** Waits until a condition holds, checked on the user interface's thread. */
   static void waitUntil(String what, Callable<Boolean> condition) {
     waitFor(() -> run(condition), () -> what);
   }
 
-  /** Waits until something holds, asking in this thread. */
+  /** Waits until a condition holds, checked on this thread. */
   static void waitFor(BooleanSupplier condition, Supplier<String> what) {
     long end = System.nanoTime() + FOREVER.toNanos();
     while (!condition.getAsBoolean()) {
@@ -86,7 +86,7 @@ final class Workbench {
     }
   }
 
-  /** The page of the first window; in the user interface's thread only. */
+  /** Returns the page of the first window; in the user interface's thread only. */
   static IWorkbenchPage page() {
     return PlatformUI.getWorkbench().getWorkbenchWindows()[0].getActivePage();
   }

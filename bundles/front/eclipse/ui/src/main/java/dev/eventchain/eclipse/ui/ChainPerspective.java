@@ -5,7 +5,10 @@ import org.eclipse.ui.IPageLayout;
 import org.eclipse.ui.IPerspectiveFactory;
 import org.eclipse.ui.PlatformUI;
 
-/** Projects on the left, the editor above what is wrong with it, and its outline on the right. */
+/**
+ * A perspective with projects on the left, the editor above the problems, and the outline on the
+ * right.
+ */
 public final class ChainPerspective implements IPerspectiveFactory {
 
   private static final String PROJECTS = "org.eclipse.ui.navigator.ProjectExplorer";

@@ -1,9 +1,9 @@
 package dev.eventchain.eclipse.ui;
 
-/** The names under which the workbench knows what this bundle contributes. */
+/** Identifiers of this bundle's contributions to the workbench. */
 public final class EventchainUi {
 
-  /** This bundle. */
+  /** Identifier of this bundle. */
   public static final String ID = "dev.eventchain.eclipse.ui";
 
   private EventchainUi() {}

@@ -10,13 +10,13 @@ import org.eclipse.ui.IWorkbench;
 import org.eclipse.ui.IWorkbenchPreferencePage;
 import org.eclipse.ui.preferences.ScopedPreferenceStore;
 
-/** Where the program is, and how long checks may take. */
+/** The preference page for the program's location and the time limit of checks. */
 public final class PreferencePage extends FieldEditorPreferencePage
     implements IWorkbenchPreferencePage {
 
   private static final int LONGEST_SECONDS = 3600;
 
-  /** Made by the platform. */
+  /** Called by the platform. */
   public PreferencePage() {
     super(GRID);
     setPreferenceStore(new ScopedPreferenceStore(InstanceScope.INSTANCE, EventchainCore.ID));

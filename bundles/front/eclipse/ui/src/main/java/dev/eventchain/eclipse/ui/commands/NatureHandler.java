@@ -9,7 +9,7 @@ import org.eclipse.core.resources.IResource;
 import org.eclipse.core.runtime.ICoreRunnable;
 import org.eclipse.core.runtime.jobs.Job;
 
-/** Turns the checks on save on or off for the projects that are selected. */
+/** Turns checks on save on or off for the selected projects. */
 public final class NatureHandler extends AbstractHandler {
 
   @Override

@@ -11,7 +11,7 @@ import org.eclipse.ui.console.IPatternMatchListener;
 import org.eclipse.ui.console.PatternMatchEvent;
 import org.eclipse.ui.console.TextConsole;
 
-/** Makes {@code /a/file:12:3} in a console a link that opens the file at the line. */
+/** Turns {@code /a/file:12:3} in a console into a link that opens the file at the line. */
 final class PlaceLinks implements IPatternMatchListener {
 
   private static final Pattern PLACE = Pattern.compile("(/[^\\s:]+)(?::(\\d+))?(?::\\d+)?");
@@ -45,7 +45,7 @@ final class PlaceLinks implements IPatternMatchListener {
         console.addHyperlink(new PlaceLink(files[0], line), event.getOffset(), event.getLength());
       }
     } catch (BadLocationException | InvalidPathException | NumberFormatException e) {
-      return; // the text has gone meanwhile, or is no place after all
+      return; // the text is gone meanwhile, or is no location
     }
   }
 

@@ -17,8 +17,8 @@ import org.eclipse.ui.handlers.HandlerUtil;
 import org.eclipse.ui.ide.IDE;
 
 /**
- * Starts a command of {@code eventchain} on the folder of the project that is selected, as its
- * extension names it: {@code generate}, {@code simulate}, {@code run}.
+ * Starts a command of {@code eventchain} on the selected project's folder; its extension names the
+ * command: {@code generate}, {@code simulate}, {@code run}.
  */
 public final class ProgramHandler extends AbstractHandler implements IExecutableExtension {
 

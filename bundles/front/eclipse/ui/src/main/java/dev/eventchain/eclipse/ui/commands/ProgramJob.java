@@ -23,10 +23,10 @@ import org.eclipse.ui.console.IConsole;
 import org.eclipse.ui.console.MessageConsole;
 import org.eclipse.ui.console.MessageConsoleStream;
 
-/** A run of {@code eventchain} with its output in a console; whoever cancels the job ends it. */
+/** A run of {@code eventchain} with its output in a console; cancelling the job ends the run. */
 final class ProgramJob extends Job {
 
-  /** How long the workbench waits for a run to leave its files complete, in ms. */
+  /** Longest time in ms that the workbench waits for a run to complete its files. */
   private static final long LONGEST_END = 12_000;
 
   private final Program program;
@@ -41,7 +41,7 @@ final class ProgramJob extends Job {
     setUser(false); // in the background, with its output in the console
   }
 
-  /** Whether a run of a project is going on. */
+  /** Returns whether a run of a project is in progress. */
   static boolean isRunning(IContainer folder) {
     return Job.getJobManager().find(folder.getFullPath()).length > 0;
   }
@@ -51,7 +51,10 @@ final class ProgramJob extends Job {
     return folder.getFullPath().equals(family);
   }
 
-  /** Starts, and asks before the workbench is closed over it. From the workbench's thread only. */
+  /**
+   * Starts the run, and asks before the workbench is closed during it. From the workbench's thread
+   * only.
+   */
   void start() {
     IWorkbenchListener closing =
         new IWorkbenchListener() {
@@ -108,7 +111,7 @@ final class ProgramJob extends Job {
     } catch (OperationCanceledException e) {
       return Status.CANCEL_STATUS;
     } catch (CoreException e) {
-      return e.getStatus(); // shown by the platform, in a dialog
+      return e.getStatus(); // the platform shows it in a dialog
     } catch (IOException e) {
       return Status.error("The console was closed: " + e.getMessage());
     }
@@ -126,7 +129,7 @@ final class ProgramJob extends Job {
     }
   }
 
-  /** What the exit code says, as the help of the program has it. */
+  /** Returns the meaning of an exit code, as in the program's help. */
   private static String meaning(int code) {
     return switch (code) {
       case 0 -> "Done.";

@@ -13,12 +13,12 @@ import org.eclipse.ui.IEditorInput;
 import org.eclipse.ui.IEditorPart;
 import org.eclipse.ui.handlers.HandlerUtil;
 
-/** The files and folders that a command is about. */
+/** Files and folders that are selected for a command. */
 final class Selected {
 
   private Selected() {}
 
-  /** Those that are selected; without any, the file of the active editor. */
+  /** Returns the selected resources, or else the file of the active editor. */
   static List<IResource> resources(ExecutionEvent event) {
     Set<IResource> found = new LinkedHashSet<>();
     ISelection selection = HandlerUtil.getCurrentSelection(event);

@@ -11,7 +11,7 @@ final class StatusLine {
 
   private StatusLine() {}
 
-  /** Shows a sentence until something else is shown; in the user interface's thread only. */
+  /** Shows a message until the next one; in the user interface's thread only. */
   static void show(String sentence) {
     IWorkbenchWindow window = PlatformUI.getWorkbench().getActiveWorkbenchWindow();
     IWorkbenchPart part =

@@ -18,7 +18,8 @@ import org.eclipse.ui.handlers.HandlerUtil;
 import org.eclipse.ui.ide.IDE;
 
 /**
- * Checks what is selected now, whether it has changed or not, also in projects without our nature.
+ * Checks the selected resources, whether they have changed or not, also in projects without our
+ * nature.
  */
 public final class ValidateHandler extends AbstractHandler {
 
@@ -26,7 +27,7 @@ public final class ValidateHandler extends AbstractHandler {
   public Object execute(ExecutionEvent event) {
     List<IResource> selected = Selected.resources(event);
     if (!IDE.saveAllEditors(selected.toArray(IResource[]::new), true)) {
-      return null; // what is on disk is checked, and people want to continue with their editors
+      return null; // the files on disk are checked, while people continue with their editors
     }
     Map<IProject, List<IResource>> byProject =
         selected.stream().collect(Collectors.groupingBy(IResource::getProject));
@@ -49,7 +50,10 @@ public final class ValidateHandler extends AbstractHandler {
     job.schedule();
   }
 
-  /** That nothing was checked is not for the status line: it must not be overlooked. */
+  /**
+   * Shows a summary; a dialog reports that nothing was checked, since the status line is easily
+   * overlooked.
+   */
   private static void tell(CheckSummary summary, String names, Shell shell) {
     PlatformUI.getWorkbench()
         .getDisplay()

@@ -21,10 +21,10 @@ import org.eclipse.core.runtime.jobs.Job;
 final class ChainLoader extends Job {
 
   /**
-   * What came of it.
+   * The result of loading.
    *
    * @param chain null if there is none
-   * @param problem why there is no chain; empty if there is one
+   * @param problem the reason why there is no chain; empty if there is one
    */
   record Result(IFile file, EventChain chain, Origins origins, String problem) {}
 
@@ -32,9 +32,9 @@ final class ChainLoader extends Job {
   private volatile IFile file;
 
   /**
-   * A loader, one for each view.
+   * Creates the loader of a view.
    *
-   * @param receiver called in the thread of the job, for the last file that was asked for
+   * @param receiver called on the job's thread, for the last requested file
    */
   ChainLoader(Consumer<Result> receiver) {
     super("Reading the event chain");
@@ -43,7 +43,7 @@ final class ChainLoader extends Job {
     setPriority(SHORT);
   }
 
-  /** Reads a file, in place of one that is waiting. */
+  /** Reads a file, and drops the one that is waiting. */
   void load(IFile next) {
     file = next;
     schedule();
@@ -75,12 +75,12 @@ final class ChainLoader extends Job {
           .orElseGet(() -> failed(file, file.getName() + " contains no event chain."));
     } catch (DiagnosticException e) {
       return failed(file, text(e, file));
-    } catch (RuntimeException | StackOverflowError e) { // shown; a view must not fail
+    } catch (RuntimeException | StackOverflowError e) { // shown to people; a view must not fail
       return failed(file, file.getName() + " cannot be read: " + e);
     }
   }
 
-  /** The folders that references may lead into. */
+  /** Returns the folders that references may lead into. */
   private static Set<Path> folders(IFile file) {
     Set<Path> folders = new LinkedHashSet<>();
     if (file.getProject().getLocation() != null) {
@@ -99,7 +99,7 @@ final class ChainLoader extends Job {
         + (more == 0 ? "" : " (and " + more + " more)");
   }
 
-  /** Files in one of the folders are known by the rest of their names. */
+  /** Returns the location as text, relative to the folders that references may lead into. */
   private static String place(Diagnostic diagnostic, IFile file) {
     String place = diagnostic.location().toString();
     for (Path folder : folders(file)) {

@@ -14,18 +14,18 @@ import org.eclipse.ui.IWorkbenchPage;
 import org.eclipse.ui.IWorkbenchPart;
 import org.eclipse.ui.IWorkbenchPartReference;
 
-/** Finds out what people look at in a page: the active editor, or a file that they select. */
+/** Tracks the active editor and the selected file of a page. */
 final class ChainTracker implements IPartListener2, ISelectionListener, IPropertyListener {
 
-  /** Called in the user interface's thread. */
+  /** A listener, called on the user interface's thread. */
   interface Listener {
-    /** Another chain is looked at. */
+    /** Called when another chain becomes the subject. */
     void subject(Subject subject);
 
-    /** The same chain may have another object in its editor. */
+    /** Called when the editor of the same chain may have a new object for it. */
     void maybeOther();
 
-    /** An element is selected in the editor of the chain. */
+    /** Called when an element is selected in the editor of the chain. */
     void element(EObject element);
   }
 
@@ -53,7 +53,7 @@ final class ChainTracker implements IPartListener2, ISelectionListener, IPropert
     forgetEditor();
   }
 
-  /** Whether the view goes on to other chains with what people look at. */
+  /** Sets whether the view follows the active editor to other chains. */
   void setLinked(boolean linked) {
     isLinked = linked;
     if (linked) {
@@ -70,12 +70,12 @@ final class ChainTracker implements IPartListener2, ISelectionListener, IPropert
     }
   }
 
-  /** Turns to a file, linked or not. */
+  /** Switches to a file, linked or not. */
   void turnTo(IFile file) {
     set(Subject.of(file, page));
   }
 
-  /** Whether an editor has the chain of a file in memory. */
+  /** Returns whether an editor has the chain of a file in memory. */
   boolean hasEditor(IFile file) {
     return Subject.of(file, page).editor() != null;
   }
@@ -97,7 +97,7 @@ final class ChainTracker implements IPartListener2, ISelectionListener, IPropert
     }
   }
 
-  /** The file that a selection is, or stands for. */
+  /** Passes on the file that is selected or that a selected element stands for. */
   static void forFile(ISelection selection, Consumer<IFile> action) {
     if (selection instanceof IStructuredSelection structured && structured.size() == 1) {
       IFile file = Adapters.adapt(structured.getFirstElement(), IFile.class);

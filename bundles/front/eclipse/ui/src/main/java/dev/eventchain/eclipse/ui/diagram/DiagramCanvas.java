@@ -18,7 +18,7 @@ import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.ScrollBar;
 
-/** Shows a picture, which can be scrolled and zoomed, and in which one box can be selected. */
+/** Shows a diagram, with scrolling, zooming and the selection of a box. */
 final class DiagramCanvas {
 
   private static final double STEP = 1.2;
@@ -69,10 +69,10 @@ final class DiagramCanvas {
   }
 
   /**
-   * Shows a picture.
+   * Shows a diagram.
    *
-   * @param shownName what screen readers call it
-   * @param describe says what a box is, for screen readers
+   * @param shownName its name for screen readers
+   * @param describe returns the description of a box for screen readers
    */
   void show(ChainDiagram shown, String shownName, IntFunction<String> describe) {
     diagram = shown;
@@ -84,7 +84,7 @@ final class DiagramCanvas {
     updateBars();
   }
 
-  /** Draws the picture as one that is out of date. */
+  /** Draws the diagram as outdated. */
   void fade() {
     isStale = true;
     canvas.redraw();
@@ -95,7 +95,7 @@ final class DiagramCanvas {
     canvas.redraw();
   }
 
-  /** Selects a box and scrolls to it; less than 0 selects none. */
+  /** Selects a box and scrolls to it; a negative index selects none. */
   void select(int index) {
     selected = index;
     if (index >= 0) {
@@ -109,13 +109,16 @@ final class DiagramCanvas {
     return selected < 0 ? name : name + ", " + texts.apply(selected);
   }
 
-  /** The place in the picture that is under a place of the control. */
+  /** Returns the point of the diagram under a point of the control. */
   Point toDiagram(int x, int y) {
     Point origin = origin();
     return new Point((int) ((x - origin.x) / zoom), (int) ((y - origin.y) / zoom));
   }
 
-  /** The box at a place of the control, else the one whose line is there; less than 0 is none. */
+  /**
+   * Returns the box at a point of the control, else the box whose line is there; negative if there
+   * is none.
+   */
   int boxAt(int x, int y) {
     Point point = toDiagram(x, y);
     for (int i = 0; i < diagram.boxes().size(); i++) {
@@ -142,13 +145,13 @@ final class DiagramCanvas {
     zoom(zoom / STEP, canvas.getClientArea().width / 2, canvas.getClientArea().height / 2);
   }
 
-  /** As large as it is drawn, from its upper left corner. */
+  /** Zooms to 100 % and scrolls to the upper left corner. */
   void zoomToOriginal() {
     zoom(1, 0, 0);
     scrollTo(0, 0);
   }
 
-  /** All of it, but not larger than it is drawn. */
+  /** Zooms so that the whole diagram fits, to at most 100 %. */
   void zoomToFit() {
     Rectangle client = canvas.getClientArea();
     double width = (double) client.width / Math.max(1, diagram.width());
@@ -157,7 +160,7 @@ final class DiagramCanvas {
     scrollTo(0, 0);
   }
 
-  /** The place of the control stays over the same place of the picture. */
+  /** Zooms around a point of the control, which stays over the same point of the diagram. */
   private void zoom(double factor, int x, int y) {
     Point fixed = toDiagram(x, y);
     zoom = Math.max(LEAST, Math.min(MOST, factor));
@@ -194,7 +197,7 @@ final class DiagramCanvas {
     canvas.redraw();
   }
 
-  /** Where the picture begins: in the middle if it is smaller than the control. */
+  /** Returns the origin of the diagram: centred if it is smaller than the control. */
   private Point origin() {
     Rectangle client = canvas.getClientArea();
     int width = (int) Math.ceil(diagram.width() * zoom);

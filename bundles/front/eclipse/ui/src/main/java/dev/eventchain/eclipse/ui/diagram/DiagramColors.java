@@ -6,13 +6,13 @@ import org.eclipse.swt.graphics.Device;
 import org.eclipse.swt.graphics.RGB;
 import org.eclipse.swt.widgets.Control;
 
-/** The colours of the picture, made of those that the theme has for lists. */
+/** Colours of the diagram, derived from the theme's colours for lists. */
 record DiagramColors(Color background, Color foreground, Color accent) {
 
   private static final Color ERROR = new Color(214, 48, 49);
   private static final Color WARNING = new Color(222, 150, 0);
 
-  /** The colours of a control, which a theme may change at any time. */
+  /** Colours of a control, which a theme may change at any time. */
   record Source(Control control) {
     DiagramColors get() {
       return new DiagramColors(
@@ -34,7 +34,7 @@ record DiagramColors(Color background, Color foreground, Color accent) {
     return mix(foreground, 70);
   }
 
-  /** Of what is less important than names. */
+  /** Returns the colour of secondary text. */
   Color facts() {
     return mix(foreground, 75);
   }
@@ -67,7 +67,7 @@ record DiagramColors(Color background, Color foreground, Color accent) {
     return WARNING;
   }
 
-  /** The background with some percent of another colour. */
+  /** Returns the background with some percent of another colour. */
   private Color mix(Color other, int percent) {
     RGB a = background.getRGB();
     RGB b = other.getRGB();

@@ -7,7 +7,7 @@ import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.widgets.Display;
 
-/** The fonts of the picture: those of the workbench. For the user interface's thread. */
+/** Fonts of the diagram: those of the workbench. For the user interface's thread. */
 final class DiagramFonts implements TextSizes, AutoCloseable {
 
   private final GC gc;

@@ -7,7 +7,7 @@ import org.eclipse.swt.SWT;
 import org.eclipse.swt.widgets.Canvas;
 import org.eclipse.swt.widgets.Event;
 
-/** What the mouse and the keyboard do in a picture. */
+/** Handles mouse and keyboard input in a diagram. */
 final class DiagramInput {
 
   private final DiagramCanvas canvas;
@@ -16,22 +16,22 @@ final class DiagramInput {
   private ChainDiagram hoveredIn;
   private int hovered = -1;
 
-  /** Called with boxes; less than 0 is none. */
+  /** A listener for boxes; a negative index means none. */
   interface Listener {
-    /** The keyboard leads to a box. */
+    /** Called when the keyboard selects a box. */
     void moved(int box);
 
-    /** The mouse chooses a box. */
+    /** Called when the mouse selects a box. */
     void clicked(int box);
 
-    /** A box is to be opened. */
+    /** Called when a box is to be opened. */
     void opened(int box);
   }
 
   /**
    * Listens to a canvas.
    *
-   * @param problems what is wrong with a box
+   * @param problems returns the problems of a box
    */
   DiagramInput(DiagramCanvas canvas, IntFunction<List<String>> problems, Listener listener) {
     this.canvas = canvas;
@@ -96,7 +96,7 @@ final class DiagramInput {
     };
   }
 
-  /** Tab leads out; arrows and Enter are for the picture. */
+  /** Handles traversal: Tab leaves the diagram; arrows and Enter are handled in it. */
   private static void traverse(Event event) {
     event.doit =
         event.detail == SWT.TRAVERSE_TAB_NEXT

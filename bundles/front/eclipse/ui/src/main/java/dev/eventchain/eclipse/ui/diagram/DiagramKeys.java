@@ -8,16 +8,16 @@ import java.util.Comparator;
 import java.util.stream.IntStream;
 import org.eclipse.swt.SWT;
 
-/** Where the keyboard leads to in a picture. */
+/** Keyboard navigation in a diagram. */
 final class DiagramKeys {
 
   private DiagramKeys() {}
 
   /**
-   * The box that a key leads to: down and up along the lines, left and right beside, the first with
-   * Home and the last with End.
+   * Returns the target box of a key: along the lines for down and up, the neighbours for left and
+   * right, the first for Home and the last for End.
    *
-   * @param selected the box to start from; less than 0 for none
+   * @param selected the box to start from; negative for none
    * @return the box to start from if the key leads nowhere
    */
   static int next(ChainDiagram diagram, int selected, int keyCode) {
@@ -59,7 +59,7 @@ final class DiagramKeys {
         .orElse(selected);
   }
 
-  /** The nearest box of the same layer. */
+  /** Returns the nearest box of the same layer. */
   private static int beside(ChainDiagram diagram, int selected, boolean right) {
     Box box = diagram.boxes().get(selected);
     Point from = box.area().center();

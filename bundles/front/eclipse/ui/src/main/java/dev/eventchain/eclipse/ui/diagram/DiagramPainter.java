@@ -20,7 +20,7 @@ import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.ui.ISharedImages;
 import org.eclipse.ui.PlatformUI;
 
-/** Draws a picture at 100 %; the caller scales and moves what it draws on. */
+/** Paints a diagram at 100 %; the caller scales and moves the graphics context. */
 final class DiagramPainter {
 
   private static final int ROUND = 16;
@@ -40,11 +40,11 @@ final class DiagramPainter {
   }
 
   /**
-   * Draws what can be seen.
+   * Paints the visible part.
    *
-   * @param problems the worst severity for each box, as {@link IMarker} has it; less than 0 is none
-   * @param selected the index of the box that is selected; less than 0 is none
-   * @param seen the part that can be seen
+   * @param problems the worst severity for each box, as in {@link IMarker}; negative for none
+   * @param selected the index of the selected box; negative for none
+   * @param seen the visible part
    */
   void paint(ChainDiagram diagram, List<Integer> problems, int selected, Rectangle seen) {
     for (Line line : diagram.lines()) {
@@ -157,7 +157,7 @@ final class DiagramPainter {
     gc.drawText(placed.text().text(), placed.x(), placed.y(), SWT.DRAW_TRANSPARENT);
   }
 
-  /** Over the upper left corner, where no line ends. */
+  /** Paints the sign over the upper left corner, where no line ends. */
   private void paintSign(Box box, int severity) {
     boolean isError = severity >= IMarker.SEVERITY_ERROR;
     Image sign =

@@ -11,7 +11,7 @@ import org.eclipse.jface.viewers.IStructuredSelection;
 import org.eclipse.jface.viewers.SelectionChangedEvent;
 import org.eclipse.jface.viewers.StructuredSelection;
 
-/** The element of the box that is selected, for the rest of the workbench. */
+/** The element of the selected box, as selection for the workbench. */
 final class DiagramSelection implements ISelectionProvider {
 
   private final ListenerList<ISelectionChangedListener> listeners = new ListenerList<>();
@@ -21,14 +21,14 @@ final class DiagramSelection implements ISelectionProvider {
     this.canvas = canvas;
   }
 
-  /** Selects a box and tells the workbench; less than 0 selects none. */
+  /** Selects a box and notifies the workbench; a negative index selects none. */
   void select(int index) {
     canvas.select(index);
     SelectionChangedEvent event = new SelectionChangedEvent(this, getSelection());
     listeners.forEach(listener -> listener.selectionChanged(event));
   }
 
-  /** Marks the box of an element, or of one in it, and notifies nothing: others selected it. */
+  /** Marks the box of an element or of one in it, without a notification: others selected it. */
   void show(EObject element) {
     for (EObject each = element; each != null; each = each.eContainer()) {
       int index = indexOf(each);
@@ -49,7 +49,7 @@ final class DiagramSelection implements ISelectionProvider {
     return -1;
   }
 
-  /** The path of the element that is selected; empty if none is. */
+  /** Returns the path of the selected element; empty if there is none. */
   String path() {
     return canvas.selected() < 0
         ? ""
@@ -57,10 +57,10 @@ final class DiagramSelection implements ISelectionProvider {
   }
 
   /**
-   * Selects an element again in another picture, or the one that has its path there.
+   * Selects an element again in another diagram, or the element with the same path there.
    *
-   * @param path what {@link #path()} was before
-   * @param before the element itself: if it still is there, there is nothing to tell
+   * @param path the previous {@link #path()}
+   * @param before the previous element; if it still exists, listeners are not notified
    */
   void restore(String path, Object before) {
     if (path.isEmpty()) {

@@ -14,14 +14,14 @@ import java.util.List;
 import java.util.Set;
 import org.eclipse.emf.ecore.EObject;
 
-/** What tooltips and screen readers say about a box. */
+/** Descriptions of boxes for tooltips and screen readers. */
 final class DiagramTexts {
 
   private static final int MOST_LINES = 12;
 
   private DiagramTexts() {}
 
-  /** One sentence without an end, for screen readers. */
+  /** Returns a sentence without a full stop, for screen readers. */
   static String describe(ChainDiagram diagram, int index, List<String> problems) {
     Box box = diagram.boxes().get(index);
     StringBuilder text = new StringBuilder(kind(box)).append(' ').append(name(box));
@@ -45,7 +45,7 @@ final class DiagramTexts {
     return box.name().isEmpty() ? "without a name" : box.name();
   }
 
-  /** Several lines, for a tooltip. */
+  /** Returns the lines of a tooltip. */
   static String tooltip(ChainDiagram diagram, int index, List<String> problems) {
     Box box = diagram.boxes().get(index);
     List<String> lines = new ArrayList<>();
@@ -59,7 +59,7 @@ final class DiagramTexts {
       addTopic(lines, diagram, index);
     }
     problems.stream().limit(MOST_LINES).forEach(problem -> lines.add("\u26a0 " + problem));
-    // A mnemonic would take the ampersand away.
+    // A mnemonic would consume the ampersand.
     return String.join("\n", lines).replace("&", "&&");
   }
 
@@ -103,7 +103,7 @@ final class DiagramTexts {
     }
   }
 
-  /** Tooltips do not break lines by themselves. */
+  /** Wraps lines, since tooltips do not. */
   private static String wrap(String text) {
     StringBuilder wrapped = new StringBuilder();
     int length = 0;

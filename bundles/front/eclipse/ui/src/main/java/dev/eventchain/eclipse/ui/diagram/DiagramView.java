@@ -18,13 +18,13 @@ import org.eclipse.swt.widgets.Control;
 import org.eclipse.ui.part.ViewPart;
 
 /**
- * The view "Event Chain": draws the chain of the active editor, or of the file that is selected,
- * and follows its changes.
+ * The view "Event Chain": draws the chain of the active editor or of the selected file, and follows
+ * its changes.
  */
 public final class DiagramView extends ViewPart
     implements ChainTracker.Listener, DiagramInput.Listener {
 
-  /** The view, as the workbench knows it. */
+  /** Identifier of the view. */
   public static final String ID = "dev.eventchain.eclipse.ui.diagram";
 
   private DiagramCanvas canvas;
@@ -143,7 +143,7 @@ public final class DiagramView extends ViewPart
         edited.eAdapters().add(changes);
       }
     } else if (subject.editor() == null && tracker.hasEditor(subject.file())) {
-      tracker.turnTo(subject.file()); // its editor can read it by now
+      tracker.turnTo(subject.file()); // its editor can read it now
     } else if (subject.file() != null) {
       loader.load(subject.file());
     } else {
@@ -176,12 +176,12 @@ public final class DiagramView extends ViewPart
       draw(shown);
       boolean isEmpty = canvas.diagram().boxes().isEmpty();
       message.show(MessageBar.INFORMATION, isEmpty ? "The chain has no components yet." : "");
-    } catch (RuntimeException e) { // shown; a view must not fail
+    } catch (RuntimeException e) { // shown to people; a view must not fail
       fail("The picture cannot be drawn: " + e);
     }
   }
 
-  /** The last picture stays, but nobody takes it for the model as it is. */
+  /** Shows a problem; the last diagram stays, but faded as outdated. */
   private void fail(String problem) {
     canvas.fade();
     message.show(MessageBar.ERROR, problem);
@@ -217,7 +217,7 @@ public final class DiagramView extends ViewPart
     selection.select(box);
   }
 
-  /** Selects the box and shows its element in the editor, which does not take the keyboard. */
+  /** Selects the box and shows its element in the editor, without giving the editor the focus. */
   @Override
   public void clicked(int box) {
     selection.select(box);

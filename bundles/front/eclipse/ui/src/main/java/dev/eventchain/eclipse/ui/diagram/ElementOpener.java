@@ -8,7 +8,7 @@ import org.eclipse.ui.IEditorPart;
 import org.eclipse.ui.IWorkbenchPage;
 import org.eclipse.ui.ide.IDE;
 
-/** Shows elements in the editors of their files. */
+/** Shows elements in editors of their files. */
 final class ElementOpener {
 
   private ElementOpener() {}
@@ -18,8 +18,8 @@ final class ElementOpener {
    *
    * @param element the path of the element
    * @param line its line, for editors that know only texts; 0 if unknown
-   * @param activate whether the editor takes the keyboard
-   * @return why that is not possible; empty if it is done
+   * @param activate true to give the editor the focus
+   * @return the reason for a failure; empty on success
    */
   static String open(IWorkbenchPage page, IFile file, String element, int line, boolean activate) {
     if (!file.isAccessible()) {
@@ -36,7 +36,7 @@ final class ElementOpener {
     }
   }
 
-  /** Editors go to markers: this one is there only as long as it takes. */
+  /** Shows an element by a temporary marker, since editors go to markers. */
   private static void show(IEditorPart editor, IFile file, String element, int line)
       throws CoreException {
     IMarker marker = file.createMarker(IMarker.TEXT);

@@ -10,7 +10,7 @@ import org.eclipse.core.resources.IResourceDelta;
 import org.eclipse.core.resources.ResourcesPlugin;
 import org.eclipse.core.runtime.CoreException;
 
-/** Sees changes of a file, of its markers and of the models next to it that it may refer to. */
+/** Watches a file, its markers and the neighbouring models that it may refer to. */
 final class FileWatch implements IResourceChangeListener {
 
   private static final Set<String> MODELS = Set.of("xmi", "eventchain", "ecore");
@@ -21,11 +21,11 @@ final class FileWatch implements IResourceChangeListener {
   private volatile IFile file;
 
   /**
-   * A watch on no file yet. The callbacks come in any thread.
+   * Creates a watch without a file. Callbacks come on any thread.
    *
-   * @param changed the models may be others
-   * @param marked only the markers of the file are others
-   * @param moved the file is another one now
+   * @param changed called when the models may have changed
+   * @param marked called when only the markers of the file have changed
+   * @param moved called with the new file after a move
    */
   FileWatch(Runnable changed, Runnable marked, Consumer<IFile> moved) {
     this.changed = changed;
@@ -42,7 +42,7 @@ final class FileWatch implements IResourceChangeListener {
     ResourcesPlugin.getWorkspace().removeResourceChangeListener(this);
   }
 
-  /** Watches this file from now on; none if it is null. */
+  /** Watches this file from now on; none for null. */
   void watch(IFile watched) {
     file = watched;
   }
@@ -75,7 +75,7 @@ final class FileWatch implements IResourceChangeListener {
             return !found[0];
           });
     } catch (CoreException e) {
-      return true; // look again rather than miss something
+      return true; // rather check again than miss a change
     }
     return found[0];
   }

@@ -5,9 +5,7 @@ import org.eclipse.swt.SWTException;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Display;
 
-/**
- * Does something a little later in the user interface's thread: once, however often it is asked.
- */
+/** Runs work a little later on the user interface's thread: once for any number of requests. */
 final class Later {
 
   private static final int MILLISECONDS = 100;
@@ -18,9 +16,9 @@ final class Later {
   private final AtomicBoolean isAsked = new AtomicBoolean();
 
   /**
-   * Work to be done later.
+   * Creates the delayed work.
    *
-   * @param control nothing is done once it is disposed
+   * @param control the control, after whose disposal nothing runs
    */
   Later(Control control, Runnable work) {
     this.control = control;
@@ -28,14 +26,14 @@ final class Later {
     display = control.getDisplay();
   }
 
-  /** Asks for the work, from any thread. */
+  /** Requests the work, from any thread. */
   void ask() {
     if (isAsked.compareAndSet(false, true)) {
       inDisplay(() -> display.timerExec(MILLISECONDS, this::run));
     }
   }
 
-  /** Does something in the user interface's thread soon, if there still is something to show. */
+  /** Runs work soon on the user interface's thread, unless the control is disposed by then. */
   void inDisplay(Runnable soon) {
     try {
       display.asyncExec(
@@ -45,7 +43,7 @@ final class Later {
             }
           });
     } catch (SWTException e) {
-      isAsked.set(false); // the workbench is closing, and there is nobody to show anything to
+      isAsked.set(false); // the workbench is closing, and there is nothing to show
     }
   }
 

@@ -8,7 +8,7 @@ import org.eclipse.swt.widgets.Label;
 import org.eclipse.ui.ISharedImages;
 import org.eclipse.ui.PlatformUI;
 
-/** A line above the picture that takes no room while it says nothing. */
+/** A line above the diagram, hidden without a message. */
 final class MessageBar {
 
   static final String INFORMATION = ISharedImages.IMG_OBJS_INFO_TSK;
@@ -29,9 +29,9 @@ final class MessageBar {
   }
 
   /**
-   * Says something.
+   * Shows a message.
    *
-   * @param message empty for nothing
+   * @param message the message; empty to hide the line
    */
   void show(String kind, String message) {
     sign.setImage(PlatformUI.getWorkbench().getSharedImages().getImage(kind));

@@ -18,17 +18,17 @@ import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.graphics.Transform;
 import org.eclipse.swt.widgets.Display;
 
-/** The picture for documents, on white. For the user interface's thread. */
+/** Writes the diagram for documents, on white. For the user interface's thread. */
 final class PictureWriter {
 
-  /** So many pixels take 160 MB while the picture is made. */
+  /** Largest number of pixels: they take 160 MB during drawing. */
   private static final double MOST_PIXELS = 40e6;
 
   private static final double SHARP = 2;
 
   private PictureWriter() {}
 
-  /** Writes a file: SVG if its name ends so, else PNG. */
+  /** Writes a file: SVG if its name ends in .svg, else PNG. */
   static void write(ChainDiagram diagram, Display display, Path file) throws IOException {
     boolean isSvg = file.getFileName().toString().toLowerCase(Locale.ROOT).endsWith(".svg");
     Files.write(file, isSvg ? svg(diagram, display) : png(diagram, display));
@@ -48,7 +48,7 @@ final class PictureWriter {
     return bytes.toByteArray();
   }
 
-  /** The picture at twice its size, or at less if it is very large. */
+  /** Returns the diagram at twice its size, or less if it is very large. */
   static ImageData image(ChainDiagram diagram, Display display) {
     double area = Math.max(1.0, diagram.width()) * Math.max(1.0, diagram.height());
     double scale = Math.min(SHARP, Math.sqrt(MOST_PIXELS / area));

@@ -18,10 +18,10 @@ import org.eclipse.core.resources.IResource;
 import org.eclipse.core.runtime.CoreException;
 import org.eclipse.emf.ecore.EObject;
 
-/** The findings of a file, at the boxes that they are about. */
+/** Findings about a file, by box. */
 final class Problems {
 
-  /** A finding; more is worse. */
+  /** A finding; higher severities are worse. */
   record Problem(String element, int severity, String message) {}
 
   private static final Comparator<Problem> WORST_FIRST =
@@ -32,9 +32,9 @@ final class Problems {
   private Problems() {}
 
   /**
-   * The findings at boxes, worst first.
+   * Returns the findings by box, worst first.
    *
-   * @param file may be null or gone, which has no findings
+   * @param file the file; without findings if null or deleted
    */
   static Problems of(IFile file, ChainDiagram diagram) {
     Map<String, Set<Problem>> byPath = byPath(read(file));
@@ -51,7 +51,7 @@ final class Problems {
     return problems;
   }
 
-  /** The findings by the paths of their elements and of all that these are in. */
+  /** Returns the findings by the paths of their elements and of all containers. */
   private static Map<String, Set<Problem>> byPath(List<Problem> all) {
     Map<String, Set<Problem>> byPath = new HashMap<>();
     for (Problem problem : all) {
@@ -79,7 +79,7 @@ final class Problems {
           }
         }
       } catch (CoreException e) {
-        return List.of(); // the file went meanwhile
+        return List.of(); // the file was deleted meanwhile
       }
     }
     return all;
@@ -89,17 +89,17 @@ final class Problems {
     return box.elements().stream().map(Problems::path).distinct().toList();
   }
 
-  /** The path of an element, as findings name it. */
+  /** Returns the path of an element, as in findings. */
   static String path(EObject element) {
     return new Origins().locate(element).element();
   }
 
-  /** The worst severity at each box; -1 for none. */
+  /** Returns the worst severity at each box; -1 for none. */
   List<Integer> severities() {
     return byBox.stream().map(all -> all.isEmpty() ? -1 : all.get(0).severity()).toList();
   }
 
-  /** What the findings at a box say. */
+  /** Returns the messages of the findings at a box. */
   List<String> messages(int box) {
     return box < byBox.size() ? byBox.get(box).stream().map(Problem::message).toList() : List.of();
   }

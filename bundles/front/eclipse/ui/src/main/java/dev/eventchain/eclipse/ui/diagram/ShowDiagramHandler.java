@@ -9,7 +9,7 @@ import org.eclipse.ui.IWorkbenchWindow;
 import org.eclipse.ui.PartInitException;
 import org.eclipse.ui.handlers.HandlerUtil;
 
-/** Opens the view for the file that is selected. */
+/** Opens the view for the selected file. */
 public final class ShowDiagramHandler extends AbstractHandler {
 
   @Override

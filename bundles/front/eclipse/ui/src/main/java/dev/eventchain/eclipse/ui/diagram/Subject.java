@@ -12,7 +12,7 @@ import org.eclipse.ui.ide.ResourceUtil;
 import org.eclipse.ui.part.FileEditorInput;
 
 /**
- * What the view is to show.
+ * The subject of the view.
  *
  * @param editor the editor that has the chain in memory; null if it is read from the file
  * @param file the file of the chain; null if the editor has none
@@ -21,13 +21,13 @@ record Subject(IEditorPart editor, IFile file) {
 
   private static final Set<String> EXTENSIONS = Set.of("xmi", "eventchain");
 
-  /** Whether a file can be one of a chain, by its name. */
+  /** Returns whether a file can be the model of a chain, by its name. */
   static boolean isModel(IFile file) {
     String extension = file.getFileExtension();
     return extension != null && EXTENSIONS.contains(extension.toLowerCase(Locale.ROOT));
   }
 
-  /** The chain that an editor shows: its own one, else its file. */
+  /** Returns the chain of an editor: its own one, or else that of its file. */
   static Optional<Subject> of(IEditorPart editor) {
     IFile file = ResourceUtil.getFile(editor.getEditorInput());
     if (chain(editor) != null) {
@@ -36,7 +36,7 @@ record Subject(IEditorPart editor, IFile file) {
     return file == null || !isModel(file) ? Optional.empty() : Optional.of(new Subject(null, file));
   }
 
-  /** The chain of a file, as the editor has it that is open on the file. */
+  /** Returns the chain of a file, or of the editor that is open on it. */
   static Subject of(IFile file, IWorkbenchPage page) {
     IEditorPart editor = page.findEditor(new FileEditorInput(file));
     return editor != null && chain(editor) != null
@@ -44,7 +44,7 @@ record Subject(IEditorPart editor, IFile file) {
         : new Subject(null, file);
   }
 
-  /** The chain that is in memory; null if there is none. */
+  /** Returns the chain in memory; null if there is none. */
   EventChain chain() {
     return editor == null ? null : chain(editor);
   }
@@ -53,7 +53,7 @@ record Subject(IEditorPart editor, IFile file) {
     return Adapters.adapt(editor, EventChain.class);
   }
 
-  /** How people know it. */
+  /** Returns the name for people. */
   String name() {
     return file != null ? file.getName() : editor.getTitle();
   }

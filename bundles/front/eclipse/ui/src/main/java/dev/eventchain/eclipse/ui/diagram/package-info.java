@@ -1,2 +1,2 @@
-/** The view that draws an event chain, and what leads to it. */
+/** The view that draws an event chain, and its commands. */
 package dev.eventchain.eclipse.ui.diagram;

@@ -14,9 +14,7 @@ import org.eclipse.swt.widgets.TableItem;
 import org.eclipse.ui.forms.widgets.FormToolkit;
 import org.eclipse.ui.forms.widgets.ScrolledForm;
 
-/**
- * What an editor shows of a file that is not a valid model: what is wrong with it, line by line.
- */
+/** * The page of an editor for an invalid model file: lists its problems by line. */
 final class BrokenPage {
 
   private static final int LINE_WIDTH = 70;
@@ -25,7 +23,7 @@ final class BrokenPage {
   private final Composite area;
 
   /**
-   * @param openAsText opens the file as text, at a line if that is known
+   * @param openAsText opens the file as text, at a line if known
    */
   BrokenPage(Composite parent, List<ModelFile.Problem> problems, IntConsumer openAsText) {
     area = new Composite(parent, SWT.NONE);

@@ -37,9 +37,9 @@ import org.eclipse.ui.texteditor.ITextEditor;
 import org.eclipse.ui.views.contentoutline.IContentOutlinePage;
 
 /**
- * Edits an event chain as a tree with properties. Its adapters are the chain in memory ({@link
- * EventChain}), its {@link EditingDomain} and an outline; what it has selected are elements of the
- * chain. A file that is not a valid model is shown as the list of what is wrong with it.
+ * Edits an event chain as a tree with properties. It adapts to the {@link EventChain} in memory,
+ * its {@link EditingDomain} and an outline; its selection consists of elements of the chain. An
+ * invalid model file is shown as a list of its problems.
  */
 public final class ChainEditor extends EditorPart implements IGotoMarker, IEditingDomainProvider {
 
@@ -90,7 +90,7 @@ public final class ChainEditor extends EditorPart implements IGotoMarker, IEditi
   private void refreshFromDisk() {
     try {
       file.file().refreshLocal(IResource.DEPTH_ZERO, new NullProgressMonitor());
-    } catch (CoreException e) { // reading the file says what is wrong with it
+    } catch (CoreException e) { // loading the file reports the problems
       setContentDescription("");
     }
   }
@@ -117,7 +117,7 @@ public final class ChainEditor extends EditorPart implements IGotoMarker, IEditi
             });
   }
 
-  /** Shows the file as it is on the disk, with the same element selected. */
+  /** Loads the file from disk, and selects the same element again. */
   private void load() {
     String selected =
         page != null && selection.first() != null ? MarkerTarget.path(selection.first()) : "";
@@ -172,7 +172,8 @@ public final class ChainEditor extends EditorPart implements IGotoMarker, IEditi
       return;
     }
     isAsking = true;
-    boolean edited = page != null && page.model().stack().isSaveNeeded(); // also of a file now gone
+    boolean edited =
+        page != null && page.model().stack().isSaveNeeded(); // also if the file was deleted
     boolean loads =
         !(edited || isDirty() && !isDeleted) || SaveDialogs.replace(shell(), file.file());
     isAsking = false;
@@ -195,7 +196,7 @@ public final class ChainEditor extends EditorPart implements IGotoMarker, IEditi
     setPartName(other.getName());
     isDeleted = false;
     if (page != null) {
-      page.recheck(); // other rules may hold there
+      page.recheck(); // other rules may apply there
     }
   }
 

@@ -9,7 +9,7 @@ import org.eclipse.jface.viewers.SelectionChangedEvent;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.ui.views.contentoutline.ContentOutlinePage;
 
-/** The chain of an editor in the Outline view, without the findings' details. */
+/** The chain of an editor in the Outline view, without details of findings. */
 final class ChainOutline extends ContentOutlinePage {
 
   private final Consumer<EObject> reveal;
@@ -29,7 +29,7 @@ final class ChainOutline extends ContentOutlinePage {
     show(page);
   }
 
-  /** Shows another state of the editor; null for one without a chain. */
+  /** Shows another state of the editor; null without a chain. */
   void show(ModelPage shown) {
     page = shown;
     if (getTreeViewer() == null || getTreeViewer().getControl().isDisposed()) {
@@ -44,7 +44,7 @@ final class ChainOutline extends ContentOutlinePage {
     getTreeViewer().expandToLevel(2);
   }
 
-  /** The model, or what was found about it, has changed. */
+  /** Refreshes after a change of the model or its findings. */
   void refresh() {
     if (getTreeViewer() != null && !getTreeViewer().getControl().isDisposed()) {
       getTreeViewer().refresh(true);

@@ -11,7 +11,7 @@ import org.eclipse.jface.viewers.IStructuredSelection;
 import org.eclipse.jface.viewers.SelectionChangedEvent;
 import org.eclipse.jface.viewers.StructuredSelection;
 
-/** What other parts of the workbench see selected in an editor: elements of the chain only. */
+/** The selection that an editor provides to the workbench: elements of the chain only. */
 final class ChainSelection implements ISelectionProvider {
 
   private final ListenerList<ISelectionChangedListener> listeners = new ListenerList<>();
@@ -25,7 +25,7 @@ final class ChainSelection implements ISelectionProvider {
     this.reveal = reveal;
   }
 
-  /** Something else is selected in the editor. */
+  /** Updates the selection after a change in the editor. */
   void changed(IStructuredSelection shown) {
     selection =
         new StructuredSelection(
@@ -34,7 +34,7 @@ final class ChainSelection implements ISelectionProvider {
     listeners.forEach(listener -> listener.selectionChanged(event));
   }
 
-  /** The first element that is selected; null for none. */
+  /** Returns the first selected element; null if there is none. */
   EObject first() {
     return (EObject) selection.getFirstElement();
   }

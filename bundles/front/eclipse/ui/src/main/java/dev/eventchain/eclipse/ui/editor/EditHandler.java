@@ -5,7 +5,7 @@ import org.eclipse.core.commands.AbstractHandler;
 import org.eclipse.core.commands.ExecutionEvent;
 import org.eclipse.core.commands.HandlerEvent;
 
-/** A command of the workbench, such as undo, that works on the chain of an editor. */
+/** A workbench command, such as undo, on the chain of an editor. */
 final class EditHandler extends AbstractHandler {
 
   private final Runnable work;
@@ -29,7 +29,7 @@ final class EditHandler extends AbstractHandler {
     return null;
   }
 
-  /** What is possible may have changed. */
+  /** Notifies listeners of a change of the enabled state. */
   void update() {
     fireHandlerChanged(new HandlerEvent(this, true, false));
   }

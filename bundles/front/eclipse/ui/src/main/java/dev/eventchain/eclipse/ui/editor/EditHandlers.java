@@ -7,13 +7,13 @@ import org.eclipse.ui.IEditorSite;
 import org.eclipse.ui.IWorkbenchCommandConstants;
 import org.eclipse.ui.handlers.IHandlerService;
 
-/** Undo, redo and revert of the workbench, for the editor that they are in. */
+/** Undo, redo and revert of the workbench, for an editor. */
 final class EditHandlers {
 
   private final Map<String, EditHandler> handlers;
 
   /**
-   * Takes the commands over while the editor is active.
+   * Handles the commands while the editor is active.
    *
    * @param stack null while the editor shows no chain
    */
@@ -33,7 +33,7 @@ final class EditHandlers {
     handlers.forEach(service::activateHandler);
   }
 
-  /** What can be undone has changed. */
+  /** Updates all handlers after a change of the undo stack. */
   void update() {
     handlers.values().forEach(EditHandler::update);
   }

@@ -7,19 +7,19 @@ import org.eclipse.core.resources.IResourceDelta;
 import org.eclipse.core.resources.ResourcesPlugin;
 import org.eclipse.swt.widgets.Display;
 
-/** Tells an editor what happens to its file. */
+/** Notifies an editor of changes of its file. */
 final class FileWatch implements IResourceChangeListener {
 
-  /** What is told, in the user interface's thread. */
+  /** A listener, called on the user interface's thread. */
   interface Listener {
 
-    /** The file has, or may have, other contents; or is there again. */
+    /** Called when the contents may have changed, or the file exists again. */
     void changed();
 
-    /** The file is another one from now on. */
+    /** Called after the file was moved. */
     void moved(IFile to);
 
-    /** The file is gone. */
+    /** Called after the file was deleted. */
     void deleted();
   }
 

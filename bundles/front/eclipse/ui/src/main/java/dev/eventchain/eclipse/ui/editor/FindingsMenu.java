@@ -12,17 +12,17 @@ import org.eclipse.ui.forms.events.HyperlinkEvent;
 import org.eclipse.ui.forms.events.IHyperlinkListener;
 import org.eclipse.ui.forms.widgets.Form;
 
-/** The list of findings that opens on the message in an editor's heading. */
+/** The list of findings that opens from the message in an editor's heading. */
 final class FindingsMenu {
 
-  /** What fits on a screen. */
+  /** Largest number of entries that fits on a screen. */
   private static final int MOST = 25;
 
   private static final int LONGEST = 160;
 
   private FindingsMenu() {}
 
-  /** Opens the list on a click; a choice shows the element that a finding is about. */
+  /** Opens the list on a click; choosing an entry shows the element of the finding. */
   static void open(Form form, ShownFindings findings, Consumer<EObject> reveal) {
     form.addMessageHyperlinkListener(
         IHyperlinkListener.linkActivatedAdapter(

@@ -33,10 +33,10 @@ import org.eclipse.ui.forms.widgets.FormToolkit;
 import org.eclipse.ui.forms.widgets.ScrolledForm;
 import org.eclipse.ui.handlers.IHandlerService;
 
-/** What an editor shows of a chain: the tree, the properties, and what was found. */
+/** The page of an editor for a chain: tree, properties and findings. */
 final class ModelPage {
 
-  /** The menu of the tree, which other bundles may add to. */
+  /** Menu of the tree, for contributions of other bundles. */
   private static final String MENU = "dev.eventchain.eclipse.ui.editor.tree";
 
   private final EditedModel model;
@@ -139,7 +139,7 @@ final class ModelPage {
     return findings;
   }
 
-  /** What the chain is checked by may be another thing now: until it is checked, nobody knows. */
+  /** Rechecks the chain because its rules may have changed; until then its findings are unknown. */
   void recheck() {
     if (!area.isDisposed()) {
       isChecked = false;
@@ -148,12 +148,12 @@ final class ModelPage {
     }
   }
 
-  /** Lets somebody know when the model, or what was found about it, has changed. */
+  /** Adds a listener for changes of the model or its findings. */
   void whenChanged(Runnable work) {
     changed.add(work);
   }
 
-  /** Says something about the file in the heading; an empty text takes that back. */
+  /** Shows a message about the file in the heading; an empty text removes it. */
   void say(String text) {
     about = text;
     decorate();
@@ -171,7 +171,7 @@ final class ModelPage {
   }
 
   private void selected(IStructuredSelection shown) {
-    managed.getMessageManager().removeAllMessages(); // those of controls that go away now
+    managed.getMessageManager().removeAllMessages(); // those of controls that are disposed now
     properties.show(shown.size() == 1 ? shown.getFirstElement() : null);
     decorate();
     selection.changed(shown);
@@ -179,7 +179,7 @@ final class ModelPage {
 
   private void stackChanged(EventObject event) {
     if (!area.isDisposed()) {
-      isChecked = false; // until it is checked again, nobody knows
+      isChecked = false; // unknown until it is checked again
       decorate();
       tree.viewer().refresh();
       properties.refresh();

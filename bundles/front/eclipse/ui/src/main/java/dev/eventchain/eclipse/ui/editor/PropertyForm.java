@@ -37,7 +37,7 @@ import org.eclipse.swt.widgets.Label;
 import org.eclipse.ui.forms.IMessageManager;
 import org.eclipse.ui.forms.widgets.ScrolledForm;
 
-/** The properties of what is selected, made from the metamodel. */
+/** The properties of the selection, generated from the metamodel. */
 final class PropertyForm {
 
   private final FieldContext context;
@@ -139,13 +139,13 @@ final class PropertyForm {
     return false;
   }
 
-  /** The model has changed. */
+  /** Refreshes after a change of the model. */
   void refresh() {
     fields.keySet().forEach(Field::refresh);
   }
 
   /**
-   * Shows what was found about the element at its fields.
+   * Shows the findings about the element at its fields.
    *
    * @return the findings that are shown
    */
@@ -168,7 +168,10 @@ final class PropertyForm {
     return placed;
   }
 
-  /** A constraint says only in its text what feature it is about: the name, most often. */
+  /**
+   * Returns whether a finding is about a field: constraints mostly name the feature only in their
+   * text.
+   */
   private static boolean isAbout(ElementFinding finding, Field field) {
     if (finding.element() != field.element()) {
       return false;

@@ -10,10 +10,10 @@ import org.eclipse.core.resources.ResourcesPlugin;
 import org.eclipse.core.runtime.CoreException;
 import org.eclipse.swt.widgets.Display;
 
-/** Tells an editor that another file of its project has changed: its rules may be in it. */
+/** Notifies an editor of changes in other files of its project, which may contain its rules. */
 final class RulesWatch implements IResourceChangeListener {
 
-  /** Marks, and what version control says of a file, change nothing in it. */
+  /** Flags of changes that do not affect the contents: markers and version control. */
   private static final int OF_NO_INTEREST = IResourceDelta.MARKERS | IResourceDelta.SYNC;
 
   private final Supplier<IFile> chain;
@@ -21,9 +21,9 @@ final class RulesWatch implements IResourceChangeListener {
   private final Display display = Display.getCurrent();
 
   /**
-   * Watches until it is disposed.
+   * Watches until disposal.
    *
-   * @param changed run in the user interface's thread
+   * @param changed called on the user interface's thread
    */
   RulesWatch(Supplier<IFile> chain, Runnable changed) {
     this.chain = chain;
@@ -63,7 +63,7 @@ final class RulesWatch implements IResourceChangeListener {
             return !found[0];
           });
     } catch (CoreException e) {
-      return true; // not known, so it is checked again
+      return true; // unknown, so check again
     }
     return found[0];
   }

@@ -9,17 +9,17 @@ import org.eclipse.jface.window.Window;
 import org.eclipse.swt.widgets.Shell;
 import org.eclipse.ui.dialogs.SaveAsDialog;
 
-/** What an editor asks when its file is not as it was. */
+/** Dialogs of an editor whose file was changed or could not be written. */
 final class SaveDialogs {
 
   private static final int FIRST = 0;
 
-  /** The button that Enter presses where the first one would lose somebody's work. */
+  /** Index of the default button where the first one would discard work. */
   private static final int SECOND = 1;
 
   private SaveDialogs() {}
 
-  /** Whether the editor takes over what somebody else has written, and gives up its changes. */
+  /** Asks whether to load the version of the file on disk and discard the editor's changes. */
   static boolean replace(Shell shell, IFile file) {
     return ask(
         shell,
@@ -31,7 +31,7 @@ final class SaveDialogs {
         SECOND);
   }
 
-  /** Whether the file is written over what somebody else has written meanwhile. */
+  /** Asks whether to overwrite a file that was changed by somebody else in the meantime. */
   static boolean overwrite(Shell shell, IFile file) {
     return ask(
         shell,
@@ -43,9 +43,9 @@ final class SaveDialogs {
   }
 
   /**
-   * Says that the file was not written.
+   * Reports that the file was not written.
    *
-   * @return whether it is to be saved under another name
+   * @return true if the person chooses to save it under another name
    */
   static boolean saveAs(Shell shell, IFile file, String reason) {
     return ask(
@@ -57,7 +57,7 @@ final class SaveDialogs {
         FIRST);
   }
 
-  /** Where to write the chain to; empty if nowhere. */
+  /** Asks for the file to write the chain to; empty if cancelled. */
   static Optional<IFile> chooseFile(Shell shell, IFile file) {
     SaveAsDialog dialog = new SaveAsDialog(shell);
     dialog.setOriginalFile(file);
@@ -65,7 +65,7 @@ final class SaveDialogs {
     return Optional.ofNullable(path).map(ResourcesPlugin.getWorkspace().getRoot()::getFile);
   }
 
-  /** Says something that there is nothing to choose about. */
+  /** Shows information without a choice. */
   static void inform(Shell shell, String text) {
     MessageDialog.openError(shell, "Event chain", text);
   }

@@ -10,13 +10,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 
-/** What was found about a chain, by its elements. */
+/** The findings about a chain, by its elements. */
 final class ShownFindings implements TreeLabels.Findings {
 
   private List<ElementFinding> all = List.of();
   private final Map<Object, Severity> worst = new HashMap<>();
 
-  /** Takes the findings of a check in place of those of the one before. */
+  /** Replaces the findings by those of a new check. */
   void set(EventChain chain, List<ElementFinding> findings) {
     all = List.copyOf(findings);
     worst.clear();
@@ -46,7 +46,7 @@ final class ShownFindings implements TreeLabels.Findings {
     return all;
   }
 
-  /** The findings about an element itself. */
+  /** Returns the findings about an element itself. */
   List<ElementFinding> about(Object element) {
     return all.stream().filter(finding -> finding.element() == element).toList();
   }

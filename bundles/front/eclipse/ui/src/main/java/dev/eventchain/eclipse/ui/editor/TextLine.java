@@ -15,7 +15,7 @@ final class TextLine {
     try {
       int length = document.getLineLength(line - 1);
       editor.selectAndReveal(document.getLineOffset(line - 1), length);
-    } catch (BadLocationException e) { // the text is shorter by now
+    } catch (BadLocationException e) { // the text is shorter now
       editor.selectAndReveal(document.getLength(), 0);
     }
   }

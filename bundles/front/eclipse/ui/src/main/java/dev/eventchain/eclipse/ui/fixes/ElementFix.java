@@ -54,7 +54,7 @@ enum ElementFix {
     }
   },
 
-  /** The text that the project has written. */
+  /** The requirement text of the project. */
   REQUIREMENT_TEXT("Write the text of requirements.md into the model") {
     @Override
     boolean apply(EObject element, IFile file) {
@@ -88,12 +88,12 @@ enum ElementFix {
   /**
    * Changes the element.
    *
-   * @param file that of the model
-   * @return whether there was anything to change it to
+   * @param file the file of the model
+   * @return true if a replacement was found
    */
   abstract boolean apply(EObject element, IFile file);
 
-  /** What other components have of the same topic, in the order of the model. */
+  /** Returns the data of the same topic in other components, in the order of the model. */
   private static Stream<Data> others(Data data) {
     return EcoreUtil.getRootContainer(data) instanceof EventChain chain
         ? chain.getData().stream()

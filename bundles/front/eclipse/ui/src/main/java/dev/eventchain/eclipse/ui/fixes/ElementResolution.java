@@ -18,7 +18,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.eclipse.ui.IMarkerResolution;
 
-/** Fixes a finding by a change of the model, which is written as the editor writes it. */
+/** Fixes a finding by a change of the model, which is saved as by the editor. */
 record ElementResolution(ElementFix fix) implements IMarkerResolution {
 
   @Override
@@ -47,7 +47,7 @@ record ElementResolution(ElementFix fix) implements IMarkerResolution {
     }
   }
 
-  /** The element of a path; of several that are called alike, the one that the line is in. */
+  /** Returns the element at a path; of several with the same name, the one at the line. */
   private static Optional<EObject> find(LoadedModel model, String path, int line) {
     EObject found = null;
     Iterator<EObject> all = EcoreUtil.getAllProperContents(model.roots(), false);

@@ -20,7 +20,7 @@ import org.eclipse.ui.PlatformUI;
 /**
  * Shows the page about a finding.
  *
- * @param id that of the finding
+ * @param id the identifier of the finding
  */
 record ExplainResolution(String id) implements IMarkerResolution, IMarkerResolutionRelevance {
 
@@ -32,7 +32,7 @@ record ExplainResolution(String id) implements IMarkerResolution, IMarkerResolut
     return "Explain " + id;
   }
 
-  /** After all that fixes something. */
+  /** Sorts the explanation after all fixes. */
   @Override
   public int getRelevanceForResolution() {
     return -1;

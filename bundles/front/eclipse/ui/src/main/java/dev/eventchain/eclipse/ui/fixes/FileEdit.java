@@ -24,22 +24,22 @@ import org.eclipse.ui.IWorkbenchWindow;
 import org.eclipse.ui.PlatformUI;
 import org.eclipse.ui.part.FileEditorInput;
 
-/** Changes the text of a file in a job, unless an editor has changes of it that are not saved. */
+/** Changes the text of a file in a job, unless an editor has unsaved changes of it. */
 final class FileEdit {
 
-  /** Makes the new text from the old one; nothing if that is no longer possible. */
+  /** Creates the new text from the old one; empty if that is no longer possible. */
   @FunctionalInterface
   interface Change {
     Optional<String> apply(String text) throws CoreException;
   }
 
-  /** The encoding that an XML file declares. */
+  /** Encoding declaration of an XML file. */
   private static final Pattern ENCODING =
       Pattern.compile("\\A\\uFEFF?<\\?xml[^>]*encoding=[\"']([^\"']+)");
 
   private FileEdit() {}
 
-  /** Starts the change; from the user interface's thread. */
+  /** Starts the change, on the user interface's thread. */
   static void start(String name, IFile file, Change change) {
     IWorkbenchWindow window = PlatformUI.getWorkbench().getActiveWorkbenchWindow();
     Shell shell = window == null ? null : window.getShell();
@@ -73,7 +73,7 @@ final class FileEdit {
         .anyMatch(editor -> editor != null && editor.isDirty());
   }
 
-  /** Text that is not UTF-8 is none: what it is would be lost. */
+  /** Decodes UTF-8; rejects other text, whose bytes would be lost. */
   private static String text(byte[] bytes) throws IOException {
     String text =
         StandardCharsets.UTF_8
@@ -94,7 +94,7 @@ final class FileEdit {
       String text = text(content.readAllBytes());
       Optional<String> changed = change.apply(text);
       if (changed.isEmpty()) {
-        return Status.error( // which the platform shows in a dialog
+        return Status.error( // the platform shows it in a dialog
             "The text has changed in the meantime, or it is not certain what to change: fix it by"
                 + " hand.");
       }

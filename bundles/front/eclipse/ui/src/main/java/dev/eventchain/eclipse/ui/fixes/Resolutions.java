@@ -9,7 +9,7 @@ import org.eclipse.core.resources.IMarker;
 import org.eclipse.ui.IMarkerResolution;
 import org.eclipse.ui.IMarkerResolutionGenerator2;
 
-/** The quick fixes of our markers, and the page about each. */
+/** The quick fixes of our markers, and the explanation of each. */
 public final class Resolutions implements IMarkerResolutionGenerator2 {
 
   @Override
@@ -32,7 +32,7 @@ public final class Resolutions implements IMarkerResolutionGenerator2 {
         case "project.requirement.changed" ->
             found.add(new ElementResolution(ElementFix.REQUIREMENT_TEXT));
         default -> {
-          // Only people know how to fix it.
+          // The remaining findings need people.
         }
       }
     }

@@ -10,7 +10,7 @@ import org.eclipse.ui.IMarkerResolution;
 /** Fixes a finding by a change of the file's text. */
 final class TextResolution implements IMarkerResolution {
 
-  /** What is to be changed. */
+  /** A change of the text. */
   @FunctionalInterface
   private interface Change {
     Optional<TextFix> of(String text, int offset, IMarker marker);
@@ -24,7 +24,7 @@ final class TextResolution implements IMarkerResolution {
     this.change = change;
   }
 
-  /** Writes the name that is asked for. */
+  /** Returns a fix that inserts the proposed name. */
   static TextResolution nearestName(String name) {
     return new TextResolution(
         "Change to '" + name + "'",
@@ -37,7 +37,7 @@ final class TextResolution implements IMarkerResolution {
                 marker.getAttribute(FindingMarker.HINT, "")));
   }
 
-  /** Removes a reference to nothing. */
+  /** Returns a fix that removes a dangling reference. */
   static TextResolution withoutReference() {
     return new TextResolution(
         "Remove the reference",

@@ -7,7 +7,7 @@ import org.eclipse.swt.SWT;
 import org.eclipse.ui.PlatformUI;
 import org.eclipse.ui.themes.IThemeManager;
 
-/** The colours of tokens, which are definitions of the theme: people may change them. */
+/** Colours of tokens, defined by the theme so that people can change them. */
 final class CodeColors {
 
   private CodeColors() {}
@@ -16,7 +16,7 @@ final class CodeColors {
     return PlatformUI.getWorkbench().getThemeManager();
   }
 
-  /** How a token is drawn now; text and plain code as the editor draws any text. */
+  /** Returns the current style of a token; text and plain code have the editor's default style. */
   static TextAttribute attribute(TokenKind kind) {
     if (kind == TokenKind.TEXT || kind == TokenKind.CODE) {
       return new TextAttribute(null);
@@ -26,7 +26,7 @@ final class CodeColors {
     return new TextAttribute(colors.get(kind.color()), null, bold ? SWT.BOLD : SWT.NORMAL);
   }
 
-  /** Tells of each change of a theme, of ours or another's colour. */
+  /** Adds a listener for changes of a theme, including other colours. */
   static void listen(IPropertyChangeListener listener) {
     themes().addPropertyChangeListener(listener);
   }

@@ -16,14 +16,14 @@ import org.eclipse.jface.text.source.IAnnotationHover;
 import org.eclipse.jface.text.source.ISourceViewer;
 import org.eclipse.ui.editors.text.TextSourceViewerConfiguration;
 
-/** What a viewer of constraints or templates does. */
+/** The configuration of a viewer for constraints or templates. */
 final class CodeConfiguration extends TextSourceViewerConfiguration {
 
   private final Language language;
   private final Supplier<Vocabulary> names;
 
   /**
-   * @param names the names of the file's project, asked for as they are needed
+   * @param names the names of the file's project, read on demand
    */
   CodeConfiguration(Language language, Supplier<Vocabulary> names, IPreferenceStore preferences) {
     super(preferences);

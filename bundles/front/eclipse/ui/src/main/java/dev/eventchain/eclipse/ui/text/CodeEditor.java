@@ -18,10 +18,10 @@ import org.eclipse.ui.texteditor.ChainedPreferenceStore;
 import org.eclipse.ui.texteditor.SourceViewerDecorationSupport;
 import org.eclipse.ui.views.contentoutline.IContentOutlinePage;
 
-/** A text editor that knows its language. */
+/** A text editor for a language. */
 abstract class CodeEditor extends TextEditor {
 
-  /** Where the keys of these editors hold. */
+  /** Context in which the key bindings of these editors are active. */
   static final String CONTEXT = EventchainUi.ID + ".text.context";
 
   private static final String BRACKETS = EventchainUi.ID + ".text.brackets";
@@ -35,7 +35,7 @@ abstract class CodeEditor extends TextEditor {
       new IDocumentListener() {
         @Override
         public void documentAboutToBeChanged(DocumentEvent event) {
-          // Only what came of it matters.
+          // Only the result matters.
         }
 
         @Override

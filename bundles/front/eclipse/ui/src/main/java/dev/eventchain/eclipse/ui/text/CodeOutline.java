@@ -9,7 +9,7 @@ import org.eclipse.jface.viewers.TreeViewer;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.ui.views.contentoutline.ContentOutlinePage;
 
-/** Lists what a file declares; a click goes there. */
+/** The outline of a file's declarations; a click selects one. */
 final class CodeOutline extends ContentOutlinePage {
 
   private final Supplier<List<Outlines.Entry>> entries;

@@ -20,8 +20,8 @@ import org.eclipse.jface.text.contentassist.IContextInformation;
 import org.eclipse.jface.text.contentassist.IContextInformationValidator;
 
 /**
- * Proposes keywords and classes, and after a dot the features of what is before it: those of its
- * class if the text tells which one it is, else those of all classes.
+ * Proposes keywords and classes, and after a dot features: those of the preceding expression's
+ * class if the text determines it, else those of all classes.
  */
 final class CodeProposals implements IContentAssistProcessor {
 
@@ -90,7 +90,7 @@ final class CodeProposals implements IContentAssistProcessor {
     return found.isEmpty() ? known.features() : found;
   }
 
-  /** The class of a variable: of the context, or as the text last declares it. */
+  /** Returns the class of a variable: of the context, or of its last declaration in the text. */
   private Optional<String> type(String before, String variable) {
     String name = "";
     if (variable.equals("self") && language == Language.OCL) {
@@ -124,7 +124,7 @@ final class CodeProposals implements IContentAssistProcessor {
 
   @Override
   public String getErrorMessage() {
-    return null; // as the platform wants it where nothing is wrong
+    return null; // the platform's value for no error
   }
 
   @Override

@@ -7,7 +7,7 @@ import org.eclipse.jface.text.IDocument;
 import org.eclipse.jface.text.rules.IToken;
 import org.eclipse.jface.text.rules.ITokenScanner;
 
-/** Gives the tokens of a part of a document with their colours to what draws it. */
+/** Provides the tokens of a part of a document with their colours. */
 final class CodeScanner implements ITokenScanner {
 
   private final Function<String, List<Token>> reader;
@@ -16,7 +16,7 @@ final class CodeScanner implements ITokenScanner {
   private int next;
 
   /**
-   * @param reader gives the tokens of a text that begins somewhere within a partition
+   * @param reader returns the tokens of a text that begins within a partition
    */
   CodeScanner(Function<String, List<Token>> reader) {
     this.reader = reader;
@@ -29,7 +29,7 @@ final class CodeScanner implements ITokenScanner {
     try {
       tokens = reader.apply(document.get(offset, length));
     } catch (BadLocationException e) {
-      tokens = List.of(); // shortened meanwhile: drawn again after that change
+      tokens = List.of(); // shortened meanwhile: redrawn after that change
     }
   }
 

@@ -3,21 +3,21 @@ package dev.eventchain.eclipse.ui.text;
 import java.util.List;
 import java.util.Set;
 
-/** The two languages, with how their texts are divided into partitions. */
+/** The two languages, with the partitioning of their documents. */
 enum Language {
   OCL,
   TEMPLATE;
 
-  /** The partitioning of their documents. */
+  /** Partitioning of their documents. */
   static final String PARTITIONING = "dev.eventchain.eclipse.ui.text";
 
-  /** The type of partitions that are comments. */
+  /** Partition type of comments. */
   static final String COMMENT = PARTITIONING + ".comment";
 
-  /** The type of partitions that are tags of a template. */
+  /** Partition type of template tags. */
   static final String TAG = PARTITIONING + ".tag";
 
-  /** The parts of a text that are separate partitions; all else is code or plain text. */
+  /** Returns the separate partitions of a text; the rest is code or plain text. */
   List<Token> parts(String text) {
     if (this == TEMPLATE) {
       return TemplateTokens.parts(text).stream()

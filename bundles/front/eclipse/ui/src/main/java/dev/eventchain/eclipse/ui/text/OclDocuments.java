@@ -3,7 +3,7 @@ package dev.eventchain.eclipse.ui.text;
 import org.eclipse.core.filebuffers.IDocumentSetupParticipant;
 import org.eclipse.jface.text.IDocument;
 
-/** Divides documents with constraints into partitions, whatever opens them. */
+/** Partitions documents with constraints in any editor. */
 public final class OclDocuments implements IDocumentSetupParticipant {
 
   @Override

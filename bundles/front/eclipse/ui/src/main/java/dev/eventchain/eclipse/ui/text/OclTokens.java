@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * The tokens of Complete OCL, or of the tags of a template. No token but a comment spans lines, so
- * that any line outside a comment can be read alone.
+ * Tokens of Complete OCL or of template tags. Only comments span lines, so any line outside a
+ * comment can be read alone.
  */
 public final class OclTokens {
 
-  /** The words of Complete OCL that are no names. */
+  /** Keywords of Complete OCL. */
   static final List<String> KEYWORDS =
       List.of(
           "and",
@@ -44,7 +44,7 @@ public final class OclTokens {
           "true",
           "xor");
 
-  /** The types that OCL has itself. */
+  /** Predefined types of OCL. */
   static final List<String> TYPES =
       List.of(
           "Bag",
@@ -78,16 +78,16 @@ public final class OclTokens {
   }
 
   /**
-   * Reads constraints.
+   * Returns the tokens of constraints.
    *
    * @param types the names of classes, besides those of OCL
-   * @return all of the text, in order
+   * @return tokens that cover the whole text, in order
    */
   public static List<Token> of(String text, Set<String> types) {
     return new OclTokens(text, text.length(), types, false).read(0);
   }
 
-  /** Reads a part of a template's tag. */
+  /** Returns the tokens of a part of a template tag. */
   static List<Token> ofTag(String text, int start, int end, Set<String> types) {
     return new OclTokens(text, end, types, true).read(start);
   }
@@ -155,7 +155,7 @@ public final class OclTokens {
     return types.contains(word) || TYPES.contains(word) ? TokenKind.TYPE : TokenKind.CODE;
   }
 
-  /** Whether a word follows a dot or an arrow: no keyword does. */
+  /** Returns whether a word follows a dot or an arrow, so that it is no keyword. */
   private boolean isFeature(int start) {
     int before = start - 1;
     return before >= 0 && (text.charAt(before) == '.' || text.startsWith("->", before - 1));
@@ -190,7 +190,7 @@ public final class OclTokens {
     return end;
   }
 
-  /** The end of a string, or of its line if it has none. */
+  /** Returns the end of a string, or of its line if it has none. */
   static int endOfString(String text, int start, int limit) {
     char quote = text.charAt(start);
     int line = endOfLine(text, start, limit);

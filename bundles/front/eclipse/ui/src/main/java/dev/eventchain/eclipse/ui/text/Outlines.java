@@ -7,16 +7,17 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What a file of constraints or templates declares, read from its text whether it is sound or not.
+ * Declarations in a file of constraints or templates, read from its text whether it is valid or
+ * not.
  */
 public final class Outlines {
 
   /**
-   * Something that is declared.
+   * A declaration.
    *
-   * @param label how it is listed
-   * @param start where its declaration begins
-   * @param end after the declaration's head
+   * @param label its label in the outline
+   * @param start the offset of the declaration
+   * @param end the offset after the head of the declaration
    */
   public record Entry(String label, int start, int end) {}
 
@@ -38,7 +39,7 @@ public final class Outlines {
 
   private Outlines() {}
 
-  /** The constraints and definitions, with their contexts. */
+  /** Returns the constraints and definitions, with their contexts. */
   public static List<Entry> constraints(String text) {
     String code = withoutComments(text);
     List<Entry> entries = new ArrayList<>();
@@ -59,7 +60,7 @@ public final class Outlines {
     return entries;
   }
 
-  /** The class of the last context before an offset; empty if there is none. */
+  /** Returns the class of the last context before an offset; empty if there is none. */
   static String contextAt(String text, int offset) {
     Matcher found = CONTEXT.matcher(withoutComments(text.substring(0, offset)));
     String context = "";
@@ -69,7 +70,7 @@ public final class Outlines {
     return context;
   }
 
-  /** The templates, queries and macros. */
+  /** Returns the templates, queries and macros. */
   public static List<Entry> templates(String text) {
     List<Entry> entries = new ArrayList<>();
     for (Token part : TemplateTokens.parts(text)) {
@@ -82,7 +83,7 @@ public final class Outlines {
     return entries;
   }
 
-  /** The text with spaces for comments and strings, so that places stay the same. */
+  /** Returns the text with comments and strings blanked, so that offsets are preserved. */
   private static String withoutComments(String text) {
     StringBuilder code = new StringBuilder(text);
     for (Token token : OclTokens.of(text, Set.of())) {

@@ -13,8 +13,8 @@ import org.eclipse.jface.text.Region;
 import org.eclipse.jface.text.TypedRegion;
 
 /**
- * Divides a whole document again after each change: whether a bracket begins a tag of a template
- * depends on what comes long after it, and these files are short.
+ * Partitions the whole document again after each change: a bracket begins a template tag only if
+ * its end follows, possibly far away, and these files are short.
  */
 final class Partitioner implements IDocumentPartitioner, IDocumentPartitionerExtension {
 
@@ -26,7 +26,7 @@ final class Partitioner implements IDocumentPartitioner, IDocumentPartitionerExt
     this.language = language;
   }
 
-  /** Has a document divided, unless it is already. */
+  /** Partitions a document, unless it is already partitioned. */
   static void install(IDocument document, Language language) {
     if (document instanceof IDocumentExtension3 several
         && several.getDocumentPartitioner(Language.PARTITIONING) == null) {
@@ -72,7 +72,7 @@ final class Partitioner implements IDocumentPartitioner, IDocumentPartitionerExt
 
   @Override
   public void documentAboutToBeChanged(DocumentEvent event) {
-    // What was there is kept until then.
+    // The old partitions are kept until then.
   }
 
   @Override

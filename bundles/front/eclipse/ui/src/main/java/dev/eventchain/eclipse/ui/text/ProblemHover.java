@@ -18,7 +18,7 @@ import org.eclipse.jface.text.source.IAnnotationModel;
 import org.eclipse.jface.text.source.ISourceViewer;
 import org.eclipse.ui.texteditor.MarkerAnnotation;
 
-/** Shows the findings under the mouse: what is wrong, by which rule, and what else it is about. */
+/** Shows the findings under the mouse: message, rule and related elements. */
 final class ProblemHover implements ITextHover, IAnnotationHover {
 
   private final ISourceViewer viewer;
@@ -47,7 +47,7 @@ final class ProblemHover implements ITextHover, IAnnotationHover {
     }
   }
 
-  /** The findings that touch a region; null if there are none, as the platform wants it. */
+  /** Returns the findings that touch a region; null if there are none, as the platform requires. */
   private String texts(int offset, int length) {
     Set<String> texts = new LinkedHashSet<>();
     IAnnotationModel model = viewer.getAnnotationModel();

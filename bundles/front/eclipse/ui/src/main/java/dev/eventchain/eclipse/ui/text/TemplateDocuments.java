@@ -3,7 +3,7 @@ package dev.eventchain.eclipse.ui.text;
 import org.eclipse.core.filebuffers.IDocumentSetupParticipant;
 import org.eclipse.jface.text.IDocument;
 
-/** Divides documents with templates into partitions, whatever opens them. */
+/** Partitions documents with templates in any editor. */
 public final class TemplateDocuments implements IDocumentSetupParticipant {
 
   @Override

@@ -3,7 +3,7 @@ package dev.eventchain.eclipse.ui.text;
 /** The editor of files with templates. */
 public final class TemplateEditor extends CodeEditor {
 
-  /** Made by the platform. */
+  /** Called by the platform. */
   public TemplateEditor() {
     super(Language.TEMPLATE);
   }

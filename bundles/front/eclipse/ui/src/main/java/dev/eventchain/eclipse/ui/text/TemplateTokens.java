@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * The tokens of a template of MOFM2T: text, comments and tags, where a tag ends as the generator
- * has it. What is not a tag to the generator, as its end is missing, is text here.
+ * The tokens of a template of MOFM2T: text, comments and tags, as the generator delimits them. A
+ * tag without an end is text, as in the generator.
  */
 public final class TemplateTokens {
 
-  /** The keywords that a tag begins with. */
+  /** Keywords at the beginning of a tag. */
   static final List<String> BLOCKS =
       List.of(
           "comment",
@@ -29,7 +29,7 @@ public final class TemplateTokens {
           "template",
           "trace");
 
-  /** The words that stand inside the tags of blocks and declarations. */
+  /** Keywords inside the tags of blocks and declarations. */
   static final List<String> MODIFIERS =
       List.of("after", "before", "extends", "overrides", "private", "public", "separator", "super");
 
@@ -44,10 +44,10 @@ public final class TemplateTokens {
   }
 
   /**
-   * Reads a template.
+   * Returns the tokens of a template.
    *
    * @param types the names of classes, besides those of OCL
-   * @return all of the text, in order
+   * @return tokens that cover the whole text, in order
    */
   public static List<Token> of(String text, Set<String> types) {
     List<Token> tokens = new ArrayList<>();
@@ -64,7 +64,7 @@ public final class TemplateTokens {
   /**
    * Divides a template into {@code TEXT}, {@code TAG} and {@code COMMENT}.
    *
-   * @return all of the text, in order
+   * @return parts that cover the whole text, in order
    */
   public static List<Token> parts(String text) {
     return new TemplateTokens(text).read();
@@ -110,7 +110,7 @@ public final class TemplateTokens {
         && (Character.isWhitespace(text.charAt(end)) || "(]/".indexOf(text.charAt(end)) >= 0);
   }
 
-  /** After a comment, or -1 if it does not end. */
+  /** Returns the offset after a comment, or -1 if it does not end. */
   private int endOfComment(int bracket) {
     int slashed = after("/]", bracket + 1);
     if (text.startsWith("[**", bracket)) {
@@ -131,7 +131,10 @@ public final class TemplateTokens {
     return found < 0 ? -1 : found + wanted.length();
   }
 
-  /** After a tag, or -1 if another begins first, or a string does not end on its line. */
+  /**
+   * Returns the offset after a tag, or -1 if another one begins first or a string does not end on
+   * its line.
+   */
   private int endOfTag(int bracket) {
     int position = bracket + 1;
     while (position < text.length()) {
@@ -152,7 +155,10 @@ public final class TemplateTokens {
     return -1;
   }
 
-  /** After the bracket of a tag and its keyword: {@code [for}, {@code [/for}, {@code [}. */
+  /**
+   * Returns the offset after the bracket of a tag and its keyword: {@code [for}, {@code [/for},
+   * {@code [}.
+   */
   static int endOfOpening(String text, int bracket, int limit) {
     int start = skipSpace(text, bracket + 1, limit);
     boolean closing = start < limit && text.charAt(start) == '/';

@@ -9,7 +9,7 @@ import org.eclipse.jface.text.IDocument;
 import org.eclipse.jface.text.ITextSelection;
 import org.eclipse.ui.handlers.HandlerUtil;
 
-/** Turns the selected lines into comments, or back. */
+/** Comments or uncomments the selected lines. */
 public final class ToggleComment extends AbstractHandler {
 
   private static final String LINE = "-- ";
@@ -28,7 +28,7 @@ public final class ToggleComment extends AbstractHandler {
         throw new ExecutionException("The selection is outside of the text.", e);
       }
     }
-    return null; // what a handler has to return
+    return null; // the required result of a handler
   }
 
   private static void toggle(CodeEditor editor, IDocument document, ITextSelection selection)
@@ -38,7 +38,7 @@ public final class ToggleComment extends AbstractHandler {
     boolean behind =
         last > first
             && selection.getOffset() + selection.getLength() == document.getLineOffset(last);
-    last = behind ? last - 1 : last; // a selection of whole lines ends where the next one begins
+    last = behind ? last - 1 : last; // a selection of whole lines ends at the start of the next one
     int start = document.getLineOffset(first);
     int end = document.getLineInformation(last).getOffset();
     end += document.getLineInformation(last).getLength();
@@ -52,7 +52,7 @@ public final class ToggleComment extends AbstractHandler {
         many ? start : Math.min(caret, start + after.length()), many ? after.length() : 0);
   }
 
-  /** Each line that is not blank becomes a comment; if all are, none is one any more. */
+  /** Comments every line that is not blank, or uncomments all if all are comments. */
   private static String lines(String text) {
     boolean all = text.lines().allMatch(line -> line.isBlank() || line.strip().startsWith("--"));
     String[] lines = text.split("(?<=\n)", -1);

@@ -1,14 +1,14 @@
 package dev.eventchain.eclipse.ui.text;
 
 /**
- * A piece of a text.
+ * A token of a text.
  *
- * @param start its first character, counted from 0
- * @param end after its last character
+ * @param start the offset of its first character, from 0
+ * @param end the offset after its last character
  */
 public record Token(TokenKind kind, int start, int end) {
 
-  /** What it reads. */
+  /** Returns the text of the token. */
   public String of(String text) {
     return text.substring(start, end);
   }

@@ -3,9 +3,9 @@ package dev.eventchain.eclipse.ui.text;
 import dev.eventchain.eclipse.ui.EventchainUi;
 import java.util.Locale;
 
-/** What a piece of a text is, as far as it has its own colour. */
+/** Kinds of tokens that have their own colour. */
 public enum TokenKind {
-  /** Text of a template that is copied as it is. */
+  /** Template text that is copied unchanged. */
   TEXT,
   /** Names and operators. */
   CODE,
@@ -15,10 +15,10 @@ public enum TokenKind {
   STRING,
   NUMBER,
   COMMENT,
-  /** The brackets of a template's tag, with the keyword of a block or a declaration. */
+  /** The brackets of a template tag, with the keyword of a block or declaration. */
   TAG;
 
-  /** The definition of its colour in the theme; of {@code TEXT} and {@code CODE} there is none. */
+  /** Returns the identifier of its colour in the theme; empty for {@code TEXT} and {@code CODE}. */
   String color() {
     return EventchainUi.ID + ".text." + name().toLowerCase(Locale.ROOT);
   }

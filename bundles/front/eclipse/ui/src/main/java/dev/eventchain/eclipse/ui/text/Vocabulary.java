@@ -20,7 +20,7 @@ import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
-/** The names that constraints and templates of a project may use: of event chains and its own. */
+/** Names for the constraints and templates of a project: those of event chains and its own. */
 final class Vocabulary {
 
   private final Map<String, EClassifier> types = new TreeMap<>();
@@ -29,7 +29,7 @@ final class Vocabulary {
     packages.forEach(this::add);
   }
 
-  /** Those for a file; for what is in no project, those of event chains. */
+  /** Returns the vocabulary of a file; outside of projects, that of event chains. */
   static Vocabulary of(IFile file) {
     List<EPackage> packages = new ArrayList<>(List.of(EventchainPackage.eINSTANCE));
     if (file != null) {
@@ -40,7 +40,7 @@ final class Vocabulary {
         try {
           packages.addAll(store.loadMetamodel(path));
         } catch (DiagnosticException e) {
-          continue; // the builder says what is wrong with it
+          continue; // the builder reports the errors
         }
       }
     }
@@ -71,7 +71,7 @@ final class Vocabulary {
     metamodel.getESubpackages().forEach(this::add);
   }
 
-  /** The names of classes, enumerations and data types. */
+  /** Returns the names of classes, enumerations and data types. */
   Set<String> types() {
     return types.keySet();
   }
@@ -83,10 +83,10 @@ final class Vocabulary {
   }
 
   /**
-   * The type at the end of a path.
+   * Returns the type of a navigation path.
    *
    * @param type the name of a class
-   * @param path names of features, one after the other
+   * @param path feature names in order
    * @return empty if there is no such class or feature
    */
   Optional<String> follow(String type, List<String> path) {
@@ -101,7 +101,9 @@ final class Vocabulary {
     return reached;
   }
 
-  /** The names of the features of a class, in the order of the alphabet; none if it is none. */
+  /**
+   * Returns the names of the features of a class, in alphabetical order; empty if it is unknown.
+   */
   Set<String> features(String type) {
     Set<String> names = new TreeSet<>();
     find(type).ifPresent(each -> addFeatures(each, names));
@@ -114,7 +116,7 @@ final class Vocabulary {
     }
   }
 
-  /** The names of all features. */
+  /** Returns the names of all features. */
   Set<String> features() {
     Set<String> names = new TreeSet<>();
     types.values().stream()

@@ -1,5 +1,2 @@
-/**
- * The editors of constraints and templates: what their texts consist of, in which colours, what can
- * be at a place and what is where.
- */
+/** The editors of constraints and templates: tokens, colours, content proposals and outlines. */
 package dev.eventchain.eclipse.ui.text;

@@ -2,12 +2,15 @@ package dev.eventchain.eclipse.ui.wizards;
 
 import java.util.Locale;
 
-/** The names of chains: a lower-case letter, then such letters, digits and underscores. */
+/** Names of chains: a lower-case letter, then lower-case letters, digits and underscores. */
 final class ChainNames {
 
   private ChainNames() {}
 
-  /** The name that is nearest to a project's or file's: {@code Radar AEB} is {@code radar_aeb}. */
+  /**
+   * Returns the valid name closest to that of a project or file: {@code radar_aeb} for {@code Radar
+   * AEB}.
+   */
   static String of(String name) {
     String plain =
         name.toLowerCase(Locale.ROOT)

@@ -16,13 +16,13 @@ import org.eclipse.ui.IWorkbench;
 import org.eclipse.ui.actions.WorkspaceModifyOperation;
 import org.eclipse.ui.ide.IDE;
 
-/** Makes a model of a chain's description in JSON. */
+/** Imports a chain's JSON description as a model. */
 public final class ImportChainWizard extends Wizard implements IImportWizard {
 
   private IWorkbench workbench;
   private ImportPage page;
 
-  /** Made by the platform. */
+  /** Called by the platform. */
   public ImportChainWizard() {
     setWindowTitle("Event Chain from JSON");
     setNeedsProgressMonitor(true);
@@ -48,7 +48,7 @@ public final class ImportChainWizard extends Wizard implements IImportWizard {
   public boolean performFinish() {
     ChainImport read = page.read().orElse(null);
     if (read == null) {
-      return false; // the page says why
+      return false; // the page shows the reason
     }
     IFile file = page.target();
     try {

@@ -28,7 +28,7 @@ import org.eclipse.swt.widgets.Label;
 import org.eclipse.swt.widgets.Text;
 import org.eclipse.ui.dialogs.SaveAsDialog;
 
-/** Asks for a description and where its model goes, and shows what is wrong with it. */
+/** Asks for a description and the location of its model, and shows the errors. */
 final class ImportPage extends WizardPage {
 
   private static final int FINDINGS_HEIGHT = 120;
@@ -43,7 +43,7 @@ final class ImportPage extends WizardPage {
   private ChainImport read;
 
   /**
-   * @param folder the folder that the model is proposed for; null if nothing is selected
+   * @param folder the proposed folder of the model; null if nothing is selected
    */
   ImportPage(IContainer folder) {
     super("import");
@@ -130,12 +130,12 @@ final class ImportPage extends WizardPage {
     }
   }
 
-  /** The model, as it was read last; empty if there are errors. */
+  /** Returns the model as last read; empty if there are errors. */
   Optional<ChainImport> read() {
     return Optional.ofNullable(read);
   }
 
-  /** The file of the workspace that the model goes to. */
+  /** Returns the workspace file for the model. */
   IFile target() {
     IWorkspaceRoot root = ResourcesPlugin.getWorkspace().getRoot();
     return root.getFile(IPath.fromPortableString(target.getText().strip()));
@@ -194,7 +194,7 @@ final class ImportPage extends WizardPage {
     }
   }
 
-  /** Reads and shows what was found; the problem that is left, or nothing. */
+  /** Reads the description, shows the findings, and returns the remaining problem, if any. */
   private String readDescription() {
     IContainer around = EventchainFolders.around(target()).orElse(target().getProject());
     IPath place = around.getLocation();

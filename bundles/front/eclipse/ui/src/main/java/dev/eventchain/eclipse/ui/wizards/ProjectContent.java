@@ -16,10 +16,10 @@ import org.eclipse.core.runtime.IStatus;
 import org.eclipse.core.runtime.OperationCanceledException;
 import org.eclipse.core.runtime.Status;
 
-/** Fills the folder of a new project, or leaves it as it was. */
+/** Fills the folder of a new project, or restores it. */
 final class ProjectContent {
 
-  /** The examples that come with the program. */
+  /** Examples that ship with the program. */
   static final List<String> EXAMPLES = List.of("aeb", "acc", "lane-departure", "radar-aeb");
 
   private final Program program;
@@ -27,7 +27,7 @@ final class ProjectContent {
   private final boolean existed;
 
   /**
-   * @param folder missing or empty
+   * @param folder a missing or empty folder
    */
   ProjectContent(Program program, Path folder) {
     this.program = program;
@@ -35,7 +35,7 @@ final class ProjectContent {
     this.existed = Files.exists(folder);
   }
 
-  /** Whether a folder is missing or empty; not if it cannot be read. */
+  /** Returns whether a folder is missing or empty; false if it cannot be read. */
   static boolean isFree(Path folder) {
     if (!Files.exists(folder)) {
       return true;
@@ -47,7 +47,7 @@ final class ProjectContent {
     }
   }
 
-  /** The innermost folder that is there: what a new folder is made in. */
+  /** Returns the innermost existing folder, in which a new folder is created. */
   static Path existing(Path folder) {
     Path found = folder.toAbsolutePath();
     while (!Files.exists(found) && found.getParent() != null) {
@@ -56,7 +56,7 @@ final class ProjectContent {
     return found;
   }
 
-  /** The folder of an example next to the program, which links may lead to. */
+  /** Returns the folder of an example next to the program, following links. */
   static Path example(Program program, String name) throws CoreException {
     try {
       Path home = program.file().toRealPath().getParent();
@@ -71,9 +71,9 @@ final class ProjectContent {
   }
 
   /**
-   * Writes the starter, as the program does, under the name of the chain.
+   * Creates the starter project with the program, under the name of the chain.
    *
-   * @throws CoreException if the program fails, with what it said
+   * @throws CoreException if the program fails, with its output
    */
   void start(String chain, IProgressMonitor monitor) throws CoreException {
     StringBuffer said = new StringBuffer();
@@ -103,7 +103,7 @@ final class ProjectContent {
   /**
    * Copies an example without its results.
    *
-   * @throws OperationCanceledException if people cancelled it
+   * @throws OperationCanceledException if it was cancelled
    */
   void copy(Path example, IProgressMonitor monitor) throws CoreException {
     try (Stream<Path> walk = Files.walk(example)) {
@@ -125,9 +125,9 @@ final class ProjectContent {
   }
 
   /**
-   * Makes sure that the folder is still missing or empty, since {@link #undo} takes all of it away.
+   * Checks that the folder is still missing or empty, since {@link #undo} deletes all of it.
    *
-   * @throws CoreException if somebody has put something there
+   * @throws CoreException if it is not
    */
   void requireFree() throws CoreException {
     if (!isFree(folder)) {
@@ -135,12 +135,12 @@ final class ProjectContent {
     }
   }
 
-  /** Whether a project's folder is the one that is filled here. */
+  /** Returns whether the project's folder is the one that is filled here. */
   boolean isIn(IPath location) {
     return location != null && location.toPath().equals(folder);
   }
 
-  /** Takes away all that was written. */
+  /** Deletes everything that was written. */
   void undo() throws CoreException {
     if (!Files.exists(folder)) {
       return;

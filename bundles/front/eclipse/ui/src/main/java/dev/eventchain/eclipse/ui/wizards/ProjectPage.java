@@ -13,7 +13,7 @@ import org.eclipse.swt.widgets.Label;
 import org.eclipse.swt.widgets.Text;
 import org.eclipse.ui.dialogs.WizardNewProjectCreationPage;
 
-/** Asks for the name and place of a project, and what it starts with. */
+/** Asks for the name, location and initial content of a project. */
 final class ProjectPage extends WizardNewProjectCreationPage {
 
   private static final String STARTER = "A small project that runs as it is";
@@ -57,18 +57,18 @@ final class ProjectPage extends WizardNewProjectCreationPage {
     setMessage(null);
   }
 
-  /** The example's folder name; empty for the starter. */
+  /** Returns the folder name of the example; empty for the starter. */
   String example() {
     int index = start.getSelectionIndex();
     return index <= 0 ? "" : ProjectContent.EXAMPLES.get(index - 1);
   }
 
-  /** The name that the chain of the starter gets. */
+  /** Returns the chain's name for the starter. */
   String chain() {
     return chain.getText();
   }
 
-  /** Where the project's files go. */
+  /** Returns the folder for the project's files. */
   Path folder() {
     return useDefaults()
         ? getLocationPath().append(getProjectName()).toPath()
@@ -78,7 +78,7 @@ final class ProjectPage extends WizardNewProjectCreationPage {
   @Override
   protected boolean validatePage() {
     if (chain == null) {
-      return super.validatePage(); // the rest of the page is not there yet
+      return super.validatePage(); // the rest of the page does not exist yet
     }
     fillChain();
     if (!super.validatePage()) {

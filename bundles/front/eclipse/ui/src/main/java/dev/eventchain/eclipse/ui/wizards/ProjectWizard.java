@@ -19,13 +19,13 @@ import org.eclipse.ui.IWorkbench;
 import org.eclipse.ui.actions.WorkspaceModifyOperation;
 import org.eclipse.ui.ide.IDE;
 
-/** Creates a project that can be run at once, or none. */
+/** Creates a project that can run immediately, or none. */
 public final class ProjectWizard extends Wizard implements INewWizard {
 
   private final ProjectPage page = new ProjectPage();
   private IWorkbench workbench;
 
-  /** Made by the platform. */
+  /** Called by the platform. */
   public ProjectWizard() {
     setWindowTitle("New Eventchain Project");
     setNeedsProgressMonitor(true);
@@ -49,7 +49,7 @@ public final class ProjectWizard extends Wizard implements INewWizard {
       open(project);
       return true;
     } catch (InterruptedException e) {
-      return false; // cancelled: nothing was left
+      return false; // cancelled: everything was undone
     } catch (InvocationTargetException e) {
       if (!(e.getCause() instanceof CoreException failure)) {
         throw new IllegalStateException(e.getCause());
@@ -123,7 +123,7 @@ public final class ProjectWizard extends Wizard implements INewWizard {
       if (file.exists()) {
         IDE.openEditor(workbench.getActiveWorkbenchWindow().getActivePage(), file);
       }
-    } catch (CoreException e) { // the project is there all the same
+    } catch (CoreException e) { // the project exists nevertheless
       ErrorDialog.openError(getShell(), getWindowTitle(), null, e.getStatus());
     }
   }

@@ -7,7 +7,7 @@ import org.eclipse.swt.widgets.Button;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 
-/** Yes or no. */
+/** A field for a Boolean. */
 public final class BooleanField extends Field {
 
   private Button button;

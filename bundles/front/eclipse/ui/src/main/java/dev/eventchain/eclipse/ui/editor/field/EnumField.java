@@ -12,7 +12,7 @@ import org.eclipse.swt.widgets.Combo;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 
-/** One of several values, or none where the metamodel lets it be unset. */
+/** A field for an enumeration; may be empty if the metamodel allows it. */
 public final class EnumField extends Field {
 
   private final List<EEnumLiteral> literals;

@@ -5,17 +5,17 @@ import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 
-/** A property of the selected element, as people edit it. */
+/** A field for a property of the selected element. */
 public abstract class Field {
 
-  /** Marks the control of a field with the name of its feature. */
+  /** Key for the feature's name in the control of a field. */
   public static final String FEATURE = "dev.eventchain.feature";
 
   private final FieldContext context;
   private final EObject element;
   private final EStructuralFeature feature;
 
-  /** Whether the control is being filled, so that its events are not a person's. */
+  /** True while the control is being filled, so that its events are not a person's. */
   private boolean filling;
 
   Field(FieldContext context, EObject element, EStructuralFeature feature) {
@@ -36,13 +36,13 @@ public abstract class Field {
     return feature;
   }
 
-  /** Makes the control, empty. */
+  /** Creates the control, empty. */
   public abstract Control create(Composite parent);
 
-  /** Puts what the model says into the control, unless it is there already. */
+  /** Updates the control to the model's value, unless it already has it. */
   abstract void fill();
 
-  /** What is wrong with what is in the control and cannot be in the model; empty for nothing. */
+  /** Returns the problem of an input that the model cannot hold; empty if there is none. */
   public String problem() {
     return "";
   }
@@ -56,14 +56,14 @@ public abstract class Field {
     }
   }
 
-  /** Gives the property a value, null for none, unless the control is being filled. */
+  /** Sets the property, null for none, unless the control is being filled. */
   final void set(Object value) {
     if (!filling) {
       context.model().set(element, feature, value);
     }
   }
 
-  /** As {@link #set} for what is being typed. */
+  /** As {@link #set}, for a value being typed. */
   final void type(Object value) {
     if (!filling) {
       context.model().stack().type(element, feature, value);

@@ -7,10 +7,10 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.ui.forms.widgets.FormToolkit;
 
 /**
- * What fields need of their editor.
+ * The services that an editor provides to its fields.
  *
  * @param reveal shows an element in the tree
- * @param checked called when what is in a field has become possible or impossible
+ * @param checked called when the content of a field has become valid or invalid
  */
 public record FieldContext(
     FormToolkit toolkit,

@@ -13,8 +13,8 @@ import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Text;
 
 /**
- * A number. An empty field is none, where the metamodel lets it be unset; what is not a number is
- * said so, and the model keeps what it had.
+ * A field for a number; may be empty if the metamodel allows it. Invalid input is reported, and the
+ * model keeps its value.
  */
 public final class NumberField extends Field {
 
@@ -70,7 +70,7 @@ public final class NumberField extends Field {
       }
       double value = DECIMAL.matcher(typed).matches() ? Double.parseDouble(typed) : Double.NaN;
       return Double.isFinite(value) ? Optional.of(value) : Optional.empty();
-    } catch (NumberFormatException e) { // the field says so
+    } catch (NumberFormatException e) { // the field reports it
       return Optional.empty();
     }
   }

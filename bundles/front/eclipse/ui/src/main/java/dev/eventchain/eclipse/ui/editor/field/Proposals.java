@@ -18,15 +18,15 @@ import org.eclipse.swt.widgets.Combo;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Text;
 
-/** Content assist on the fields of the editor: Ctrl+Space, and a bulb that says so. */
+/** Content assist for the fields of the editor: Ctrl+Space, with a light bulb as hint. */
 final class Proposals {
 
-  /** A longer list helps nobody; typing more makes it shorter. */
+  /** Largest number of proposals; typing more shortens the list. */
   private static final int MOST = 200;
 
   private Proposals() {}
 
-  /** Offers what can be in a text field, if anything is known. */
+  /** Offers proposals for a text field, if there are any. */
   static void offer(
       Completions completions, Text text, EObject element, EStructuralFeature feature) {
     if (completions.knows(feature)) {
@@ -34,7 +34,7 @@ final class Proposals {
     }
   }
 
-  /** Offers what can be in an editable list. */
+  /** Offers proposals for an editable list. */
   static void offer(
       Completions completions, Combo combo, EObject element, EStructuralFeature feature) {
     attach(completions, combo, new ComboContentAdapter(), element, feature);

@@ -9,7 +9,7 @@ import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Text;
 
-/** What a run measured, which people do not edit. */
+/** A measured value of a run, which people do not edit. */
 public final class ReadOnlyField extends Field {
 
   private Text text;

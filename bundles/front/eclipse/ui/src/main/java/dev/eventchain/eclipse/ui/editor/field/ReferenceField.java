@@ -11,7 +11,7 @@ import org.eclipse.swt.widgets.Combo;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 
-/** Another element of the chain by its name; an empty field is none. */
+/** A field for a reference to another element by name; may be empty. */
 public final class ReferenceField extends Field {
 
   private List<EObject> candidates = List.of();
@@ -32,7 +32,7 @@ public final class ReferenceField extends Field {
     return combo;
   }
 
-  /** Of several elements with one name, a person can choose any from the list. */
+  /** Sets the element chosen from the list, which may contain several with the same name. */
   private void choose() {
     int index = combo.getSelectionIndex();
     if (index >= 0) {

@@ -26,7 +26,7 @@ import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.ui.dialogs.ElementListSelectionDialog;
 
-/** Other elements of the chain, in an order. */
+/** A field for an ordered list of references. */
 public final class ReferencesField extends Field {
 
   private static final int LINES = 5;
@@ -135,7 +135,7 @@ public final class ReferencesField extends Field {
     enable();
   }
 
-  /** What elements are called in lists. */
+  /** Labels of elements in lists. */
   private static final class Names extends LabelProvider {
 
     private final ResourceManager images = new LocalResourceManager(JFaceResources.getResources());

@@ -9,7 +9,7 @@ import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Text;
 
-/** A text; an empty one is none. */
+/** A field for a text; an empty one is unset. */
 public final class TextField extends Field {
 
   private static final int LINES = 4;
@@ -17,9 +17,7 @@ public final class TextField extends Field {
   private final boolean isLong;
   private Text text;
 
-  /**
-   * @param isLong whether it has several lines
-   */
+  /** * @param isLong true for several lines */
   public TextField(
       FieldContext context, EObject element, EStructuralFeature feature, boolean isLong) {
     super(context, element, feature);

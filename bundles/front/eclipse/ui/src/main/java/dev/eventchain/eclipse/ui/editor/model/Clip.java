@@ -15,29 +15,26 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
-/**
- * What was cut or copied in an editor of event chains, to be pasted in any. A component comes with
- * the data that only it uses.
- */
+/** The clipboard of the event chain editors. A component comes with the data that only it uses. */
 public final class Clip {
 
   private static final EventchainPackage MODEL = EventchainPackage.eINSTANCE;
 
   /**
-   * Copies that belong to nothing.
+   * Copies without a container.
    *
-   * @param elements what was selected
-   * @param data what comes with it
+   * @param elements the selected elements
+   * @param data the data that they use
    * @param asOutput those of the elements that were outputs of components
    */
   private record Content(List<EObject> elements, List<EObject> data, Set<EObject> asOutput) {}
 
-  /** All editors share it, as they share the clipboard for texts. */
+  /** Content shared by all editors, like the clipboard for texts. */
   private static Content content = new Content(List.of(), List.of(), Set.of());
 
   private Clip() {}
 
-  /** The data of a component that no component uses but it and others that are named. */
+  /** Returns the data of a component that only it and other named components use. */
   static List<Data> ownData(SoftwareNode node, Collection<? extends EObject> with) {
     Set<Data> own = new LinkedHashSet<>(node.getInput());
     own.addAll(node.getOutput());
@@ -52,7 +49,7 @@ public final class Clip {
     return new ArrayList<>(own);
   }
 
-  /** Takes copies of elements. */
+  /** Copies elements. */
   public static void copy(Collection<? extends EObject> elements) {
     content = contentOf(elements);
   }
@@ -83,14 +80,14 @@ public final class Clip {
     return new Content(copies, withThem, outputs);
   }
 
-  /** Whether something can be pasted on an element of the tree. */
+  /** Returns whether the content can be pasted on an element of the tree. */
   public static boolean fits(Object target) {
     return !content.elements().isEmpty()
         && content.elements().stream().allMatch(element -> place(target, element) != null);
   }
 
   /**
-   * Pastes what was taken.
+   * Pastes the copied elements.
    *
    * @return the new elements
    */
@@ -98,7 +95,7 @@ public final class Clip {
     return paste(model, target, content, "paste");
   }
 
-  /** Makes copies of elements next to them; what was taken before stays. */
+  /** Duplicates elements next to them; the clipboard stays unchanged. */
   public static List<EObject> duplicate(EditedModel model, Object parent, List<EObject> elements) {
     return paste(model, parent, contentOf(elements), "duplicate");
   }
@@ -142,7 +139,7 @@ public final class Clip {
     }
   }
 
-  /** Where a copy goes to when it is pasted on an element: null for nowhere. */
+  /** Returns the reference that holds a copy pasted on an element; null if there is none. */
   private static EReference place(Object target, EObject element) {
     if (element instanceof QosProfile) {
       return target instanceof Data ? MODEL.getData_Qos() : null;
@@ -154,7 +151,7 @@ public final class Clip {
         .orElse(null);
   }
 
-  /** References into another chain, or to what is deleted by now, are not pasted. */
+  /** Removes references to another chain or to deleted elements from a copy. */
   private static void dropForeign(EditedModel model, EObject copy) {
     List<EObject> tree = new ArrayList<>(List.of(copy));
     copy.eAllContents().forEachRemaining(tree::add);

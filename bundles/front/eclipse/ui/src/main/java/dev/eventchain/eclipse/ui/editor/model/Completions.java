@@ -21,12 +21,12 @@ import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
-/** What can be in the fields of a chain's elements. */
+/** Content proposals for the fields of a chain's elements. */
 public final class Completions {
 
   private static final EventchainPackage MODEL = EventchainPackage.eINSTANCE;
 
-  /** What vehicle signals are mostly in; the chain's own units come before them. */
+  /** Common units of vehicle signals; the chain's own units come before them. */
   private static final List<String> UNITS =
       List.of(
           "1", "%", "m", "cm", "mm", "km", "s", "ms", "Hz", "m/s", "km/h", "m/s2", "rad", "deg",
@@ -35,7 +35,7 @@ public final class Completions {
   private static final List<String> PROFILES =
       List.of("default", "sensor_data", "parameters", "services_default", "system_default");
 
-  /** Messages hold messages; a path is seldom longer. */
+  /** Largest depth of proposed field paths: messages contain messages. */
   private static final int DEEPEST = 6;
 
   private static final int MOST_PATHS = 1000;
@@ -43,18 +43,18 @@ public final class Completions {
   private final Supplier<Optional<MessageCatalog>> messages;
 
   /**
-   * @param messages the message types of the project; empty while nobody has read them
+   * @param messages the message types of the project; empty until they are read
    */
   public Completions(Supplier<Optional<MessageCatalog>> messages) {
     this.messages = messages;
   }
 
-  /** The units that are proposed for any chain. */
+  /** Returns the units that are proposed for any chain. */
   static List<String> units() {
     return UNITS;
   }
 
-  /** Whether there are proposals for the texts of a feature. */
+  /** Returns whether there are proposals for a text feature. */
   public boolean knows(EStructuralFeature feature) {
     return feature == MODEL.getData_TopicName()
         || feature == MODEL.getData_MessageType()
@@ -65,7 +65,7 @@ public final class Completions {
         || feature instanceof EReference;
   }
 
-  /** What can be in a field and has some text in it, in capitals or not. */
+  /** Returns the proposals for a field that contain a text, ignoring case. */
   public List<String> proposals(EObject element, EStructuralFeature feature, String typed) {
     String wanted = typed.toLowerCase(Locale.ROOT);
     return all(element, feature).stream()
@@ -90,7 +90,7 @@ public final class Completions {
     return feature == MODEL.getQosProfile_Name() ? PROFILES : ofChain(element, feature);
   }
 
-  /** What other elements of the chain have there. */
+  /** Returns the values of the feature in other elements of the chain. */
   private static Set<String> ofChain(EObject element, EStructuralFeature feature) {
     Set<String> values = new TreeSet<>();
     EcoreUtil.getRootContainer(element)
@@ -106,7 +106,7 @@ public final class Completions {
     return values;
   }
 
-  /** The elements that a reference may lead to, in the order of the chain. */
+  /** Returns the elements that a reference may refer to, in the order of the chain. */
   public List<EObject> candidates(EObject element, EReference reference) {
     List<EObject> candidates = new ArrayList<>();
     if (EcoreUtil.getRootContainer(element) instanceof EventChain chain) {
@@ -122,7 +122,7 @@ public final class Completions {
       return data.getMessageType() == null
           ? Optional.empty()
           : messages.get().flatMap(catalog -> catalog.find(data.getMessageType()));
-    } catch (DiagnosticException e) { // validation says what is wrong with the definition
+    } catch (DiagnosticException e) { // validation reports the errors of the definition
       return Optional.empty();
     }
   }

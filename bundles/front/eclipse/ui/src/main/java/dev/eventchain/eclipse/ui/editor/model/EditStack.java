@@ -8,15 +8,15 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
- * The commands of an editor. What is typed into a field is in the model at once, and one command
- * until the field is left or something else happens.
+ * The commands of an editor. Typing changes the model immediately and forms one command until the
+ * field is left or another change follows.
  */
 public final class EditStack extends BasicCommandStack {
 
   private Typing typing;
 
   /**
-   * Gives an attribute a value while a person types it.
+   * Sets an attribute during typing.
    *
    * @param value null for none
    */
@@ -37,7 +37,7 @@ public final class EditStack extends BasicCommandStack {
     }
   }
 
-  /** What is typed from now on is another command. */
+  /** Ends the current typing command; further typing starts another one. */
   public void endTyping() {
     typing = null;
   }

@@ -11,7 +11,7 @@ import org.eclipse.emf.edit.domain.AdapterFactoryEditingDomain;
 import org.eclipse.emf.edit.domain.EditingDomain;
 import org.eclipse.emf.edit.provider.ReflectiveItemProviderAdapterFactory;
 
-/** An event chain that was read from a file, and what was done to it since then. */
+/** An event chain read from a file, with the changes since then. */
 public final class EditedModel {
 
   private final LoadedModel loaded;
@@ -44,7 +44,7 @@ public final class EditedModel {
   }
 
   /**
-   * The file that the model is saved as: what the command line writes of it.
+   * Returns the content of the saved file, as the command line writes it.
    *
    * @throws dev.eventchain.diagnostics.DiagnosticException if XML cannot hold it
    */
@@ -55,7 +55,7 @@ public final class EditedModel {
   /**
    * Changes the model in one step, which can be undone.
    *
-   * @param label what the change is called: "delete"
+   * @param label the name of the change, such as "delete"
    */
   public void change(String label, Runnable work) {
     stack.execute(
@@ -71,7 +71,7 @@ public final class EditedModel {
         });
   }
 
-  /** Gives a feature a value in one step, null for none; nothing happens if it has it already. */
+  /** Sets a feature in one step, null for none; does nothing if it already has the value. */
   public void set(EObject element, EStructuralFeature feature, Object value) {
     boolean same =
         value == null

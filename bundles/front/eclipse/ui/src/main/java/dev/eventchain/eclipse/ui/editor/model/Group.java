@@ -6,6 +6,7 @@ import org.eclipse.emf.ecore.EReference;
 /**
  * A heading in the tree, over elements of one kind.
  *
- * @param feature where the chain holds them; of the data, those that no component uses
+ * @param feature the reference of the chain that contains them; for data, only those that no
+ *     component uses
  */
 public record Group(EventChain chain, EReference feature) {}

@@ -18,7 +18,7 @@ import org.eclipse.jface.resource.ImageDescriptor;
 import org.eclipse.swt.graphics.ImageData;
 import org.eclipse.swt.graphics.PaletteData;
 
-/** The small pictures of the elements, drawn for every resolution from shapes of 16 by 16. */
+/** Icons of the elements, drawn for every resolution from shapes of 16 by 16. */
 public enum Icon {
   CHAIN(0x2F5D8C, chain()),
   EXISTING(0x1F4E79, new RoundRectangle2D.Double(1, 3, 14, 10, 4, 4)),
@@ -36,13 +36,13 @@ public enum Icon {
 
   private static final int SIZE = 16;
 
-  /** The samples of a pixel in each direction. */
+  /** Samples per pixel in each direction. */
   private static final int SAMPLES = 4;
 
   private final int color;
   private final Shape shape;
 
-  /** One for each picture: equal descriptors share an image. */
+  /** Descriptor of the icon: equal descriptors share an image. */
   private final ImageDescriptor descriptor =
       ImageDescriptor.createFromImageDataProvider(this::draw);
 
@@ -51,7 +51,7 @@ public enum Icon {
     this.shape = shape;
   }
 
-  /** The picture of an element of the tree, which for data tells who uses them. */
+  /** Returns the icon of an element of the tree, which for data depends on its users. */
   public static Icon of(Object element) {
     if (element instanceof Group) {
       return GROUP;
@@ -76,7 +76,7 @@ public enum Icon {
     return node.getInput().contains(data) ? INPUT : OUTPUT;
   }
 
-  /** The picture, for a registry or a menu. */
+  /** Returns the icon, for a registry or a menu. */
   public ImageDescriptor descriptor() {
     return descriptor;
   }
@@ -112,7 +112,7 @@ public enum Icon {
     return area;
   }
 
-  /** An arrow to the right, with the side that it goes to, or comes from. */
+  /** Returns an arrow to the right with its target or source side. */
   private static Shape arrow(double start) {
     Path2D path = new Path2D.Double();
     path.moveTo(start, 6.5);

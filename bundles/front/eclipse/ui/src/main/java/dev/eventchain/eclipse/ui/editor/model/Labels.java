@@ -16,17 +16,17 @@ import dev.eventchain.model.eventchain.Statistics;
 import java.util.Locale;
 import org.eclipse.emf.ecore.EObject;
 
-/** What the tree and the lists of the editor call an element. */
+/** Labels of elements in the tree and the lists of the editor. */
 public final class Labels {
 
   private static final EventchainPackage MODEL = EventchainPackage.eINSTANCE;
 
   private Labels() {}
 
-  /** A name, and what is worth knowing next to it; the second may be empty. */
+  /** A name with details, which may be empty. */
   public record Label(String name, String details) {
 
-    /** Both, as people look for it. */
+    /** Returns name and details, as searchable text. */
     public String text() {
       return details.isEmpty() ? name : name + "  " + details;
     }
@@ -92,7 +92,7 @@ public final class Labels {
         : kind;
   }
 
-  /** A name, else what kind of element has none. */
+  /** Returns the name, or the kind of an element without one. */
   private static String named(String name, EObject element) {
     return name == null || name.isEmpty()
         ? "(" + Words.of(element.eClass()).toLowerCase(Locale.ROOT) + " without name)"
@@ -103,7 +103,7 @@ public final class Labels {
     return value == null ? "" : value.replaceAll("\\s+", " ");
   }
 
-  /** A number as people write it: 20, not 20.0. */
+  /** Returns a number in readable form: 20, not 20.0. */
   public static String number(double value) {
     String text = String.valueOf(value);
     return text.endsWith(".0") ? text.substring(0, text.length() - 2) : text;

@@ -9,12 +9,14 @@ import java.util.Optional;
 import org.eclipse.core.resources.IMarker;
 import org.eclipse.emf.ecore.EObject;
 
-/** The element of a chain that a marker is about. */
+/** The element of a chain that a marker refers to. */
 public final class MarkerTarget {
 
   private MarkerTarget() {}
 
-  /** By its path, or the longest beginning of it that leads somewhere; else by its line. */
+  /**
+   * Finds the element by its path, or by the longest prefix of it that exists; else by its line.
+   */
   public static Optional<EObject> find(EditedModel model, IMarker marker) {
     List<EObject> elements = elements(model.chain());
     String path = marker.getAttribute(FindingMarker.ELEMENT, "");
@@ -29,12 +31,12 @@ public final class MarkerTarget {
     return path.isEmpty() && line > 0 ? byLine(model, elements, line) : byPath(elements, path);
   }
 
-  /** The path of an element, as findings give it. */
+  /** Returns the path of an element, as in findings. */
   public static String path(EObject element) {
     return new Origins().locate(element).element();
   }
 
-  /** The element that a path leads to. */
+  /** Returns the element at a path. */
   public static Optional<EObject> find(EventChain chain, String path) {
     return byPath(elements(chain), path);
   }
@@ -49,7 +51,7 @@ public final class MarkerTarget {
     return elements.stream().filter(element -> path(element).equals(path)).findFirst();
   }
 
-  /** The last element that begins at a line or above, as the file was read. */
+  /** Returns the last element that begins at or before a line of the file as read. */
   private static Optional<EObject> byLine(EditedModel model, List<EObject> elements, int line) {
     return elements.stream()
         .filter(element -> model.loaded().origins().locate(element).line() <= line)

@@ -22,14 +22,14 @@ import org.eclipse.core.runtime.IStatus;
 import org.eclipse.core.runtime.Status;
 import org.eclipse.ui.actions.WorkspaceModifyOperation;
 
-/** The file of an editor: how it is read and written, and whether somebody else has changed it. */
+/** The file of an editor: reads and writes it, and detects changes by others. */
 public final class ModelFile {
 
   /**
-   * What is wrong with a file.
+   * A problem of a file.
    *
-   * @param hint what to do about it, or empty
-   * @param line from 1; 0 if it is about no line
+   * @param hint the hint, or empty
+   * @param line from 1; 0 if it concerns no line
    */
   public record Problem(String message, String hint, int line) {
 
@@ -38,7 +38,7 @@ public final class ModelFile {
     }
   }
 
-  /** The model of a file, or what is wrong with it. */
+  /** The model of a file, or its problems. */
   public record Content(Optional<EditedModel> model, List<Problem> problems) {
 
     private static Content wrong(String message, String hint) {
@@ -48,7 +48,7 @@ public final class ModelFile {
 
   private IFile file;
 
-  /** What the editor has read or written last. */
+  /** Content that the editor has last read or written. */
   private byte[] known = {};
 
   public ModelFile(IFile file) {
@@ -59,7 +59,7 @@ public final class ModelFile {
     return file;
   }
 
-  /** The file is another one from now on, of the same contents or none yet. */
+  /** Sets another file, with the same contents or not yet existing. */
   public void moveTo(IFile other) {
     file = other;
   }
@@ -88,7 +88,7 @@ public final class ModelFile {
     }
   }
 
-  /** Whether the file is another one than was read or written here. */
+  /** Returns whether the file has changed since it was last read or written here. */
   public boolean isChanged() {
     return bytes().filter(bytes -> !Arrays.equals(bytes, known)).isPresent();
   }
@@ -96,15 +96,15 @@ public final class ModelFile {
   private Optional<byte[]> bytes() {
     try (InputStream stream = file.getContents(true)) {
       return Optional.of(stream.readAllBytes());
-    } catch (CoreException | IOException e) { // load() says why
+    } catch (CoreException | IOException e) { // load() reports the reason
       return Optional.empty();
     }
   }
 
   /**
-   * Asks whether the file may be written, which may make it writable.
+   * Asks the workspace for permission to write the file, which may make it writable.
    *
-   * @param shell what questions are asked on; null for none
+   * @param shell the parent shell of questions; null to ask none
    */
   public IStatus mayWrite(Object shell) {
     return file.exists() && file.isReadOnly()
@@ -113,9 +113,9 @@ public final class ModelFile {
   }
 
   /**
-   * Writes the file, which is made if there is none.
+   * Writes the file; creates it if it does not exist.
    *
-   * @throws CoreException with what the workspace says against it
+   * @throws CoreException if the workspace rejects the change
    */
   public void save(byte[] bytes, IProgressMonitor monitor) throws CoreException {
     byte[] before = known;
@@ -130,7 +130,7 @@ public final class ModelFile {
     } catch (InvocationTargetException e) {
       known = before;
       throw e.getCause() instanceof CoreException core ? core : failure(e.getCause());
-    } catch (InterruptedException e) { // as a cancelled operation reports itself
+    } catch (InterruptedException e) { // as for a cancelled operation
       known = before;
       throw failure(e);
     }

@@ -17,15 +17,15 @@ import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.eclipse.emf.edit.command.AbstractOverrideableCommand;
 
-/** What is made, deleted and moved in the tree. Each call is one step, which can be undone. */
+/** Creates, deletes and moves elements of the tree. Each call is one undoable step. */
 public final class Structure {
 
   private static final EventchainPackage MODEL = EventchainPackage.eINSTANCE;
 
   /**
-   * Something that can be made below an element.
+   * A kind of element that can be created below an element.
    *
-   * @param name what the menu calls it
+   * @param name its name in the menu
    * @param feature a reference of the element: one that contains, or the inputs or outputs of a
    *     component, whose data the chain contains
    */
@@ -37,7 +37,10 @@ public final class Structure {
     this.model = model;
   }
 
-  /** What can be made below an element of the tree; measurements are made by runs only. */
+  /**
+   * Returns the kinds of elements that can be created below an element; measurements come from runs
+   * only.
+   */
   public static List<Child> possible(Object parent) {
     List<Child> children = new ArrayList<>();
     if (parent instanceof Group group) {
@@ -63,7 +66,7 @@ public final class Structure {
     }
   }
 
-  /** Makes an element below another one, with a name that is free where it has one. */
+  /** Creates an element below another one, with a unique name if it has one. */
   public EObject make(Object parent, Child child) {
     EObject owner = parent instanceof Group group ? group.chain() : (EObject) parent;
     EReference feature = child.feature();
@@ -89,7 +92,7 @@ public final class Structure {
     list.add(index < 0 ? list.size() : index, element);
   }
 
-  /** Gives an element a name that no other one of its kind has. */
+  /** Gives an element a name that is unique among its kind. */
   void name(EObject element) {
     boolean isNode = element instanceof SoftwareNode;
     EStructuralFeature name = nameOf(element);
@@ -124,8 +127,8 @@ public final class Structure {
   }
 
   /**
-   * Deletes elements and the references to them; the data that only a deleted component used; and
-   * what cannot be without a deleted element, such as what was measured of a latency constraint.
+   * Deletes elements with the references to them, the data that only a deleted component used, and
+   * dependent elements, such as the measurements of a latency constraint.
    */
   public void delete(Collection<? extends EObject> elements) {
     Set<EObject> all = new LinkedHashSet<>(elements);
@@ -167,10 +170,10 @@ public final class Structure {
   }
 
   /**
-   * Where moving an element of the tree up or down takes place: data in the order of the component
-   * that they stand under. Null for what is in no list.
+   * Returns the list in which an element of the tree moves up or down: for data, that of the
+   * component that they are shown under. Null if the element is in no list.
    *
-   * @param parent what it is under
+   * @param parent its parent in the tree
    */
   private static EList<Object> listOf(Object parent, EObject element) {
     if (parent instanceof SoftwareNode node && element instanceof Data data) {
@@ -184,21 +187,23 @@ public final class Structure {
     return feature == null || !feature.isMany() ? null : list(element.eContainer(), feature);
   }
 
-  /** Whether an element can be moved by some places among its neighbours. */
+  /** Returns whether an element can be moved by a number of places among its siblings. */
   public static boolean canMove(Object parent, EObject element, int by) {
     EList<Object> list = listOf(parent, element);
     int to = list == null ? -1 : list.indexOf(element) + by;
     return to >= 0 && to < list.size();
   }
 
-  /** Moves an element by some places among its neighbours. */
+  /** Moves an element by a number of places among its siblings. */
   public void move(Object parent, EObject element, int by) {
     EList<Object> list = listOf(parent, element);
     model.change(
         by < 0 ? "move up" : "move down", () -> list.move(list.indexOf(element) + by, element));
   }
 
-  /** Whether two elements are neighbours in one list, so that one can be put next to the other. */
+  /**
+   * Returns whether two elements are in the same list, so that one can be put next to the other.
+   */
   public static boolean canMove(Object parent, EObject element, EObject neighbour) {
     EList<Object> list = listOf(parent, element);
     return list != null && list.contains(neighbour);
@@ -207,7 +212,7 @@ public final class Structure {
   /**
    * Puts an element next to a neighbour.
    *
-   * @param after whether behind it, else before it
+   * @param after true to put it after the neighbour, false to put it before
    */
   public void move(Object parent, EObject element, EObject neighbour, boolean after) {
     EList<Object> list = listOf(parent, element);
@@ -216,7 +221,7 @@ public final class Structure {
     model.change("move", () -> list.move(place, element));
   }
 
-  /** Whether data that one component reads or writes can be another one's instead. */
+  /** Returns whether data that one component reads or writes can be moved to another one. */
   public static boolean canGive(Data data, Object from, SoftwareNode to) {
     return from instanceof SoftwareNode
         && from != to
@@ -224,7 +229,7 @@ public final class Structure {
         && !to.getOutput().contains(data);
   }
 
-  /** Makes what one component reads or writes another one's. */
+  /** Moves data that one component reads or writes to another one. */
   public void give(Data data, Object from, SoftwareNode to) {
     SoftwareNode former = (SoftwareNode) from;
     model.change(
@@ -239,7 +244,7 @@ public final class Structure {
         });
   }
 
-  /** The values of a reference with several. */
+  /** Returns the values of a feature with several. */
   public static EList<Object> list(EObject owner, EReference feature) {
     return AbstractOverrideableCommand.getOwnerList(owner, feature);
   }

@@ -13,8 +13,8 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.jface.viewers.ITreeContentProvider;
 
 /**
- * The chain as a modeler sees it: components with the data that they read and write, then what else
- * the chain holds. The input is an array of one chain.
+ * The tree of a chain: components with the data that they read and write, then the other contents.
+ * The input is an array of one chain.
  */
 public final class TreeContent implements ITreeContentProvider {
 
@@ -35,7 +35,7 @@ public final class TreeContent implements ITreeContentProvider {
     return !children(element).isEmpty();
   }
 
-  /** The elements below one. */
+  /** Returns the children of an element. */
   public static List<Object> children(Object parent) {
     if (parent instanceof EventChain chain) {
       return ofChain(chain);
@@ -81,7 +81,10 @@ public final class TreeContent implements ITreeContentProvider {
     return parent(element);
   }
 
-  /** What an element is under; the first component that uses it, of data. Null for none. */
+  /**
+   * Returns the parent of an element; for data, the first component that uses it. Null if there is
+   * none.
+   */
   static Object parent(Object element) {
     if (element instanceof Group group) {
       return group.chain();

@@ -16,16 +16,18 @@ import org.eclipse.swt.graphics.Image;
 import org.eclipse.ui.ISharedImages;
 import org.eclipse.ui.PlatformUI;
 
-/** Draws the elements of the tree, and what was found about them. */
+/** Draws the elements of the tree and their findings. */
 public final class TreeLabels extends StyledCellLabelProvider {
 
-  /** What is known of an element of the tree and those below it. */
+  /** Findings about the elements of the tree. */
   public interface Findings {
 
-    /** How bad the worst finding is; null for none. */
+    /**
+     * Returns the worst severity of an element and its descendants; null if there are no findings.
+     */
     Severity worst(Object element);
 
-    /** What was found about the element itself, for a tooltip; null for nothing. */
+    /** Returns the findings about the element itself as a tooltip; null if there are none. */
     String text(Object element);
   }
 
@@ -36,7 +38,7 @@ public final class TreeLabels extends StyledCellLabelProvider {
     this.findings = findings;
   }
 
-  /** Shows what was found on a tree's tooltips. */
+  /** Shows the findings as tooltips of a tree. */
   public static void addTooltips(ColumnViewer viewer) {
     ColumnViewerToolTipSupport.enableFor(viewer);
   }
@@ -54,7 +56,7 @@ public final class TreeLabels extends StyledCellLabelProvider {
     super.update(cell);
   }
 
-  /** The picture of an element with its findings. */
+  /** Returns the icon of an element, decorated with its findings. */
   Image image(Object element) {
     ImageDescriptor icon = Icon.of(element).descriptor();
     Severity worst = findings.worst(element);

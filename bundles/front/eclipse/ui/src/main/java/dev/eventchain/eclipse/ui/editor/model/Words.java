@@ -8,17 +8,19 @@ import org.eclipse.emf.ecore.ENamedElement;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
-/** What people read of the metamodel. */
+/** Readable names and texts of the metamodel. */
 public final class Words {
 
   private static final Pattern CAPITAL = Pattern.compile("(?<=[a-z])(?=[A-Z0-9])");
 
-  /** As the documentation of the metamodel says it: {@code ..., in ms.} */
+  /** Unit in the documentation of the metamodel: {@code ..., in ms.} */
   private static final Pattern UNIT = Pattern.compile("\\bin (ms|s|Hz|MiB)\\b");
 
   private Words() {}
 
-  /** A name in words: {@code worstCaseExecutionTime} is {@code Worst case execution time}. */
+  /**
+   * Returns a name in words: {@code worstCaseExecutionTime} is {@code Worst case execution time}.
+   */
   public static String of(ENamedElement element) {
     return switch (element.getName()) {
       case "SoftwareNode" -> "Component";
@@ -37,13 +39,13 @@ public final class Words {
     return words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1);
   }
 
-  /** The name of a feature with the unit of its value, where the metamodel states one. */
+  /** Returns the name of a feature with the unit of its value, if the metamodel states one. */
   public static String withUnit(EStructuralFeature feature) {
     Matcher unit = UNIT.matcher(documentation(feature));
     return unit.find() ? of(feature) + " [" + unit.group(1) + "]" : of(feature);
   }
 
-  /** What the metamodel says of one of its elements; empty if it says nothing. */
+  /** Returns the metamodel's documentation of one of its elements; empty if there is none. */
   public static String documentation(EModelElement element) {
     String text = EcoreUtil.getDocumentation(element);
     return text == null ? "" : text;

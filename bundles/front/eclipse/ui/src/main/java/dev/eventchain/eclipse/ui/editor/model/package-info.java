@@ -1,5 +1,2 @@
-/**
- * The chain that is being edited: its commands, structure, file, and the texts and pictures of its
- * elements.
- */
+/** The edited chain: its commands, structure, file, and the texts and icons of its elements. */
 package dev.eventchain.eclipse.ui.editor.model;

@@ -17,7 +17,7 @@ import org.eclipse.swt.widgets.Composite;
 import org.eclipse.ui.dialogs.FilteredTree;
 import org.eclipse.ui.dialogs.PatternFilter;
 
-/** The tree of a chain, with a field that filters it. */
+/** The tree of a chain, with a filter field. */
 public final class ChainTree {
 
   private final TreeViewer viewer;
@@ -36,23 +36,23 @@ public final class ChainTree {
     return viewer;
   }
 
-  /** Shows a chain, with its components open. */
+  /** Shows a chain, with its components expanded. */
   public void show(EventChain chain) {
     viewer.setInput(new Object[] {chain});
     viewer.expandToLevel(2);
   }
 
-  /** Selects an element and opens what it is under. */
+  /** Selects an element and expands its parent. */
   public void select(Object element) {
     viewer.setSelection(new StructuredSelection(element), true);
   }
 
-  /** What is selected: elements and headings. */
+  /** Returns the selected elements and headings. */
   List<Object> selection() {
     return Arrays.asList(viewer.getStructuredSelection().toArray());
   }
 
-  /** The elements that are selected. */
+  /** Returns the elements that are selected. */
   List<EObject> elements() {
     return selection().stream()
         .filter(EObject.class::isInstance)
@@ -61,7 +61,7 @@ public final class ChainTree {
         .toList();
   }
 
-  /** What the first selected element is under in the tree. */
+  /** Returns the parent of the first selected element in the tree. */
   Object parent() {
     ITreeSelection selection = viewer.getStructuredSelection();
     TreePath[] paths = selection.getPaths();
@@ -69,7 +69,7 @@ public final class ChainTree {
     return segments < 2 ? null : paths[0].getSegment(segments - 2);
   }
 
-  /** Looks for the words that the tree shows. */
+  /** Filters by the words that the tree shows. */
   private static final class Filter extends PatternFilter {
 
     private Filter() {

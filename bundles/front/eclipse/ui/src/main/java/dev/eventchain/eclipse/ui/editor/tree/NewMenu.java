@@ -11,7 +11,7 @@ import org.eclipse.swt.widgets.ToolItem;
 import org.eclipse.ui.ISharedImages;
 import org.eclipse.ui.PlatformUI;
 
-/** The tool that makes new elements: it opens a menu of those that can be made. */
+/** The tool with a menu of the elements that can be created. */
 final class NewMenu extends Action implements IMenuCreator {
 
   private final TreeActions actions;

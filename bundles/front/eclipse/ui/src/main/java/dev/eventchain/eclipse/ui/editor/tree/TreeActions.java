@@ -27,7 +27,7 @@ import org.eclipse.ui.PlatformUI;
 import org.eclipse.ui.handlers.IHandlerActivation;
 import org.eclipse.ui.handlers.IHandlerService;
 
-/** What can be done with what is selected in the tree: by menu, tool bar and keys. */
+/** Actions on the selected elements of the tree: in the menu, the tool bar and by keys. */
 public final class TreeActions {
 
   private final EditedModel model;
@@ -99,12 +99,12 @@ public final class TreeActions {
     return step;
   }
 
-  /** Enables what is possible now. */
+  /** Updates the enabled state of the actions. */
   public void update() {
     steps.forEach(step -> step.setEnabled(step.isPossible.getAsBoolean()));
   }
 
-  /** Lets the keys for cut, copy, paste and delete work on the tree while it has the focus. */
+  /** Activates the keys for cut, copy, paste and delete while the tree has the focus. */
   public void handleIn(IHandlerService handlers) {
     service = handlers;
     tree.viewer().getTree().addListener(SWT.FocusIn, event -> focusGained());
@@ -112,7 +112,7 @@ public final class TreeActions {
     tree.viewer().getTree().addListener(SWT.Dispose, event -> focusLost());
   }
 
-  /** The tree has the focus; may be said more than once. */
+  /** Activates the keys; may be called repeatedly. */
   public void focusGained() {
     if (active.isEmpty()) {
       commands.forEach(
@@ -125,7 +125,7 @@ public final class TreeActions {
     active.clear();
   }
 
-  /** The actions for what is selected. */
+  /** Fills the context menu of the selection. */
   public void fill(IMenuManager menu) {
     MenuManager children = new MenuManager("New");
     fillNew(children);
@@ -136,7 +136,7 @@ public final class TreeActions {
     List.of(up, down).forEach(menu::add);
   }
 
-  /** What can be made below what is selected, or next to it. */
+  /** Fills the menu of elements that can be created below the selected one or next to it. */
   void fillNew(IMenuManager menu) {
     Object target = target();
     Structure.possible(target).forEach(child -> menu.add(make(target, child)));

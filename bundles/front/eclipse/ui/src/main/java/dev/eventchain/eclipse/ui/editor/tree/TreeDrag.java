@@ -14,8 +14,8 @@ import org.eclipse.swt.dnd.Transfer;
 import org.eclipse.swt.dnd.TransferData;
 
 /**
- * Dragging in the tree: an element to another place among its neighbours, and data from one
- * component to another, which then reads or writes it in its place.
+ * Dragging in the tree: an element within its list, and data from one component to another, which
+ * then reads or writes it instead.
  */
 final class TreeDrag extends ViewerDropAdapter {
 
@@ -24,7 +24,7 @@ final class TreeDrag extends ViewerDropAdapter {
   private final ChainTree tree;
   private final Structure structure;
 
-  /** What is dragged and what it is under; null if nothing is. */
+  /** The dragged element and its parent; null if nothing is dragged. */
   private EObject dragged;
 
   private Object from;
@@ -35,7 +35,7 @@ final class TreeDrag extends ViewerDropAdapter {
     this.structure = structure;
   }
 
-  /** Lets people drag elements of a tree. */
+  /** Enables dragging of elements of a tree. */
   static void enable(ChainTree tree, Structure structure) {
     TreeDrag drop = new TreeDrag(tree, structure);
     TreeViewer viewer = tree.viewer();

@@ -1,2 +1,2 @@
-/** The tree of the edited chain, with its menu, and what can be dragged in it. */
+/** The tree of the edited chain, with its menu and drag and drop. */
 package dev.eventchain.eclipse.ui.editor.tree;

@@ -5,15 +5,15 @@ import java.util.List;
 import org.eclipse.core.resources.IFile;
 import org.eclipse.core.runtime.IProgressMonitor;
 
-/** What an editor checks its chain for while a person works on it. */
+/** The validation of a chain while a person edits it. */
 interface ChainValidation {
 
   /**
-   * Checks a chain, not in the user interface's thread.
+   * Checks a chain, outside the user interface's thread.
    *
-   * @param copy nobody changes it meanwhile
-   * @param file where the chain is kept, which may hold another state of it
-   * @return what was found about elements of the copy; also that nothing could be checked
+   * @param copy a copy that is not changed meanwhile
+   * @param file the file of the chain, which may contain another state of it
+   * @return the findings about elements of the copy, including one if nothing could be checked
    */
   List<ElementFinding> validate(EventChain copy, IFile file, IProgressMonitor monitor);
 }

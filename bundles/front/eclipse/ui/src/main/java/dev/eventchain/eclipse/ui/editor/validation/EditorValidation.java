@@ -16,7 +16,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.eclipse.swt.widgets.Display;
 
-/** Checks a copy of the chain in the background, a moment after it was changed. */
+/** Checks a copy of the chain in the background, shortly after a change. */
 public final class EditorValidation {
 
   private static final int DELAY = 300; // ms
@@ -31,8 +31,8 @@ public final class EditorValidation {
   private boolean disposed;
 
   /**
-   * @param file where the chain is by now, which decides by which rules it is checked
-   * @param result given what was found, in the user interface's thread
+   * @param file the current file of the chain, which determines the applicable rules
+   * @param result receives the findings on the user interface's thread
    */
   public EditorValidation(
       ChainValidation validation,
@@ -45,15 +45,15 @@ public final class EditorValidation {
     this.result = result;
   }
 
-  /** The chain has changed. */
+  /** Schedules a check after a change of the chain. */
   public void schedule() {
     if (running != null) {
-      running.cancel(); // what it finds would be about a chain that is no more
+      running.cancel(); // its findings would be about an outdated chain
     }
     display.timerExec(DELAY, start);
   }
 
-  /** Nobody wants to know any more. */
+  /** Cancels the checks. */
   public void dispose() {
     disposed = true;
     display.timerExec(-1, start);
@@ -102,7 +102,8 @@ public final class EditorValidation {
   }
 
   /**
-   * What goes wrong with the check is a finding, too: never is a chain shown as sound unchecked.
+   * Checks the chain and turns failures of the check into findings: an unchecked chain is never
+   * shown as valid.
    */
   private List<ElementFinding> check(EventChain copy, IFile place, IProgressMonitor monitor) {
     try {

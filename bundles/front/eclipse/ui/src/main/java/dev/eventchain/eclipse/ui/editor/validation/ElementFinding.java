@@ -8,8 +8,8 @@ import org.eclipse.emf.ecore.EStructuralFeature;
 /**
  * A finding about an element of a chain.
  *
- * @param element the chain if it is about nothing else in it
- * @param feature null if it is about none in particular
+ * @param element the element, or the chain itself
+ * @param feature the feature; null if the finding concerns no particular one
  */
 public record ElementFinding(Diagnostic finding, EObject element, EStructuralFeature feature) {
 
@@ -17,14 +17,14 @@ public record ElementFinding(Diagnostic finding, EObject element, EStructuralFea
     return finding.severity();
   }
 
-  /** What is wrong, and what to do about it. */
+  /** Returns the message and the hint. */
   public String text() {
     String place = finding.location().file().isEmpty() ? "" : finding.location() + ": ";
     String hint = finding.hint().isEmpty() ? "" : " " + finding.hint();
     return place + finding.message() + hint;
   }
 
-  /** The same finding about the element that another one is a copy of. */
+  /** Returns the same finding about the original of a copied element. */
   ElementFinding about(EObject original) {
     return new ElementFinding(finding, original, feature);
   }

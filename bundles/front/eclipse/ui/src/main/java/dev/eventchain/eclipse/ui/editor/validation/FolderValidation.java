@@ -12,15 +12,15 @@ import org.eclipse.core.resources.IFile;
 import org.eclipse.core.runtime.IProgressMonitor;
 
 /**
- * The checks of the project of Eventchain that a chain is in, as the builder does them; outside
- * such a project, what holds for any chain.
+ * Checks a chain with its Eventchain project, like the builder; outside of projects, with the
+ * standard checks.
  */
 public final class FolderValidation implements ChainValidation {
 
   private final ProjectMessages messages;
 
   /**
-   * @param messages read again with each check, for the fields
+   * @param messages the messages for the fields, read again with each check
    */
   public FolderValidation(ProjectMessages messages) {
     this.messages = messages;

@@ -12,8 +12,8 @@ import org.eclipse.core.resources.IResource;
 import org.eclipse.core.runtime.IPath;
 
 /**
- * The message types that a chain may use: the standard ones, and those of the folder {@code
- * software-base/msg} of the nearest folder above the chain that has one.
+ * The message types available to a chain: the standard ones, and those of {@code software-base/msg}
+ * of the nearest folder above it.
  */
 public final class ProjectMessages implements Supplier<Optional<MessageCatalog>> {
 
@@ -26,7 +26,7 @@ public final class ProjectMessages implements Supplier<Optional<MessageCatalog>>
     this.chain = chain;
   }
 
-  /** Reads what there is now: many files, perhaps, so not in the user interface's thread. */
+  /** Reads the current message files; possibly many, so not on the user interface's thread. */
   Optional<MessageCatalog> read() {
     known = Optional.of(catalog());
     return known;
@@ -47,12 +47,12 @@ public final class ProjectMessages implements Supplier<Optional<MessageCatalog>>
   private static MessageCatalog of(IFolder messages) {
     try {
       return MessageCatalog.of(List.of(messages.getLocation().toPath()));
-    } catch (DiagnosticException e) { // a folder that went away meanwhile
+    } catch (DiagnosticException e) { // a folder that was deleted meanwhile
       return MessageCatalog.of(List.of());
     }
   }
 
-  /** What was read last; empty before. */
+  /** Returns the messages that were last read; empty before. */
   @Override
   public Optional<MessageCatalog> get() {
     return known;
