@@ -68,7 +68,7 @@ class RulePagesTest {
         assertEquals("# " + id, Files.readAllLines(file).get(0), file.toString());
       }
     }
-    String folders = "/(?:[a-z0-9-]+/){1,3}(?:src/main|python)/";
+    String folders = "/(?:(?!src/)[a-z0-9-]+/){1,3}(?:src/main|python)/";
     sources = texts(BUNDLES, Pattern.compile(".*/bundles" + folders + ".*\\.(java|py)"));
   }
 

@@ -4,12 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
+import dev.eventchain.messages.MemberNames;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -104,7 +106,18 @@ class PythonNamesTest {
         }
       }
     }
-    assertEquals(List.of("templates/python/reserved.mtl", "metamodel/eventchain.ocl"), found);
+    assertEquals(
+        List.of(
+            "bundles/robot/messages/src/main/java/dev/eventchain/messages/MemberNames.java",
+            "templates/python/reserved.mtl",
+            "metamodel/eventchain.ocl"),
+        found);
+  }
+
+  /** Message definitions do not know event chains, so their list cannot be read from there. */
+  @Test
+  void messagesRefuseTheSameKeywords() {
+    assertEquals(new TreeSet<>(PythonNames.keywords()), new TreeSet<>(MemberNames.keywords()));
   }
 
   private static boolean isSource(Path file) {

@@ -90,18 +90,9 @@ final class EvaluateCommand extends ProjectCommand {
     }
     Project project = Project.open(folder);
     try {
-      EvaluationOptions options =
-          new EvaluationOptions(
-              outputOf(project),
-              models,
-              runs,
-              parallel,
-              Optional.ofNullable(llm),
-              suppressions(project),
-              timeLimit());
       EvaluationOutcome result =
           LanguageModelEvaluation.run(
-              project, options, new RunLines(console.err(), console.terminal()));
+              project, options(project), new RunLines(console.err(), console.terminal()));
       if (format() == DiagnosticFormat.TEXT) {
         console.out().print(result.table());
         result.files().forEach(file -> console.out().println("Report: " + file));
@@ -110,5 +101,16 @@ final class EvaluateCommand extends ProjectCommand {
     } catch (IllegalArgumentException e) {
       throw wrongUsage(e.getMessage());
     }
+  }
+
+  private EvaluationOptions options(Project project) {
+    return new EvaluationOptions(
+        outputOf(project),
+        models,
+        runs,
+        parallel,
+        Optional.ofNullable(llm),
+        suppressions(project),
+        timeLimit());
   }
 }

@@ -23,7 +23,7 @@ class WrittenPomsTest {
   private static final Pattern PLUGIN = Pattern.compile("(?s)<plugin>.*?</plugin>");
 
   @ParameterizedTest
-  @ValueSource(strings = {"README.md", "../documentation/src/site/build-server.md"})
+  @ValueSource(strings = {"README.md", "../../documentation/src/site/build-server.md"})
   void goalsAndParametersExist(String page) throws Exception {
     Set<String> known = new TreeSet<>();
     for (Xpp3Dom goal : descriptor().getChild("mojos").getChildren()) {

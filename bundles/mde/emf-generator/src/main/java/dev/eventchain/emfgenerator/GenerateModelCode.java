@@ -24,7 +24,7 @@ import org.eclipse.emf.ecore.xmi.impl.EcoreResourceFactoryImpl;
 public final class GenerateModelCode {
 
   /** The workspace project that the generator model's {@code modelDirectory} begins with. */
-  private static final String PROJECT = "eventchain.metamodel";
+  private static final String PROJECT = "eventchain-model";
 
   private GenerateModelCode() {}
 
@@ -32,7 +32,7 @@ public final class GenerateModelCode {
    * Generates the model code.
    *
    * @param arguments the .genmodel file, and the folder of the workspace project {@code
-   *     eventchain.metamodel}
+   *     eventchain-model}
    * @throws IOException if a file cannot be read or written
    */
   public static void main(String[] arguments) throws IOException {

@@ -315,12 +315,12 @@ public final class Expression {
       known = language.trace(ast);
       traced = known;
     }
-    Frame again = known.frame(frame.run);
+    Frame again = known.frame(frame.run());
     again.replay(frame.calls());
-    frame.run.setOrigin(null);
-    frame.run.takeFailure();
+    frame.run().setOrigin(null);
+    frame.run().takeFailure();
     known.evaluate(again);
-    InvalidOrigin origin = frame.run.origin();
+    InvalidOrigin origin = frame.run().origin();
     return origin == null ? invalid("it has no value", Invalid.Kind.OTHER) : origin.toInvalid();
   }
 

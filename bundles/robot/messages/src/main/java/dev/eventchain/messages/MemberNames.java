@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /** Naming rules for fields and constants of ROS 2 messages (rosidl_adapter). */
-final class MemberNames {
+public final class MemberNames {
 
   private static final Pattern FIELD = Pattern.compile("[a-z][a-z0-9]*(_[a-z0-9]+)*");
   private static final Pattern CONSTANT = Pattern.compile("[A-Z][A-Z0-9]*(_[A-Z0-9]+)*");
@@ -57,7 +57,7 @@ final class MemberNames {
   private MemberNames() {}
 
   /** Returns the keywords of Python, which are not allowed as names in any definition language. */
-  static List<String> keywords() {
+  public static List<String> keywords() {
     return KEYWORDS;
   }
 

@@ -134,16 +134,18 @@ final class MessageParser {
     members.add(new Member(member, typed.type(), typed.base(), value, typed.place()));
   }
 
+  private static Diagnostic wide(SourceLocation place) {
+    return Diagnostic.error("message.syntax", "wstring is not supported.", place)
+        .withHint("Use string: implementations of DDS encode wstring unequally.");
+  }
+
   /** Parses a type into a member without a name. */
   private Optional<Member> type(String text, int offset) {
     Matcher type = TYPE.matcher(text);
     boolean isType = type.matches();
     String base = isType ? type.group("base") : "";
     if (base.equals(WIDE)) {
-      Diagnostic problem =
-          Diagnostic.error("message.syntax", "wstring is not supported.", source.at(offset));
-      problems.add(
-          problem.withHint("Use string: implementations of DDS encode wstring unequally."));
+      problems.add(wide(source.at(offset)));
       return Optional.empty();
     }
     FieldType.Kind kind = kind(base);

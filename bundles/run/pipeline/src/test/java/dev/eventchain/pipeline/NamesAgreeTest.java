@@ -236,7 +236,7 @@ class NamesAgreeTest {
     ProcessBuilder builder = new ProcessBuilder(python.toString(), script.toString(), NODE);
     builder
         .environment()
-        .put("PYTHONPATH", Path.of("../runtime/python").toAbsolutePath().toString());
+        .put("PYTHONPATH", Path.of("../../robot/runtime/python").toAbsolutePath().toString());
     builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
     Process process = builder.redirectError(ProcessBuilder.Redirect.INHERIT).start();
     try (var stdin = process.getOutputStream()) {

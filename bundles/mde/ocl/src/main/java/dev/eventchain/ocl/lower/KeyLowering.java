@@ -75,8 +75,8 @@ final class KeyLowering {
     return fits && body.within(variables, equality) instanceof LogicNodes.Equality sides
         ? Optional.of(
             leftIsKey
-                ? new KeyedElements(source, slot, sides.left, sides.right)
-                : new KeyedElements(source, slot, sides.right, sides.left))
+                ? new KeyedElements(source, slot, sides.left(), sides.right())
+                : new KeyedElements(source, slot, sides.right(), sides.left()))
         : Optional.empty();
   }
 

@@ -9,7 +9,7 @@ public final class Frame {
 
   private static final Object[] NO_SLOTS = {};
 
-  public final Run run;
+  final Run run;
   final Object[] slots;
 
   /** The frame of the outermost expression, perhaps this one. */
@@ -32,6 +32,11 @@ public final class Frame {
     this.run = caller.run;
     this.slots = new Object[size];
     this.outermost = caller.outermost;
+  }
+
+  /** Returns the evaluation that the frame belongs to. */
+  public Run run() {
+    return run;
   }
 
   /** Replays the earlier results of library calls. */

@@ -9,12 +9,22 @@ public final class LogicNodes {
 
   /** A node with a left and a right side. */
   public abstract static class Binary extends Node {
-    public final Node left;
-    public final Node right;
+    final Node left;
+    final Node right;
 
     Binary(Node left, Node right) {
       this.left = left;
       this.right = right;
+    }
+
+    /** Returns the left side. */
+    public Node left() {
+      return left;
+    }
+
+    /** Returns the right side. */
+    public Node right() {
+      return right;
     }
   }
 

@@ -23,11 +23,11 @@ class MessageModelTest {
 
   /** A chain and its message definitions, from which a template case generates nodes. */
   private static final Path CASE =
-      Path.of("../m2t/src/test/resources/cases/cyclonedds-python/fork-and-join/model.xmi");
+      Path.of("../../mde/m2t/src/test/resources/cases/cyclonedds-python/fork-and-join/model.xmi");
 
   /** Definitions with fields of every kind, with defaults and bounds. */
   private static final Path MESSAGES =
-      Path.of("../../tests/end-to-end/src/test/resources/cyclonedds/msg");
+      Path.of("../../../tests/end-to-end/src/test/resources/cyclonedds/msg");
 
   @Test
   void theModelOfTheTemplateCaseIsTheOneThatTheDefinitionsGive() throws IOException {

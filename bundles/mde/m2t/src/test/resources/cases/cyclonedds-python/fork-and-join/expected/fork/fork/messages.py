@@ -35,7 +35,7 @@ class odd_msgs__Everything(IdlStruct, typename="odd_msgs::msg::dds_::Everything_
     larger: types.uint64 = 18446744073709551615
     single: types.float32 = 0.1
     double: types.float64 = -1.0e-300
-    text: str = 'it\'s \\"quoted\\"'
+    text: str = 'it\'s "quoted"'
     short: types.bounded_str[5] = ""
     octets: types.sequence[types.byte] = field(default_factory=list)
     letters: types.sequence[types.uint8] = field(default_factory=list)
