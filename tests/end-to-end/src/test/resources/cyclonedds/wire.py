@@ -2,7 +2,8 @@
 
     python wire.py RUNTIME MESSAGES    (with the generated package on the path)
 
-RUNTIME holds the codecs, which are themselves compared with those of ROS 2; MESSAGES holds <package>/msg/*.msg.
+RUNTIME holds the codecs, which are themselves compared with those of ROS 2; MESSAGES is what `eventchain messages`
+wrote of the definitions.
 """
 
 import dataclasses
@@ -13,9 +14,10 @@ from fork import messages
 
 sys.path.append(sys.argv[1])  # at the end: cyclonedds stays the real one
 
+from eventchain_ros2 import catalog  # noqa: E402
 from eventchain_ros2.messages import Messages, from_cdr, to_cdr  # noqa: E402
 
-CATALOG = Messages([Path(sys.argv[2])])
+CATALOG = Messages(catalog.read([Path(sys.argv[2])]))
 
 
 def main():

@@ -140,7 +140,9 @@ class CycloneDdsTest {
   void bytesOnTheWireAreThoseOfRos() throws IOException {
     forkAndJoin("wire");
     Path runtime = Program.ROOT.resolve("bundles/robot/runtime/python");
-    python(folder.resolve("wire"), RESOURCES.resolve("wire.py"), runtime, RESOURCES.resolve("msg"))
+    String written = new Program().run("messages", RESOURCES.resolve("msg")).expect(0).out();
+    Path messages = Files.writeString(folder.resolve("messages.json"), written);
+    python(folder.resolve("wire"), RESOURCES.resolve("wire.py"), runtime, messages)
         .expect(0)
         .says("10 messages are the same");
   }

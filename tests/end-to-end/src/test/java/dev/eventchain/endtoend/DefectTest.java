@@ -39,9 +39,9 @@ class DefectTest {
 
   @ParameterizedTest
   @CsvSource({
-    "metamodel.MetamodelChecks, library.ecore:",
-    "rules.RuleDocument, rules.ocl:",
-    "rules.RuleComments, rules.ocl:2:1:",
+    "xmi.MetamodelChecks, library.ecore:",
+    "constraints.RuleDocument, rules.ocl:",
+    "constraints.RuleComments, rules.ocl:2:1:",
     "documents.YamlTree, decided.yaml:"
   })
   void ofAValidationNamesTheFile(String broken, String place) throws IOException {
@@ -66,7 +66,7 @@ class DefectTest {
         Files.writeString(
             folder.resolve("chain.xmi"),
             "<e:EventChain xmlns:e='http://eventchain.dev/eventchain/1.0' name='a'/>");
-    breaking("metamodel.EcorePlan")
+    breaking("xmi.EcorePlan")
         .run("validate", chain)
         .expect(3)
         .says(chain + ": error: This is a defect in eventchain: ");
