@@ -25,6 +25,12 @@ final class AbandonedFolders {
   static final String LOCK = "lock";
 
   /**
+   * Beginning of the names of this process's folders, whichever class loader made them: opening and
+   * closing their lock files would release the locks.
+   */
+  static final String OURS = PREFIX + ProcessHandle.current().pid() + "-";
+
+  /**
    * Age from which a folder without a lock is abandoned; a younger one may be about to get its
    * lock.
    */
@@ -35,23 +41,18 @@ final class AbandonedFolders {
   private AbandonedFolders() {}
 
   /** Deletes the abandoned folders below a place; once per place and process. */
-  static void sweepOnce(Path place, Set<Path> ours) {
+  static void sweepOnce(Path place) {
     if (SWEPT.add(place.toAbsolutePath())) {
-      sweep(place, ours);
+      sweep(place);
     }
   }
 
-  /**
-   * Deletes the abandoned folders below a place.
-   *
-   * @param ours the folders of this process: opening and closing their lock files would release the
-   *     locks
-   */
-  static void sweep(Path place, Set<Path> ours) {
+  /** Deletes the abandoned folders below a place; those of this process stay. */
+  static void sweep(Path place) {
     try (DirectoryStream<Path> found = Files.newDirectoryStream(place, PREFIX + "*")) {
       UserPrincipal me = Files.getOwner(Path.of("/proc/self"));
       for (Path folder : found) {
-        if (!ours.contains(folder)
+        if (!folder.getFileName().toString().startsWith(OURS)
             && Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)
             && Files.getOwner(folder, LinkOption.NOFOLLOW_LINKS).equals(me)) {
           deleteIfAbandoned(folder);

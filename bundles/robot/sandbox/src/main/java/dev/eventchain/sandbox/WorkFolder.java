@@ -14,8 +14,6 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.Map;
-import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * A temporary folder for untrusted code, accessible to its owner only, that is deleted with its
@@ -26,8 +24,6 @@ import java.util.concurrent.ConcurrentHashMap;
  * when it creates its first one.
  */
 public final class WorkFolder implements AutoCloseable {
-
-  private static final Set<Path> OURS = ConcurrentHashMap.newKeySet();
 
   private final Path whole;
   private final FileChannel lock;
@@ -48,15 +44,13 @@ public final class WorkFolder implements AutoCloseable {
   }
 
   static WorkFolder create(Path place) {
-    AbandonedFolders.sweepOnce(place, OURS);
+    AbandonedFolders.sweepOnce(place);
     try {
-      Path whole = Files.createTempDirectory(place, AbandonedFolders.PREFIX);
-      OURS.add(whole);
+      Path whole = Files.createTempDirectory(place, AbandonedFolders.OURS);
       try {
         return fill(whole);
       } catch (IOException e) {
         AbandonedFolders.delete(whole);
-        OURS.remove(whole);
         throw e;
       }
     } catch (IOException e) {
@@ -130,6 +124,5 @@ public final class WorkFolder implements AutoCloseable {
     } catch (IOException e) {
       // The lock is released with this process.
     }
-    OURS.remove(whole);
   }
 }

@@ -66,10 +66,10 @@ class WorkFolderTest {
   void leftByAKilledProcessIsSweptByTheNext() throws Exception {
     Path left = abandoned();
     Process holder = python(HOLD_LOCK, left.resolve("lock"), "held");
-    AbandonedFolders.sweep(place, Set.of());
+    AbandonedFolders.sweep(place);
     assertTrue(Files.exists(left.resolve("work/file")), "the folder of a living process went");
     holder.destroyForcibly().waitFor();
-    AbandonedFolders.sweep(place, Set.of());
+    AbandonedFolders.sweep(place);
     assertEquals(List.of(), entries());
   }
 
@@ -93,12 +93,12 @@ class WorkFolderTest {
     Path making = Files.createDirectory(place.resolve(AbandonedFolders.PREFIX + "1"));
     Path other = Files.createDirectory(place.resolve("eventchain-work"));
     try (WorkFolder folder = WorkFolder.create(place)) {
-      AbandonedFolders.sweep(place, Set.of(folder.path().getParent()));
+      AbandonedFolders.sweep(place);
       assertTrue(Files.isDirectory(folder.path()));
       assertTrue(Files.isDirectory(making));
     }
     Files.setLastModifiedTime(making, FileTime.from(Instant.now().minusSeconds(3600)));
-    AbandonedFolders.sweep(place, Set.of());
+    AbandonedFolders.sweep(place);
     assertEquals(List.of(other), entries());
   }
 
@@ -107,7 +107,7 @@ class WorkFolderTest {
     Path elsewhere = Files.createDirectory(place.resolve("elsewhere"));
     Files.createFile(elsewhere.resolve("lock"));
     Files.createSymbolicLink(place.resolve(AbandonedFolders.PREFIX + "2"), elsewhere);
-    AbandonedFolders.sweep(place, Set.of());
+    AbandonedFolders.sweep(place);
     assertTrue(Files.exists(elsewhere.resolve("lock")));
   }
 
