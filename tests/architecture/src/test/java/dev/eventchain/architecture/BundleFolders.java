@@ -1,5 +1,7 @@
 package dev.eventchain.architecture;
 
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -16,14 +18,26 @@ final class BundleFolders {
 
   private BundleFolders() {}
 
-  /** Returns all folders, sorted by path. The Eclipse plug-ins count as one. */
+  /** Returns the folders of the modules, sorted by path; the plug-ins for Eclipse are one. */
   static List<Path> all() throws IOException {
+    return with("pom.xml");
+  }
+
+  /** Returns the folders with a README, sorted by path: also those that are no modules. */
+  static List<Path> described() throws IOException {
+    return with("README.md");
+  }
+
+  private static List<Path> with(String file) throws IOException {
     try (Stream<Path> folders = Files.walk(BUNDLES, DEEPEST)) {
-      return folders
-          .filter(folder -> !folder.equals(BUNDLES))
-          .filter(folder -> Files.isRegularFile(folder.resolve("pom.xml")))
-          .sorted()
-          .toList();
+      List<Path> found =
+          folders
+              .filter(folder -> !folder.equals(BUNDLES))
+              .filter(folder -> Files.isRegularFile(folder.resolve(file)))
+              .sorted()
+              .toList();
+      assertTrue(found.size() > 20, () -> "only " + found);
+      return found;
     }
   }
 
