@@ -36,6 +36,13 @@ public final class ModelAgent {
 
   private final AgentContext context;
 
+  /**
+   * An answer that passed its checks, and the model in it.
+   *
+   * @param model the model; its findings are errors only if they are suppressed
+   */
+  public record Answer(AgentResult result, Modeled<EObject> model) {}
+
   /** Creates an agent for a context. */
   public ModelAgent(AgentContext context) {
     this.context = context;
@@ -49,11 +56,12 @@ public final class ModelAgent {
    * @param name the chain's name
    * @param requirements the functional requirements
    * @param base the existing software
-   * @return a conceptual instance model, in the JSON that {@link InstanceModeler} reads
+   * @return a conceptual instance model, in the JSON that {@link InstanceModeler} reads, and as
+   *     read by it
    * @throws dev.eventchain.diagnostics.DiagnosticException FINDINGS if no answer passed its checks;
    *     and as the model throws
    */
-  public AgentResult model(
+  public Answer model(
       String metamodel,
       SourceText chain,
       String name,
@@ -76,14 +84,32 @@ public final class ModelAgent {
             Map.entry("requirements", RuleText.items(requirements.items())),
             Map.entry("existing components", existing(base)),
             Map.entry("event chain", description.text()));
-    return new RepairLoop(context, "model", AnswerKind.JSON)
-        .run(
-            FILE, PROMPT, values, Optional.of(ModelSchema.of(direct)), text -> check(text, direct));
+    List<Modeled<EObject>> read = new ArrayList<>();
+    AgentResult result =
+        new RepairLoop(context, "model", AnswerKind.JSON)
+            .run(
+                FILE,
+                PROMPT,
+                values,
+                Optional.of(ModelSchema.of(direct)),
+                text -> {
+                  read.add(read(text));
+                  return check(last(read), direct);
+                });
+    return new Answer(result, last(read));
   }
 
-  static List<Diagnostic> check(SourceText text, EventChain direct) {
-    InstanceModeler modeler = new InstanceModeler(List.of(EventchainPackage.eINSTANCE));
-    Modeled<EObject> modeled = modeler.modelOne(text, EventchainPackage.Literals.EVENT_CHAIN);
+  /** Returns the model of the last answer that was read, which is the one that passed. */
+  private static Modeled<EObject> last(List<Modeled<EObject>> read) {
+    return read.get(read.size() - 1);
+  }
+
+  static Modeled<EObject> read(SourceText text) {
+    return new InstanceModeler(List.of(EventchainPackage.eINSTANCE))
+        .modelOne(text, EventchainPackage.Literals.EVENT_CHAIN);
+  }
+
+  static List<Diagnostic> check(Modeled<EObject> modeled, EventChain direct) {
     List<Diagnostic> diagnostics = new ArrayList<>(modeled.diagnostics());
     if (!Diagnostic.anyError(diagnostics)) {
       diagnostics.addAll(

@@ -84,7 +84,7 @@ record ExampleWorkflow(String folder, String name, String title, double frequenc
     String metamodel = EventChainMetamodel.text();
     results.put(
         "instance.json",
-        new ModelAgent(context).model(metamodel, description, name, requirements, base));
+        new ModelAgent(context).model(metamodel, description, name, requirements, base).result());
     results.put(
         "generated.ocl",
         new ConstrainAgent(context)

@@ -73,7 +73,7 @@ final class GoodAnswers {
     return recorded(
         "model",
         AnswerKind.JSON,
-        text -> ModelAgent.check(text, chain),
+        text -> ModelAgent.check(ModelAgent.read(text), chain),
         (one, other) -> compare(instance(one), instance(other)));
   }
 

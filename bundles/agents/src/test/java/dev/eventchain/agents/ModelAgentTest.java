@@ -80,6 +80,7 @@ class ModelAgentTest {
 
   private AgentResult run(ScriptedModel model) {
     return new ModelAgent(AgentContext.of(model))
-        .model("<the metamodel/>", CHAIN, "lane_departure_warning", REQUIREMENTS, base);
+        .model("<the metamodel/>", CHAIN, "lane_departure_warning", REQUIREMENTS, base)
+        .result();
   }
 }

@@ -48,14 +48,14 @@ class ModelCheckTest {
 
   @Test
   void theExampleItselfIsFine() {
-    assertEquals(List.of(), ModelAgent.check(example("instance.json"), direct));
+    assertEquals(List.of(), ModelAgent.check(ModelAgent.read(example("instance.json")), direct));
   }
 
   @ParameterizedTest
   @MethodSource
   void eachFaultIsFoundWhereItIs(Path file) throws IOException {
     List<Diagnostic> found =
-        ModelAgent.check(SourceText.read(file), direct).stream().sorted().toList();
+        ModelAgent.check(ModelAgent.read(SourceText.read(file)), direct).stream().sorted().toList();
     FindingLines.check(file, found);
   }
 

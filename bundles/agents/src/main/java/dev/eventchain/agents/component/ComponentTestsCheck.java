@@ -12,6 +12,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.project.Requirements;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -39,6 +40,7 @@ final class ComponentTestsCheck {
 
   private final Component component;
   private final Map<String, WrittenRequirement> requirements = new LinkedHashMap<>();
+  private final Map<WrittenRequirement, List<Threshold>> thresholds = new HashMap<>();
   private final boolean isNormalized;
 
   /**
@@ -95,7 +97,7 @@ final class ComponentTestsCheck {
     if (requirement == null) {
       return Optional.empty();
     }
-    for (Threshold threshold : RequirementThresholds.of(requirement, component)) {
+    for (Threshold threshold : thresholds(requirement)) {
       if (isAlwaysIn(threshold, test)) {
         for (String output : threshold.outputs()) {
           TestExpectation expected = test.outputs().get(output);
@@ -166,7 +168,7 @@ final class ComponentTestsCheck {
         missing.add("about " + id.asText());
       }
     }
-    thresholds()
+    changes()
         .forEach((input, bounds) -> bounds.forEach(b -> missing.addAll(gaps(input, b, tests))));
     return missing.isEmpty()
         ? Optional.empty()
@@ -179,19 +181,25 @@ final class ComponentTestsCheck {
                     "Add them; just below and just above mean at most a tenth of the value away."));
   }
 
+  /** Returns the thresholds of a requirement, which is parsed once. */
+  private List<Threshold> thresholds(WrittenRequirement requirement) {
+    return thresholds.computeIfAbsent(
+        requirement, each -> RequirementThresholds.of(each, component));
+  }
+
   /** Returns the values of inputs at which a requirement of the component changes its effect. */
-  private Map<String, Set<Double>> thresholds() {
-    Map<String, Set<Double>> thresholds = new LinkedHashMap<>();
+  private Map<String, Set<Double>> changes() {
+    Map<String, Set<Double>> changes = new LinkedHashMap<>();
     for (JsonNode id : component.json().path("requirements")) {
       Optional.ofNullable(requirements.get(id.asText())).stream()
-          .flatMap(item -> RequirementThresholds.of(item, component).stream())
+          .flatMap(item -> thresholds(item).stream())
           .forEach(
               each ->
-                  thresholds
+                  changes
                       .computeIfAbsent(each.input(), input -> new TreeSet<>())
                       .addAll(each.bounds()));
     }
-    return thresholds;
+    return changes;
   }
 
   private static List<String> gaps(String input, double bound, ComponentTests tests) {

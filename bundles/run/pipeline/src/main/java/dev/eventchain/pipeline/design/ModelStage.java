@@ -6,11 +6,9 @@ import dev.eventchain.check.ChainModel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.jsonmodels.InstanceModeler;
 import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.model.eventchain.EventChain;
-import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.pipeline.project.Configuration;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.ChainSnapshot;
@@ -22,7 +20,6 @@ import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.xmi.XmiStore;
 import java.nio.file.Path;
 import java.util.List;
-import org.eclipse.emf.ecore.EObject;
 
 /**
  * Writes the event chain as an instance of the metamodel, {@code chain.xmi}: by a language model,
@@ -62,7 +59,7 @@ public final class ModelStage implements StageWork {
 
   private static StageResult modelByAgent(
       RunContext run, SourceText description, EventChain direct) {
-    AgentResult answered =
+    ModelAgent.Answer answer =
         new ModelAgent(run.models().agent(Stage.MODEL))
             .model(
                 EventChainMetamodel.text(),
@@ -70,7 +67,9 @@ public final class ModelStage implements StageWork {
                 run.project().configuration().name(),
                 run.requirements(),
                 run.softwareBase());
-    EventChain chain = instance(answered.text());
+    AgentResult answered = answer.result();
+    refuseErrors(answer.model().diagnostics());
+    EventChain chain = (EventChain) answer.model().root();
     run.softwareBase().addBudgets(chain, direct);
     ChainModel.complete(chain, run.project().configuration().settings(), run.softwareBase());
     run.write(ProjectFolder.MODEL, XmiStore.toBytes(chain));
@@ -81,16 +80,6 @@ public final class ModelStage implements StageWork {
         List.of(ProjectFolder.MODEL),
         answered.diagnostics(),
         AgentReport.of(run, Stage.MODEL, List.of(answered)));
-  }
-
-  /** Returns the model in the agent's answer, which the agent has checked. */
-  private static EventChain instance(String answer) {
-    Modeled<EObject> modeled =
-        new InstanceModeler(List.of(EventchainPackage.eINSTANCE))
-            .modelOne(
-                SourceText.of("instance.json", answer), EventchainPackage.Literals.EVENT_CHAIN);
-    refuseErrors(modeled.diagnostics());
-    return (EventChain) modeled.root();
   }
 
   private static void refuseErrors(List<Diagnostic> diagnostics) {
