@@ -1,14 +1,12 @@
 package dev.eventchain.pipeline.design;
 
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.llm.Spending;
 import dev.eventchain.pipeline.project.Configuration;
+import dev.eventchain.pipeline.results.Answers;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
@@ -21,6 +19,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
@@ -53,20 +52,20 @@ final class AgentReport {
   }
 
   /** Returns the model that answered and the source of its answers. */
-  static ObjectNode of(RunContext run, Stage stage, List<AgentResult> results) {
-    ObjectNode report = JsonNodeFactory.instance.objectNode();
-    report.put("model", String.join(", ", run.project().configuration().models(stage.id())));
+  static Answers of(RunContext run, Stage stage, List<AgentResult> results) {
     Set<String> provenance = new TreeSet<>();
     results.stream()
         .flatMap(result -> result.attempts().stream())
         .forEach(attempt -> provenance.add(attempt.response().provenance()));
-    report.put("provenance", String.join(", ", provenance));
     Set<String> returned = new TreeSet<>();
     results.forEach(result -> returned.addAll(returned(result)));
-    ArrayNode ids = report.putArray("returned");
-    returned.forEach(ids::add);
-    report.set("conversation", run.models().conversation(stage).deepCopy());
-    return report;
+    return new Answers(
+        String.join(", ", run.project().configuration().models(stage.id())),
+        String.join(", ", provenance),
+        List.copyOf(returned),
+        run.models().conversation(stage),
+        Optional.empty(),
+        Optional.empty());
   }
 
   /** Returns the identifiers of the errors in answers that were sent back. */

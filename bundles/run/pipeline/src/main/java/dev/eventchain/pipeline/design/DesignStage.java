@@ -1,6 +1,5 @@
 package dev.eventchain.pipeline.design;
 
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.agents.DesignAgent;
 import dev.eventchain.check.ChainChecks;
@@ -8,6 +7,7 @@ import dev.eventchain.check.ChainModel;
 import dev.eventchain.description.EventChainWriter;
 import dev.eventchain.pipeline.project.Configuration;
 import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.results.Answers;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.ProjectChecks;
@@ -57,7 +57,7 @@ public final class DesignStage implements StageWork {
                 run.softwareBase(),
                 run.messages());
     run.write(ProjectFolder.DESCRIPTION, designed.text());
-    ObjectNode report = AgentReport.of(run, Stage.DESIGN, List.of(designed));
+    Answers report = AgentReport.of(run, Stage.DESIGN, List.of(designed));
     int count = run.requirements().items().size();
     return new StageResult(
         "event chain from " + count + " requirements" + AgentReport.effort(run, List.of(designed)),

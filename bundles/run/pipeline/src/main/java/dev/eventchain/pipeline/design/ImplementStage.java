@@ -1,6 +1,5 @@
 package dev.eventchain.pipeline.design;
 
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.agents.ImplementAgent;
 import dev.eventchain.agents.component.ComponentTester;
@@ -11,6 +10,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.results.Answers;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.ChainSnapshot;
 import dev.eventchain.pipeline.stage.ComponentFiles;
@@ -63,10 +63,10 @@ public final class ImplementStage implements StageWork {
     List<String> files = work.removeOthers();
     List<AgentResult> asked = new ArrayList<>(tests.results());
     asked.addAll(work.results);
-    ObjectNode report = AgentReport.of(run, Stage.IMPLEMENT, asked);
+    Answers report = AgentReport.of(run, Stage.IMPLEMENT, asked);
     if (!missing.isEmpty()) {
-      report.put("confinement", Confinement.detect().describe());
-      report.put("python", run.python(Stage.IMPLEMENT).version());
+      report =
+          report.tested(Confinement.detect().describe(), run.python(Stage.IMPLEMENT).version());
     }
     return new StageResult(details(work, missing, asked), files, work.found, report);
   }

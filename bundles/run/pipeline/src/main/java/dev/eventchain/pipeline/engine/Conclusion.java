@@ -1,8 +1,5 @@
 package dev.eventchain.pipeline.engine;
 
-import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.node.MissingNode;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -12,6 +9,8 @@ import dev.eventchain.diagnostics.Suppressions.Suppressed;
 import dev.eventchain.pipeline.report.EarlierRun;
 import dev.eventchain.pipeline.report.ReportData;
 import dev.eventchain.pipeline.report.ReportPage;
+import dev.eventchain.pipeline.results.Simulated;
+import dev.eventchain.pipeline.results.SimulatedFault;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.Progress.Status;
 import dev.eventchain.pipeline.run.RunResult;
@@ -20,7 +19,6 @@ import dev.eventchain.pipeline.run.RunResult.ScenarioLine;
 import dev.eventchain.pipeline.run.RunResult.Verdict;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.simulate.RequirementOutcomes;
-import dev.eventchain.pipeline.simulate.SimulationReport;
 import dev.eventchain.pipeline.simulate.UntestedFindings;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.pipeline.stage.StageOutcome;
@@ -131,7 +129,8 @@ final class Conclusion {
     String scenarioText = passed + " of " + scenarios.size() + " scenarios passed";
     long errors = found.stream().filter(finding -> finding.severity() == Severity.ERROR).count();
     String errorText = Coverage.counted(errors, "error");
-    String requirements = RequirementOutcomes.counted(requirementOutcomes());
+    String requirements =
+        simulated().map(it -> RequirementOutcomes.counted(it.requirements())).orElse("");
     String counted = faultText() + (requirements.isEmpty() ? "" : requirements + ", ");
     return switch (verdict) {
       case PASSED ->
@@ -146,11 +145,12 @@ final class Conclusion {
     };
   }
 
-  private JsonNode requirementOutcomes() {
-    StageOutcome simulated = outcome(Stage.SIMULATE);
-    return simulated.status() == Status.NOT_RUN || simulated.report().isEmpty()
-        ? MissingNode.getInstance()
-        : simulated.report().get().path("requirements");
+  /** Returns the simulation of this run; an earlier one proves nothing about it. */
+  private Optional<Simulated> simulated() {
+    StageOutcome simulated = outcomes.get(Stage.SIMULATE);
+    return simulated.status() == Status.NOT_RUN
+        ? Optional.empty()
+        : simulated.report(Simulated.class);
   }
 
   private static String untested(List<ScenarioLine> scenarios, String scenarioText) {
@@ -167,12 +167,7 @@ final class Conclusion {
 
   /** Returns a note on nodes that were started elsewhere. */
   private String attached() {
-    String words =
-        outcome(Stage.SIMULATE)
-            .report()
-            .map(report -> report.path(SimulationReport.ATTACHED).asText())
-            .orElse("");
-    return words.isEmpty() ? "" : " (" + words + ")";
+    return simulated().flatMap(Simulated::attached).map(words -> " (" + words + ")").orElse("");
   }
 
   private String stopped() {
@@ -208,36 +203,20 @@ final class Conclusion {
         .orElse("nothing to do");
   }
 
-  /** Returns the scenarios of this run; those of an earlier one prove nothing about it. */
   private List<ScenarioLine> scenarioLines() {
-    StageOutcome simulated = outcome(Stage.SIMULATE);
-    List<ScenarioLine> lines = new ArrayList<>();
-    if (simulated.status() != Status.NOT_RUN && simulated.report().isPresent()) {
-      for (JsonNode scenario : simulated.report().get().path("scenarios")) {
-        lines.add(
-            new ScenarioLine(
-                scenario.path("name").asText(),
-                scenario.path("tested").asBoolean(),
-                scenario.path("passed").asBoolean(),
-                scenario.path("text").asText()));
-      }
-    }
-    return lines;
+    return simulated().map(Simulated::scenarios).orElse(List.of()).stream()
+        .map(it -> new ScenarioLine(it.name(), it.tested(), it.passed(), it.text()))
+        .toList();
   }
 
   /**
    * Returns the number of judged faults that went as expected, and the number of faults not judged.
    */
   private String faultText() {
-    long judged = 0;
-    long passed = 0;
-    long observed = 0;
-    for (JsonNode fault : faults()) {
-      boolean isJudged = fault.path("judged").asBoolean();
-      judged += isJudged ? 1 : 0;
-      observed += isJudged ? 0 : 1;
-      passed += fault.path("passed").asBoolean() ? 1 : 0;
-    }
+    List<SimulatedFault> faults = faults();
+    long judged = faults.stream().filter(SimulatedFault::judged).count();
+    long passed = faults.stream().filter(SimulatedFault::passed).count();
+    long observed = faults.size() - judged;
     String text =
         judged == 0 ? "" : passed + " of " + Coverage.counted(judged, "fault") + " as expected, ";
     return observed == 0 ? text : text + Coverage.counted(observed, "fault") + " not judged, ";
@@ -245,24 +224,13 @@ final class Conclusion {
 
   /** Returns the results of the faults in this run. */
   private List<FaultLine> faultLines() {
-    List<FaultLine> lines = new ArrayList<>();
-    for (JsonNode fault : faults()) {
-      boolean tested = fault.path("judged").asBoolean() && fault.path("tested").asBoolean();
-      lines.add(
-          new FaultLine(
-              fault.path("name").asText(),
-              tested,
-              fault.path("passed").asBoolean(),
-              fault.path("text").asText()));
-    }
-    return lines;
+    return faults().stream()
+        .map(it -> new FaultLine(it.name(), it.judged() && it.tested(), it.passed(), it.text()))
+        .toList();
   }
 
-  private JsonNode faults() {
-    StageOutcome simulated = outcome(Stage.SIMULATE);
-    return simulated.status() == Status.NOT_RUN || simulated.report().isEmpty()
-        ? MissingNode.getInstance()
-        : simulated.report().get().path("faults");
+  private List<SimulatedFault> faults() {
+    return simulated().map(Simulated::faults).orElse(List.of());
   }
 
   private StageOutcome outcome(Stage stage) {
@@ -274,8 +242,12 @@ final class Conclusion {
     long start = System.nanoTime();
     try {
       ReportData collected = new ReportData(run, outcomes, before);
-      ObjectNode data = collected.collect(verdict, summary, found);
-      run.writeResult(ReportPage.FILE, ReportPage.render(collected.chain(), data));
+      byte[] page =
+          ReportPage.render(
+              collected.chain(),
+              collected.heading(verdict, summary),
+              collected.collect(verdict, summary, found));
+      run.writeResult(ReportPage.FILE, page);
       ended(Status.DONE, start, run.file(ReportPage.FILE).toString());
       return Optional.of(run.file(ReportPage.FILE));
     } catch (DiagnosticException e) {

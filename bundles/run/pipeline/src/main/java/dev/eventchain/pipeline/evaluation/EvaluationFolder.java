@@ -1,13 +1,12 @@
 package dev.eventchain.pipeline.evaluation;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.documents.JsonLayout;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.project.Configuration;
 import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
 import java.io.IOException;
@@ -31,7 +30,9 @@ final class EvaluationFolder implements AutoCloseable {
   private static final Set<String> RESERVED = Set.of(JSON, PAGE);
   private static final int LONGEST_NAME = 60;
   private static final int HASH = 8;
-  private static final ObjectMapper MAPPER = new ObjectMapper();
+
+  /** The content of the file of a run that has ended. */
+  private record Finished(String inputs, EvaluatedRun run) {}
 
   private final Path base;
   private final OutputFolder output;
@@ -69,10 +70,11 @@ final class EvaluationFolder implements AutoCloseable {
   Optional<EvaluatedRun> finished(String run, String inputs) {
     Optional<byte[]> bytes = output.read(run + "/" + RESULT);
     try {
-      JsonNode result = bytes.isEmpty() ? null : MAPPER.readTree(bytes.get());
-      return result != null && result.path("inputs").asText().equals(inputs)
-          ? Optional.of(MAPPER.treeToValue(result.path("run"), EvaluatedRun.class))
-          : Optional.empty();
+      return bytes.isEmpty()
+          ? Optional.empty()
+          : Optional.of(ResultJson.read(bytes.get(), Finished.class))
+              .filter(finished -> finished.inputs().equals(inputs))
+              .map(Finished::run);
     } catch (IOException | RuntimeException e) {
       // An unreadable result only costs the repetition of the run.
       return Optional.empty();
@@ -86,9 +88,7 @@ final class EvaluationFolder implements AutoCloseable {
 
   /** Saves the result of a run. */
   void finish(String run, String inputs, EvaluatedRun result) {
-    ObjectNode json = MAPPER.createObjectNode();
-    json.put("inputs", inputs);
-    json.set("run", MAPPER.valueToTree(result));
+    JsonNode json = ResultJson.tree(new Finished(inputs, result));
     write(run + "/" + RESULT, JsonLayout.of(json) + "\n");
   }
 

@@ -1,6 +1,5 @@
 package dev.eventchain.pipeline.evaluation;
 
-import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
@@ -14,6 +13,7 @@ import dev.eventchain.pipeline.evaluation.EvaluatedRun.Score;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.State;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Usage;
 import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.results.Answers;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.Progress.Status;
 import dev.eventchain.pipeline.run.RunOptions;
@@ -301,11 +301,10 @@ final class EvaluationRun {
     ended
         .outcomes()
         .forEach(
-            (stage, outcome) -> {
-              for (JsonNode id : outcome.report().map(r -> r.path("returned")).stream().toList()) {
-                id.forEach(each -> classes.add(stage.id() + ": " + each.asText()));
-              }
-            });
+            (stage, outcome) ->
+                outcome.report(Answers.class).map(Answers::returned).stream()
+                    .flatMap(List::stream)
+                    .forEach(id -> classes.add(stage.id() + ": " + id)));
     return classes;
   }
 }

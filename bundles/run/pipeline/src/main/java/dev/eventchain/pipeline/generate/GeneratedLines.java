@@ -1,15 +1,11 @@
 package dev.eventchain.pipeline.generate;
 
-import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
-import com.fasterxml.jackson.databind.node.MissingNode;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.stage.RunContext;
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -20,9 +16,19 @@ import org.eclipse.emf.ecore.EObject;
 /** Lines of the generated files by the component that they were generated for, from trace.json. */
 public final class GeneratedLines {
 
-  private final JsonNode files;
+  /** The lines of a file that were generated for a component. */
+  public record Made(String node, String file, List<Lines> lines) {}
 
-  private GeneratedLines(JsonNode files) {
+  /**
+   * A range of lines.
+   *
+   * @param from the template and its line
+   */
+  public record Lines(int first, int last, String from) {}
+
+  private final List<TraceFile.Lined> files;
+
+  private GeneratedLines(List<TraceFile.Lined> files) {
     this.files = files;
   }
 
@@ -30,54 +36,44 @@ public final class GeneratedLines {
   public static GeneratedLines of(RunContext run) {
     Optional<byte[]> trace = run.output().read(TraceFile.NAME);
     try {
-      JsonNode root =
-          trace.isPresent() ? new ObjectMapper().readTree(trace.get()) : MissingNode.getInstance();
-      return new GeneratedLines(root.path("files"));
+      return new GeneratedLines(
+          trace.isPresent() ? TraceFile.read(trace.get()).files() : List.of());
     } catch (IOException e) {
-      return new GeneratedLines(MissingNode.getInstance());
+      return new GeneratedLines(List.of());
     }
   }
 
   /**
-   * Returns the files with lines generated for a component or its data: {@code node}, {@code file}
-   * and {@code lines}, each {@code first}, {@code last} and the template's line in {@code from}.
+   * Returns the files with lines generated for a component or its data.
    *
    * @param locator returns the locations of elements, as in the generation
    */
-  public ArrayNode madeFor(SoftwareNode node, Function<EObject, SourceLocation> locator) {
+  public List<Made> madeFor(SoftwareNode node, Function<EObject, SourceLocation> locator) {
     Set<String> elements = new TreeSet<>();
     Stream.of(Stream.of(node), node.getInput().stream(), node.getOutput().stream())
         .flatMap(each -> each)
         .map(locator)
         .forEach(place -> elements.add(key(place.element(), place.line())));
-    ArrayNode made = JsonNodeFactory.instance.arrayNode();
-    for (JsonNode file : files) {
-      ArrayNode lines = linesOf(file, elements);
-      if (!lines.isEmpty()) {
-        ObjectNode entry = made.addObject();
-        entry.put("node", node.getName()).put("file", file.path("file").asText());
-        entry.set("lines", lines);
-      }
-    }
-    return made;
+    return files.stream()
+        .map(file -> new Made(node.getName(), file.file(), linesOf(file, elements)))
+        .filter(made -> !made.lines().isEmpty())
+        .toList();
   }
 
-  private static ArrayNode linesOf(JsonNode file, Set<String> elements) {
-    ArrayNode lines = JsonNodeFactory.instance.arrayNode();
-    for (JsonNode segment : file.path("lines")) {
-      for (JsonNode origin : segment.path("from")) {
-        String element = key(origin.path("element").asText(), origin.path("modelLine").asInt());
-        if (elements.contains(element)) {
-          lines
-              .addObject()
-              .put("first", segment.path("first").asInt())
-              .put("last", segment.path("last").asInt())
-              .put("from", origin.path("template").asText() + ":" + origin.path("line").asInt());
-          break;
-        }
-      }
+  private static List<Lines> linesOf(TraceFile.Lined file, Set<String> elements) {
+    List<Lines> lines = new ArrayList<>();
+    for (TraceFile.Range range : file.lines()) {
+      range.from().stream()
+          .filter(from -> elements.contains(key(from.element().orElse(""), line(from))))
+          .map(from -> new Lines(range.first(), range.last(), from.template() + ":" + from.line()))
+          .findFirst()
+          .ifPresent(lines::add);
     }
     return lines;
+  }
+
+  private static int line(TraceFile.From from) {
+    return (int) from.modelLine().orElse(0);
   }
 
   /**

@@ -6,12 +6,15 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.m2t.generation.GenerationTrace;
 import dev.eventchain.m2t.generation.GenerationTrace.Origin;
 import dev.eventchain.m2t.generation.GenerationTrace.Segment;
+import dev.eventchain.pipeline.results.ResultJson;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
 
 /**
  * The file that maps the lines of generated files to template lines and model elements, as JSON
@@ -29,6 +32,28 @@ import java.util.Map;
 public final class TraceFile {
 
   public static final String NAME = "trace.json";
+
+  /** The content of the file. */
+  record Content(List<Lined> files) {
+    /** Copies the list. */
+    Content {
+      files = List.copyOf(files);
+    }
+  }
+
+  /** A generated file with its ranges of lines. */
+  record Lined(String file, List<Range> lines) {}
+
+  /** A range of lines and its origins. */
+  record Range(int first, int last, List<From> from) {}
+
+  /** A template's line and the model element that it was evaluated for. */
+  record From(
+      String template,
+      int line,
+      Optional<String> element,
+      Optional<String> model,
+      OptionalLong modelLine) {}
 
   private final List<String> bases;
 
@@ -67,6 +92,15 @@ public final class TraceFile {
       throw new UncheckedIOException(e);
     }
     return bytes.toByteArray();
+  }
+
+  /**
+   * Reads the content of the file.
+   *
+   * @throws IOException if it is not what {@link #content} returns
+   */
+  static Content read(byte[] file) throws IOException {
+    return ResultJson.read(file, Content.class);
   }
 
   private void write(Segment segment, JsonGenerator json) throws IOException {

@@ -1,9 +1,9 @@
 package dev.eventchain.pipeline.generate;
 
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.check.ChainChecks;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.pipeline.results.Validated;
+import dev.eventchain.pipeline.results.Validation;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.ProjectChecks;
 import dev.eventchain.pipeline.stage.RunContext;
@@ -28,14 +28,16 @@ public final class ValidateStage implements StageWork {
   @Override
   public StageResult execute(RunContext run) {
     ChainChecks.Outcome outcome = run.chain().checks();
-    ObjectNode report = JsonNodeFactory.instance.objectNode();
-    report.set(
-        "validation",
-        ProjectChecks.report(SourceLocation.of(run.model()).file(), outcome.constraints()));
+    Validation validation =
+        ProjectChecks.report(SourceLocation.of(run.model()).file(), outcome.constraints());
     List<String> files = new ArrayList<>();
     files.add(SourceLocation.of(run.model()).file());
     files.addAll(run.project().constraintNames(run.options().output()));
     return new StageResult(
-        outcome.words(), List.of(), outcome.diagnostics(), report, outcome.coverage(files));
+        outcome.words(),
+        List.of(),
+        outcome.diagnostics(),
+        new Validated(validation),
+        outcome.coverage(files));
   }
 }

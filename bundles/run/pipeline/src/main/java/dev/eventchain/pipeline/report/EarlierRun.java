@@ -1,26 +1,38 @@
 package dev.eventchain.pipeline.report;
 
+import com.fasterxml.jackson.annotation.JsonIgnoreProperties;
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.pipeline.results.ResultJson;
+import dev.eventchain.pipeline.results.SimulatedScenario;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
 /** Measurements of an earlier run, which the report compares with this one's. Immutable. */
 public final class EarlierRun {
 
-  private final Map<String, JsonNode> scenarios;
+  /** The measurements of a run, of which the report shows only these. */
+  @JsonIgnoreProperties(ignoreUnknown = true)
+  private record Measured(List<Scenario> scenarios) {}
 
-  private EarlierRun(Map<String, JsonNode> scenarios) {
+  /** The measurements of a scenario. */
+  @JsonIgnoreProperties(ignoreUnknown = true)
+  private record Scenario(
+      String name, boolean tested, boolean passed, JsonNode criteria, JsonNode series) {}
+
+  private final Map<String, Scenario> scenarios;
+
+  private EarlierRun(Map<String, Scenario> scenarios) {
     this.scenarios = scenarios;
   }
 
@@ -32,13 +44,11 @@ public final class EarlierRun {
    * @throws DiagnosticException (INPUT) {@code project.comparison.unreadable}
    */
   public static EarlierRun read(Optional<Path> file) {
-    Map<String, JsonNode> scenarios = new LinkedHashMap<>();
+    Map<String, Scenario> scenarios = new LinkedHashMap<>();
     file.ifPresent(
         given -> {
           Path path = Files.isDirectory(given) ? given.resolve("measurements.json") : given;
-          for (JsonNode scenario : json(path).path("scenarios")) {
-            scenarios.put(scenario.path("name").asText(), scenario);
-          }
+          measured(path).scenarios().forEach(each -> scenarios.put(each.name(), each));
           if (scenarios.isEmpty()) {
             throw unreadable(path, "There are no scenarios in it.");
           }
@@ -46,9 +56,9 @@ public final class EarlierRun {
     return new EarlierRun(scenarios);
   }
 
-  private static JsonNode json(Path path) {
+  private static Measured measured(Path path) {
     try {
-      return new JsonMapper().readTree(Files.readAllBytes(path));
+      return ResultJson.read(Files.readAllBytes(path), Measured.class);
     } catch (IOException e) {
       throw unreadable(
           path,
@@ -66,18 +76,17 @@ public final class EarlierRun {
   }
 
   /** Returns the scenarios of this run, each with its earlier measurements, if any. */
-  ArrayNode beside(JsonNode now) {
+  ArrayNode beside(List<SimulatedScenario> now) {
     ArrayNode all = JsonNodeFactory.instance.arrayNode();
-    for (JsonNode scenario : now) {
-      JsonNode before = scenarios.get(scenario.path("name").asText());
-      if (before == null || !scenario.isObject()) {
-        all.add(scenario);
-        continue;
-      }
-      ObjectNode both = scenario.deepCopy();
-      ObjectNode earlier = both.putObject("before");
-      for (String part : new String[] {"tested", "passed", "criteria", "series"}) {
-        earlier.set(part, before.path(part));
+    for (SimulatedScenario scenario : now) {
+      ObjectNode both = (ObjectNode) ResultJson.tree(scenario);
+      Scenario before = scenarios.get(scenario.name());
+      if (before != null) {
+        both.putObject("before")
+            .put("tested", before.tested())
+            .put("passed", before.passed())
+            .<ObjectNode>set("criteria", before.criteria())
+            .set("series", before.series());
       }
       all.add(both);
     }

@@ -1,6 +1,5 @@
 package dev.eventchain.pipeline.report;
 
-import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
@@ -11,6 +10,13 @@ import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainFactory;
 import dev.eventchain.pipeline.diagram.ChainPicture;
 import dev.eventchain.pipeline.project.Configuration;
+import dev.eventchain.pipeline.results.AnsweredPrompt;
+import dev.eventchain.pipeline.results.Answers;
+import dev.eventchain.pipeline.results.ResultJson;
+import dev.eventchain.pipeline.results.Simulated;
+import dev.eventchain.pipeline.results.StageReport;
+import dev.eventchain.pipeline.results.Validated;
+import dev.eventchain.pipeline.results.Validation;
 import dev.eventchain.pipeline.run.RunResult.Verdict;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.simulate.SimulateStage;
@@ -22,6 +28,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 
 /** Collects the data of the report, from the stages' results and the files of the run. */
 public final class ReportData {
@@ -64,16 +71,26 @@ public final class ReportData {
     provenance();
     stages();
     model.ifPresent(m -> data.set("chain", ChainPicture.of(m.chain())));
-    data.set("validation", validation());
-    data.set("conversations", conversations());
+    set("validation", validation());
+    set("conversations", conversations());
     diagnostics(found);
-    JsonNode simulated = report(Stage.SIMULATE);
-    data.set("scenarios", before.beside(arrayOf(simulated, "scenarios")));
-    for (String part : List.of("faults", "nodes", "hops", "topics")) {
-      data.set(part, arrayOf(simulated, part));
-    }
-    data.set("requirements", new Traceability(run, model, outcomes).table());
+    data.set("scenarios", before.beside(simulated().map(Simulated::scenarios).orElse(List.of())));
+    set("faults", simulated().map(Simulated::faults).orElse(List.of()));
+    set("nodes", simulated().map(Simulated::nodes).orElse(List.of()));
+    set("hops", simulated().map(Simulated::hops).orElse(List.of()));
+    set("topics", simulated().map(Simulated::topics).orElse(List.of()));
+    set("requirements", new Traceability(run, model, outcomes).table());
     return data;
+  }
+
+  /** Returns the heading of the page. */
+  public ReportPage.Heading heading(Verdict verdict, String summary) {
+    Configuration configuration = run.project().configuration();
+    return new ReportPage.Heading(configuration.name(), configuration.title(), verdict, summary);
+  }
+
+  private void set(String part, List<?> values) {
+    data.set(part, ResultJson.tree(values));
   }
 
   private void project(Verdict verdict, String summary) {
@@ -90,14 +107,16 @@ public final class ReportData {
     provenance.put("llm", run.options().llm().orElse(configuration.llm()));
     ObjectNode models = provenance.putObject("models");
     for (Stage stage : List.of(Stage.DESIGN, Stage.IMPLEMENT, Stage.MODEL, Stage.CONSTRAIN)) {
-      copyText(report(stage), "model", models, stage.id());
-      copyText(report(stage), "provenance", provenance, "recordings");
+      Optional<Answers> answers = report(stage, Answers.class);
+      answers.ifPresent(it -> models.put(stage.id(), it.model()));
+      answers.ifPresent(it -> provenance.put("recordings", it.provenance()));
     }
-    for (Stage stage : List.of(Stage.IMPLEMENT, Stage.SIMULATE)) {
-      copyText(report(stage), "confinement", provenance, "confinement");
-      copyText(report(stage), "python", provenance, "python");
-    }
-    copyText(report(Stage.SIMULATE), "driver", provenance, "driver");
+    Optional<Answers> tested = report(Stage.IMPLEMENT, Answers.class);
+    tested.flatMap(Answers::confinement).ifPresent(it -> provenance.put("confinement", it));
+    tested.flatMap(Answers::python).ifPresent(it -> provenance.put("python", it));
+    simulated().ifPresent(it -> provenance.put("confinement", it.confinement()));
+    simulated().ifPresent(it -> provenance.put("python", it.python()));
+    simulated().ifPresent(it -> provenance.put("driver", it.driver()));
     provenance.put("java", System.getProperty("java.version"));
     provenance.put("tool", "eventchain " + version());
   }
@@ -108,10 +127,10 @@ public final class ReportData {
   }
 
   /** Returns the prompts to language models and their answers. */
-  private ArrayNode conversations() {
-    ArrayNode all = JsonNodeFactory.instance.arrayNode();
-    outcomes.keySet().forEach(stage -> all.addAll(run.models().conversation(stage)));
-    return all;
+  private List<AnsweredPrompt> conversations() {
+    return outcomes.keySet().stream()
+        .flatMap(stage -> run.models().conversation(stage).stream())
+        .toList();
   }
 
   private void stages() {
@@ -136,15 +155,11 @@ public final class ReportData {
     }
   }
 
-  private ArrayNode validation() {
-    ArrayNode all = JsonNodeFactory.instance.arrayNode();
-    for (Stage stage : List.of(Stage.VALIDATE, Stage.SIMULATE)) {
-      JsonNode one = report(stage).path("validation");
-      if (one.isObject()) {
-        all.add(one);
-      }
-    }
-    return all;
+  private List<Validation> validation() {
+    return Stream.concat(
+            report(Stage.VALIDATE, Validated.class).map(Validated::validation).stream(),
+            simulated().map(Simulated::validation).stream())
+        .toList();
   }
 
   private void diagnostics(List<Diagnostic> found) {
@@ -163,17 +178,11 @@ public final class ReportData {
     }
   }
 
-  private JsonNode report(Stage stage) {
-    return outcomes.get(stage).report().orElse(JsonNodeFactory.instance.objectNode());
+  private Optional<Simulated> simulated() {
+    return report(Stage.SIMULATE, Simulated.class);
   }
 
-  private static JsonNode arrayOf(JsonNode node, String name) {
-    return node.path(name).isArray() ? node.path(name) : JsonNodeFactory.instance.arrayNode();
-  }
-
-  private static void copyText(JsonNode from, String name, ObjectNode to, String newName) {
-    if (from.path(name).isTextual()) {
-      to.put(newName, from.path(name).asText());
-    }
+  private <T extends StageReport> Optional<T> report(Stage stage, Class<T> type) {
+    return outcomes.get(stage).report(type);
   }
 }

@@ -16,6 +16,7 @@ import dev.eventchain.m2t.generation.GenerationResult;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.pipeline.project.Templates;
+import dev.eventchain.pipeline.run.RunResult.Verdict;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.StringWriter;
@@ -23,8 +24,8 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
-import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
@@ -50,10 +51,11 @@ public final class ReportPage {
           "conversations.js",
           "report.js");
 
-  private static final Set<String> VERDICTS = Set.of("passed", "failed", "incomplete");
-
   /** The name of the report among the results of a run. */
   public static final String FILE = "report.html";
+
+  /** The heading of the page. */
+  public record Heading(String name, String title, Verdict verdict, String summary) {}
 
   private ReportPage() {}
 
@@ -61,27 +63,24 @@ public final class ReportPage {
    * Returns the page in UTF-8. The same model and data, in the same order, give the same bytes.
    *
    * @param chain the measured model; an empty one where there is none
-   * @param data an object with the run's results; every part may be absent
+   * @param data an object with the run's results, for the script; every part may be absent
    */
-  public static byte[] render(EventChain chain, JsonNode data) {
+  public static byte[] render(EventChain chain, Heading heading, JsonNode data) {
     String style = "\n" + resource("report.css");
     String script =
         SCRIPTS.stream()
             .map(ReportPage::resource)
             .collect(Collectors.joining("\n", "\n\"use strict\";\n", ""));
-    JsonNode project = data.path("project");
-    String name = project.path("name").asText();
-    String verdict = project.path("verdict").asText();
     Map<String, String> properties =
         Map.of(
             "name",
-            name,
+            heading.name(),
             "title",
-            project.path("title").asText(name),
+            heading.title(),
             "verdict",
-            VERDICTS.contains(verdict) ? verdict : "incomplete",
+            heading.verdict().name().toLowerCase(Locale.ROOT),
             "summary",
-            project.path("summary").asText(),
+            heading.summary(),
             "policy",
             policy(style, script),
             "style",

@@ -1,14 +1,14 @@
 package dev.eventchain.pipeline.report;
 
-import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.generate.GeneratedLines;
+import dev.eventchain.pipeline.results.Simulated;
+import dev.eventchain.pipeline.results.SimulatedScenario;
+import dev.eventchain.pipeline.results.Validated;
+import dev.eventchain.pipeline.results.Validation;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.ChainSnapshot;
 import dev.eventchain.pipeline.stage.ProjectChecks;
@@ -20,6 +20,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * Maps each requirement and design rule to its implementation, with the generated lines, and to its
@@ -39,8 +40,28 @@ final class Traceability {
     this.outcomes = outcomes;
   }
 
-  ArrayNode table() {
-    ArrayNode table = JsonNodeFactory.instance.arrayNode();
+  /**
+   * A requirement or design rule.
+   *
+   * @param components the components that satisfy it
+   * @param files the files that implement it
+   * @param generated the lines generated for these components; empty for a design rule
+   * @param proved true if there are proofs and all of them passed
+   */
+  record Row(
+      String id,
+      String text,
+      List<String> components,
+      List<String> files,
+      Optional<List<GeneratedLines.Made>> generated,
+      List<Proof> proofs,
+      boolean proved) {}
+
+  /** A scenario or constraint that tests a requirement or design rule. */
+  record Proof(String kind, String name, boolean tested, boolean passed) {}
+
+  List<Row> table() {
+    List<Row> table = new ArrayList<>();
     try {
       for (WrittenRequirement item : run.requirements().items()) {
         table.add(requirement(item));
@@ -55,46 +76,48 @@ final class Traceability {
     return table;
   }
 
-  private ObjectNode requirement(WrittenRequirement item) {
-    ObjectNode row = row(item);
-    ArrayNode components = row.putArray("components");
-    ArrayNode files = row.putArray("files");
-    ArrayNode lines = row.putArray("generated");
-    if (model.isPresent()) {
-      for (SoftwareNode node : model.get().chain().getSoftware()) {
-        if (node.getSatisfies().stream().anyMatch(r -> item.id().equals(r.getId()))) {
-          components.add(node.getName());
-          files.add(file(node));
-          lines.addAll(generated.madeFor(node, model.get()::locate));
-        }
-      }
-    }
+  private Row requirement(WrittenRequirement item) {
+    List<SoftwareNode> satisfying =
+        model.map(it -> it.chain().getSoftware()).stream()
+            .flatMap(List::stream)
+            .filter(node -> node.getSatisfies().stream().anyMatch(r -> item.id().equals(r.getId())))
+            .toList();
     List<Proof> proofs = new ArrayList<>();
-    for (JsonNode scenario : report(Stage.SIMULATE).path("scenarios")) {
-      for (JsonNode id : scenario.path("requirements")) {
-        if (id.asText().equals(item.id())) {
-          proofs.add(
-              new Proof(
-                  "scenario",
-                  scenario.path("name").asText(),
-                  scenario.path("tested").asBoolean(),
-                  scenario.path("passed").asBoolean()));
+    for (SimulatedScenario scenario : simulated().map(Simulated::scenarios).orElse(List.of())) {
+      for (String id : scenario.requirements()) {
+        if (id.equals(item.id())) {
+          proofs.add(new Proof("scenario", scenario.name(), scenario.tested(), scenario.passed()));
         }
       }
     }
     proofs.addAll(checks(item));
-    return proved(row, proofs);
+    return new Row(
+        item.id(),
+        item.text(),
+        satisfying.stream().map(SoftwareNode::getName).toList(),
+        satisfying.stream().map(this::file).toList(),
+        Optional.of(
+            satisfying.stream()
+                .flatMap(node -> generated.madeFor(node, model.orElseThrow()::locate).stream())
+                .toList()),
+        proofs,
+        proved(proofs));
   }
 
-  private ObjectNode designRule(WrittenRequirement item) {
-    ObjectNode row = row(item);
-    row.putArray("components");
+  private Row designRule(WrittenRequirement item) {
     List<Proof> proofs = checks(item);
-    row.putArray("files");
-    if (!proofs.isEmpty()) {
-      ((ArrayNode) row.get("files")).add(ProjectFolder.GENERATED);
-    }
-    return proved(row, proofs);
+    return new Row(
+        item.id(),
+        item.text(),
+        List.of(),
+        proofs.isEmpty() ? List.of() : List.of(ProjectFolder.GENERATED),
+        Optional.empty(),
+        proofs,
+        proved(proofs));
+  }
+
+  private static boolean proved(List<Proof> proofs) {
+    return !proofs.isEmpty() && proofs.stream().allMatch(Proof::passed);
   }
 
   /**
@@ -103,37 +126,28 @@ final class Traceability {
    * it alone.
    */
   private List<Proof> checks(WrittenRequirement item) {
-    JsonNode designed = report(Stage.VALIDATE).path("validation");
-    JsonNode measured = report(Stage.SIMULATE).path("validation");
-    JsonNode untested = report(Stage.SIMULATE).path("untested");
+    Optional<Validation> designed =
+        outcomes.get(Stage.VALIDATE).report(Validated.class).map(Validated::validation);
+    Optional<Validation> measured = simulated().map(Simulated::validation);
+    List<String> untested = simulated().map(Simulated::untested).orElse(List.of());
     List<Proof> proofs = new ArrayList<>();
     for (OclConstraint constraint : ProjectChecks.constraints(run).standingFor(item.id())) {
       String name = constraint.qualifiedName();
       boolean violated =
-          has(designed.path("violated"), name) || has(measured.path("violated"), name);
-      boolean tested = has(measured.path("evaluated"), name) && !has(untested, name);
+          Stream.of(designed, measured)
+              .flatMap(Optional::stream)
+              .anyMatch(validation -> validation.violated().contains(name));
+      boolean tested =
+          measured.isPresent()
+              && measured.get().evaluated().contains(name)
+              && !untested.contains(name);
       proofs.add(new Proof("check", constraint.name(), tested || violated, tested && !violated));
     }
     return proofs;
   }
 
-  private record Proof(String kind, String name, boolean tested, boolean passed) {}
-
-  private static ObjectNode row(WrittenRequirement item) {
-    return JsonNodeFactory.instance.objectNode().put("id", item.id()).put("text", item.text());
-  }
-
-  private static ObjectNode proved(ObjectNode row, List<Proof> proofs) {
-    ArrayNode array = row.putArray("proofs");
-    for (Proof proof : proofs) {
-      array
-          .addObject()
-          .put("kind", proof.kind())
-          .put("name", proof.name())
-          .put("tested", proof.tested())
-          .put("passed", proof.passed());
-    }
-    return row.put("proved", !proofs.isEmpty() && proofs.stream().allMatch(Proof::passed));
+  private Optional<Simulated> simulated() {
+    return outcomes.get(Stage.SIMULATE).report(Simulated.class);
   }
 
   private String file(SoftwareNode node) {
@@ -141,18 +155,5 @@ final class Traceability {
         .find(node.getName())
         .map(component -> run.project().folder().relativize(component.file()).toString())
         .orElse("components/" + node.getName() + ".py");
-  }
-
-  private static boolean has(JsonNode names, String constraint) {
-    for (JsonNode name : names) {
-      if (name.asText().equals(constraint)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  private JsonNode report(Stage stage) {
-    return outcomes.get(stage).report().orElse(JsonNodeFactory.instance.objectNode());
   }
 }

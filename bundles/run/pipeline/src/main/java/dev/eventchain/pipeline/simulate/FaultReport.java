@@ -1,9 +1,9 @@
 package dev.eventchain.pipeline.simulate;
 
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.pipeline.results.Criterion;
+import dev.eventchain.pipeline.results.SimulatedFault;
+import dev.eventchain.pipeline.results.SimulatedFault.Deviation;
 import dev.eventchain.simulation.SimulationResult;
 import dev.eventchain.simulation.verdict.FaultVerdict;
 import dev.eventchain.simulation.verdict.FaultVerdict.Detection;
@@ -11,6 +11,7 @@ import dev.eventchain.simulation.verdict.FaultVerdict.Vehicle;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
 
 /** The results of faults for the report and {@code verdict.json}. */
@@ -23,58 +24,69 @@ final class FaultReport {
 
   private FaultReport() {}
 
-  /** Returns one object per fault. */
-  static ArrayNode of(SimulationResult result) {
-    ArrayNode all = JsonNodeFactory.instance.arrayNode();
-    result.faults().forEach(fault -> add(all.addObject(), fault));
-    return all;
+  /** Returns the result of each fault. */
+  static List<SimulatedFault> of(SimulationResult result) {
+    return result.faults().stream().map(FaultReport::of).toList();
   }
 
-  private static void add(ObjectNode json, FaultVerdict fault) {
-    json.put("name", fault.name()).put("scenario", fault.scenario());
-    json.put("injected", fault.injected()).put("effect", fault.effect());
-    json.put("effective", fault.effective()).put("judged", fault.judged());
-    json.put("tested", fault.tested()).put("passed", fault.passed());
-    json.put("detected", fault.detected()).put("text", text(fault));
-    vehicle(json.putObject("vehicle"), fault.vehicle());
-    vehicle(json.putObject("without"), fault.without());
-    json.putObject("deviation")
-        .put("distance", rounded(fault.deviation().distance()))
-        .put("time", rounded(fault.deviation().time()));
-    criteria(json.putArray("criteria"), fault.own());
-    criteria(json.putArray("expected"), fault.expected());
-    ArrayNode detections = json.putArray("detections");
-    for (Detection each : fault.detections()) {
-      ObjectNode one =
-          detections.addObject().put("by", each.means().name().toLowerCase(Locale.ROOT));
-      one.put("id", each.id()).put("element", each.element()).put("text", each.words());
-      number(one, "time", each.time());
-    }
-    fault.ended().map(Diagnostic::message).ifPresent(why -> json.put("ended", why));
-    json.put("line", fault.location().line());
+  private static SimulatedFault of(FaultVerdict fault) {
+    return new SimulatedFault(
+        fault.name(),
+        fault.scenario(),
+        fault.injected(),
+        fault.effect(),
+        fault.effective(),
+        fault.judged(),
+        fault.tested(),
+        fault.passed(),
+        fault.detected(),
+        text(fault),
+        vehicle(fault.vehicle()),
+        vehicle(fault.without()),
+        new Deviation(rounded(fault.deviation().distance()), rounded(fault.deviation().time())),
+        criteria(fault.own()),
+        criteria(fault.expected()),
+        fault.detections().stream().map(FaultReport::detection).toList(),
+        fault.ended().map(Diagnostic::message),
+        fault.location().line());
   }
 
-  private static void vehicle(ObjectNode json, Vehicle vehicle) {
-    json.put("did", did(vehicle));
-    number(json, "impact_speed", vehicle.impactSpeed());
-    if (!vehicle.impact().isEmpty()) {
-      json.put("impact", vehicle.impact());
-    }
-    number(json, "stopped", vehicle.stopped());
-    number(json, "minimal_gap", vehicle.minimalGap());
-    json.put("speed", rounded(vehicle.speed())).put("end", rounded(vehicle.end()));
+  private static SimulatedFault.Detection detection(Detection each) {
+    return new SimulatedFault.Detection(
+        each.means().name().toLowerCase(Locale.ROOT),
+        each.id(),
+        each.element(),
+        each.words(),
+        rounded(each.time()));
   }
 
-  private static void criteria(ArrayNode json, List<CriterionResult> criteria) {
-    for (CriterionResult each : criteria) {
-      ObjectNode one = json.addObject().put("text", each.text());
-      one.put("tested", each.tested()).put("passed", each.passed());
-      one.put("measured", each.measured());
-    }
+  private static SimulatedFault.Vehicle vehicle(Vehicle vehicle) {
+    return new SimulatedFault.Vehicle(
+        did(vehicle),
+        rounded(vehicle.impactSpeed()),
+        Optional.of(vehicle.impact()).filter(impact -> !impact.isEmpty()),
+        rounded(vehicle.stopped()),
+        rounded(vehicle.minimalGap()),
+        rounded(vehicle.speed()),
+        rounded(vehicle.end()));
   }
 
-  private static void number(ObjectNode json, String name, OptionalDouble value) {
-    value.ifPresent(it -> json.put(name, rounded(it)));
+  private static List<Criterion> criteria(List<CriterionResult> criteria) {
+    return criteria.stream()
+        .map(
+            each ->
+                new Criterion(
+                    each.text(),
+                    each.tested(),
+                    each.passed(),
+                    each.measured(),
+                    Optional.empty(),
+                    List.of()))
+        .toList();
+  }
+
+  private static OptionalDouble rounded(OptionalDouble value) {
+    return value.stream().map(FaultReport::rounded).findFirst();
   }
 
   private static double rounded(double value) {

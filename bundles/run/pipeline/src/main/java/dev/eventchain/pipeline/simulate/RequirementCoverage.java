@@ -1,6 +1,5 @@
 package dev.eventchain.pipeline.simulate;
 
-import com.fasterxml.jackson.databind.node.ArrayNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.model.TopicIndex;
@@ -10,6 +9,7 @@ import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.results.RequirementOutcome;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.scenario.Scenario;
@@ -78,7 +78,8 @@ final class RequirementCoverage {
    * @param outcomes the outcomes from {@link RequirementOutcomes#of}
    * @param found all findings so far; as long as one of them counts, nothing is added
    */
-  static List<Diagnostic> unlisted(RunContext run, ArrayNode outcomes, List<Diagnostic> found) {
+  static List<Diagnostic> unlisted(
+      RunContext run, List<RequirementOutcome> outcomes, List<Diagnostic> found) {
     Suppressions.Parted parted = run.options().suppressions().part(found);
     if (Diagnostic.anyError(parted.remaining())) {
       return List.of();

@@ -1,31 +1,16 @@
 package dev.eventchain.pipeline.simulate;
 
-import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.pipeline.results.RequirementOutcome;
+import dev.eventchain.pipeline.results.RequirementOutcome.Outcome;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Set;
-import java.util.TreeSet;
+import java.util.stream.Collectors;
 
 /** Outcomes of requirements, from the scenarios and from the constraints that implement them. */
 public final class RequirementOutcomes {
-
-  private enum Outcome {
-    /** At least one scenario names it and all of them passed; so did its constraints, if any. */
-    PROVED,
-    /** A scenario that names it failed, or one of its constraints is violated. */
-    VIOLATED,
-    /** No scenario names it, or a scenario or constraint that names it could not be judged. */
-    NOT_TESTED;
-
-    String words() {
-      return name().toLowerCase(Locale.ROOT).replace('_', ' ');
-    }
-  }
 
   private RequirementOutcomes() {}
 
@@ -36,19 +21,19 @@ public final class RequirementOutcomes {
    *     RequirementCoverage#unproven}
    * @param evidence the evidence from their constraints on the measured model
    */
-  static ArrayNode of(
+  static List<RequirementOutcome> of(
       List<WrittenRequirement> requirements,
       List<ScenarioVerdict> verdicts,
       Set<String> unproven,
       RuleEvidence evidence) {
-    ArrayNode outcomes = JsonNodeFactory.instance.arrayNode();
+    List<RequirementOutcome> outcomes = new ArrayList<>();
     for (WrittenRequirement item : requirements) {
       List<ScenarioVerdict> about =
           verdicts.stream().filter(each -> each.requirements().contains(item.id())).toList();
       boolean untested = unproven.contains(item.id()) || evidence.untestedIds().contains(item.id());
       Outcome outcome =
           evidence.violatedIds().contains(item.id()) ? Outcome.VIOLATED : outcome(about, untested);
-      outcomes.addObject().put("id", item.id()).put("outcome", outcome.words());
+      outcomes.add(new RequirementOutcome(item.id(), outcome));
     }
     return outcomes;
   }
@@ -62,15 +47,11 @@ public final class RequirementOutcomes {
   }
 
   /** Returns the identifiers of untested requirements. */
-  static Set<String> untested(JsonNode outcomes) {
-    Set<String> ids = new TreeSet<>();
-    outcomes.forEach(
-        each -> {
-          if (each.path("outcome").asText().equals(Outcome.NOT_TESTED.words())) {
-            ids.add(each.path("id").asText());
-          }
-        });
-    return ids;
+  static Set<String> untested(List<RequirementOutcome> outcomes) {
+    return outcomes.stream()
+        .filter(each -> each.outcome() == Outcome.NOT_TESTED)
+        .map(RequirementOutcome::id)
+        .collect(Collectors.toSet());
   }
 
   /**
@@ -79,13 +60,10 @@ public final class RequirementOutcomes {
    *
    * @param outcomes the outcomes from {@link #of}
    */
-  public static String counted(JsonNode outcomes) {
+  public static String counted(List<RequirementOutcome> outcomes) {
     List<String> counts = new ArrayList<>();
     for (Outcome outcome : Outcome.values()) {
-      int count = 0;
-      for (JsonNode each : outcomes) {
-        count += each.path("outcome").asText().equals(outcome.words()) ? 1 : 0;
-      }
+      long count = outcomes.stream().filter(each -> each.outcome() == outcome).count();
       if (count > 0) {
         String noun = !counts.isEmpty() ? "" : count == 1 ? "requirement " : "requirements ";
         counts.add(count + " " + noun + outcome.words());

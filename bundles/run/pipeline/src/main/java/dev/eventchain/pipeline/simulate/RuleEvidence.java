@@ -1,6 +1,5 @@
 package dev.eventchain.pipeline.simulate;
 
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.constraints.OclResult;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -101,9 +100,9 @@ final class RuleEvidence {
     return findings;
   }
 
-  /** Adds the qualified names of untested constraints to a report. */
-  void addTo(ObjectNode report) {
-    untestedConstraints.forEach(report.putArray("untested")::add);
+  /** Returns the qualified names of untested constraints, in order. */
+  List<String> untestedConstraints() {
+    return List.copyOf(untestedConstraints);
   }
 
   /** Returns the requirements and design rules of an untested constraint. */

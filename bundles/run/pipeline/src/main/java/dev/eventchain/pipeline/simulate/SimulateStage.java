@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.simulate;
 
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.check.ChainModel;
 import dev.eventchain.check.Constraints;
 import dev.eventchain.constraints.OclResult;
@@ -14,6 +12,8 @@ import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.generate.GeneratedPackage;
 import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.results.RequirementOutcome;
+import dev.eventchain.pipeline.results.Simulated;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.ComponentFiles;
 import dev.eventchain.pipeline.stage.Fingerprint;
@@ -96,14 +96,14 @@ public final class SimulateStage implements StageWork {
     OclResult validation = ProjectChecks.constraints(run).check(measured, locator);
     RuleEvidence evidence = RuleEvidence.of(run, measured, validation);
     found.addAll(evidence.findings());
-    ArrayNode outcomes = outcomes(run, chain, scenarios, result, evidence);
+    List<RequirementOutcome> outcomes = outcomes(run, chain, scenarios, result, evidence);
     if (!run.options().isPartial()) {
       addUntested(run, chain, scenarios, result, outcomes, found);
       // Last, so that it never exists without the results it refers to.
       run.writeResult(VERDICT, verdict(run, chain, result, found, outcomes));
     }
     Coverage coverage = Constraints.coverage(List.of(measuredFile(run)), validation).and(ecore);
-    ObjectNode report = report(run, result, validation, outcomes, evidence);
+    Simulated report = report(run, result, validation, outcomes, evidence);
     return new StageResult(details(result), results(run), found, report, coverage);
   }
 
@@ -132,22 +132,20 @@ public final class SimulateStage implements StageWork {
     return SourceLocation.of(run.file(MEASURED_MODEL)).file();
   }
 
-  private static ObjectNode report(
+  private static Simulated report(
       RunContext run,
       SimulationResult result,
       OclResult validation,
-      ArrayNode outcomes,
+      List<RequirementOutcome> outcomes,
       RuleEvidence evidence) {
-    ObjectNode report = SimulationReport.of(result);
-    evidence.addTo(report);
-    if (!run.options().isPartial()) {
-      report.set("requirements", outcomes);
-    }
-    report.set("validation", ProjectChecks.report(measuredFile(run), validation));
-    return report;
+    return SimulationReport.of(
+        result,
+        evidence.untestedConstraints(),
+        run.options().isPartial() ? List.of() : outcomes,
+        ProjectChecks.report(measuredFile(run), validation));
   }
 
-  private static ArrayNode outcomes(
+  private static List<RequirementOutcome> outcomes(
       RunContext run,
       EventChain chain,
       List<Scenario> scenarios,
@@ -165,7 +163,7 @@ public final class SimulateStage implements StageWork {
       EventChain chain,
       List<Scenario> scenarios,
       SimulationResult result,
-      ArrayNode outcomes,
+      List<RequirementOutcome> outcomes,
       List<Diagnostic> found) {
     found.addAll(RequirementCoverage.untested(run, chain, scenarios));
     found.addAll(unmeasured(chain, result, run.chain()::locate));
@@ -219,7 +217,7 @@ public final class SimulateStage implements StageWork {
       EventChain chain,
       SimulationResult result,
       List<Diagnostic> found,
-      ArrayNode outcomes) {
+      List<RequirementOutcome> outcomes) {
     return SimulationReport.verdict(
         chain, result, outcomes, run.options().suppressions().part(found));
   }

@@ -1,9 +1,5 @@
 package dev.eventchain.pipeline.stage;
 
-import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.agents.AgentContext;
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.agents.Exchange;
@@ -13,11 +9,18 @@ import dev.eventchain.llm.ChatModels;
 import dev.eventchain.llm.ModelAccess;
 import dev.eventchain.llm.Spending;
 import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.pipeline.project.Configuration;
+import dev.eventchain.pipeline.results.AnsweredPrompt;
+import dev.eventchain.pipeline.results.AnsweredPrompt.Finding;
+import dev.eventchain.pipeline.results.Answers;
+import dev.eventchain.pipeline.results.StageReport;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.simulation.SimulationResult;
+import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
@@ -29,7 +32,7 @@ public final class ModelWork {
   private final RunContext run;
   private final Optional<Sample> sample;
   private final Spending spending;
-  private final Map<Stage, ArrayNode> conversations = new EnumMap<>(Stage.class);
+  private final Map<Stage, List<AnsweredPrompt>> conversations = new EnumMap<>(Stage.class);
   private Map<String, AgentResult> corrections = Map.of();
   private Optional<SimulationResult> simulated = Optional.empty();
 
@@ -113,44 +116,31 @@ public final class ModelWork {
         || name.startsWith(ComponentFiles.FOLDER + "/");
   }
 
-  private static ObjectNode said(Exchange exchange) {
-    ObjectNode said = JsonNodeFactory.instance.objectNode();
-    said.put("task", exchange.task())
-        .put("file", exchange.file())
-        .put("model", exchange.answer().model())
-        .put("provenance", exchange.answer().provenance())
-        .put("question", exchange.question())
-        .put("answer", exchange.answer().text());
-    exchange
-        .answer()
-        .usage()
-        .ifPresent(
-            usage ->
-                said.put("inputTokens", usage.inputTokens())
-                    .put("outputTokens", usage.outputTokens()));
-    ArrayNode findings = said.putArray("findings");
-    exchange
-        .findings()
-        .forEach(
-            finding ->
-                findings
-                    .addObject()
-                    .put("id", finding.id())
-                    .put("severity", finding.severity().toString())
-                    .put("message", finding.message()));
-    return said;
+  private static AnsweredPrompt said(Exchange exchange) {
+    Optional<ChatResponse.Usage> usage = exchange.answer().usage();
+    return new AnsweredPrompt(
+        exchange.task(),
+        exchange.file(),
+        exchange.answer().model(),
+        exchange.answer().provenance(),
+        exchange.question(),
+        exchange.answer().text(),
+        usage.stream().mapToLong(ChatResponse.Usage::inputTokens).findFirst(),
+        usage.stream().mapToLong(ChatResponse.Usage::outputTokens).findFirst(),
+        exchange.findings().stream()
+            .map(it -> new Finding(it.id(), it.severity().toString(), it.message()))
+            .toList());
   }
 
   /** Returns all prompts of a stage with their answers; those of earlier runs first. */
-  public ArrayNode conversation(Stage stage) {
-    return conversations.computeIfAbsent(stage, each -> JsonNodeFactory.instance.arrayNode());
+  public List<AnsweredPrompt> conversation(Stage stage) {
+    return conversations.computeIfAbsent(stage, each -> new ArrayList<>());
   }
 
   /** Restores the conversations of an earlier run whose result is still valid. */
-  public void recall(Stage stage, JsonNode report) {
-    if (report.path("conversation").isArray()) {
-      conversation(stage).removeAll();
-      report.path("conversation").forEach(conversation(stage)::add);
+  public void recall(Stage stage, StageReport report) {
+    if (report instanceof Answers answers) {
+      conversations.put(stage, new ArrayList<>(answers.conversation()));
     }
   }
 

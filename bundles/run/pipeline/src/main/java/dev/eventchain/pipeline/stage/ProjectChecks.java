@@ -1,14 +1,12 @@
 package dev.eventchain.pipeline.stage;
 
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.check.ChainChecks;
 import dev.eventchain.check.Constraints;
 import dev.eventchain.constraints.OclResult;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.pipeline.results.Validation;
 import dev.eventchain.project.Requirements;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -74,25 +72,19 @@ public final class ProjectChecks {
   }
 
   /** Returns the results of the constraints, for the report. */
-  public static ObjectNode report(String model, OclResult result) {
-    ObjectNode report = JsonNodeFactory.instance.objectNode();
-    report
-        .put("model", model)
-        .put("constraints", result.constraints())
-        .put("elements", result.elements())
-        .put("evaluations", result.evaluations())
-        .put(
-            "violations",
-            result.diagnostics().stream().filter(d -> d.id().startsWith("ocl.")).count());
-    ArrayNode violated = report.putArray("violated");
-    Set<String> names = new TreeSet<>();
-    result.diagnostics().stream().map(Diagnostic::rule).forEach(names::add);
-    names.forEach(violated::add);
-    ArrayNode evaluated = report.putArray("evaluated");
-    result.checks().stream()
-        .filter(check -> check.evaluations() > 0)
-        .map(check -> check.constraint().qualifiedName())
-        .forEach(evaluated::add);
-    return report;
+  public static Validation report(String model, OclResult result) {
+    Set<String> violated = new TreeSet<>();
+    result.diagnostics().stream().map(Diagnostic::rule).forEach(violated::add);
+    return new Validation(
+        model,
+        result.constraints(),
+        result.elements(),
+        result.evaluations(),
+        result.diagnostics().stream().filter(d -> d.id().startsWith("ocl.")).count(),
+        List.copyOf(violated),
+        result.checks().stream()
+            .filter(check -> check.evaluations() > 0)
+            .map(check -> check.constraint().qualifiedName())
+            .toList());
   }
 }

@@ -1,8 +1,7 @@
 package dev.eventchain.pipeline.stage;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.output.OutputFolder;
+import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.run.Stage;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -11,8 +10,6 @@ import java.util.Optional;
 
 /** Records of stages in the output folder, a file each. */
 public final class StageMemory {
-
-  private static final ObjectMapper JSON = new ObjectMapper();
 
   private final OutputFolder output;
   private final Path base;
@@ -28,15 +25,15 @@ public final class StageMemory {
   }
 
   /**
-   * Returns the record of a finished stage. Ignores unreadable records: they only cost another run
-   * of the stage.
+   * Returns the record of a finished stage. Ignores unreadable records, such as those of other
+   * versions of this program: they only cost another run of the stage.
    */
   public Optional<StageRecord> recall(Stage stage) {
     try {
       byte[] bytes = bytes(stage);
       return bytes.length == 0
           ? Optional.empty()
-          : Optional.of(JSON.readValue(bytes, StageRecord.class));
+          : Optional.of(ResultJson.read(bytes, StageRecord.class, stage));
     } catch (IOException | RuntimeException e) {
       return Optional.empty();
     }
@@ -72,11 +69,7 @@ public final class StageMemory {
 
   /** Stores the record of a successful stage. */
   public void remember(Stage stage, StageRecord record) {
-    try {
-      output.write(name(stage), JSON.writeValueAsBytes(record), OutputFolder.OnEdit.OVERWRITE);
-    } catch (JsonProcessingException e) {
-      throw new IllegalStateException("a record of a stage is plain data", e);
-    }
+    output.write(name(stage), ResultJson.bytes(record), OutputFolder.OnEdit.OVERWRITE);
   }
 
   /**

@@ -1,9 +1,9 @@
 package dev.eventchain.pipeline.stage;
 
-import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Suppressions.Parted;
+import dev.eventchain.pipeline.results.StageReport;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.Stage;
 import java.time.Duration;
@@ -25,7 +25,12 @@ public record StageOutcome(
     String details,
     Parted found,
     Coverage coverage,
-    Optional<JsonNode> report) {
+    Optional<StageReport> report) {
+
+  /** Returns its part of the report if it ever ran and its part is of this type. */
+  public <T extends StageReport> Optional<T> report(Class<T> type) {
+    return report.filter(type::isInstance).map(type::cast);
+  }
 
   /** Returns the findings that are not suppressed. */
   public List<Diagnostic> diagnostics() {

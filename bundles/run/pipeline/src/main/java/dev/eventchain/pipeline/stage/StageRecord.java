@@ -1,8 +1,8 @@
 package dev.eventchain.pipeline.stage;
 
-import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.pipeline.results.StageReport;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -30,7 +30,7 @@ public record StageRecord(
     String details,
     List<Diagnostic> diagnostics,
     Coverage coverage,
-    JsonNode report) {
+    StageReport report) {
   /** The key of a stage that is not skipped. */
   public static final String NEVER = "";
 

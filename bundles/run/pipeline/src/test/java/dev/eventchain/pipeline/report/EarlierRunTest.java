@@ -1,15 +1,19 @@
 package dev.eventchain.pipeline.report;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.json.JsonMapper;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.pipeline.results.ResultJson;
+import dev.eventchain.pipeline.results.SimulatedScenario;
+import dev.eventchain.pipeline.results.SimulatedScenario.Mover;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -21,16 +25,29 @@ class EarlierRunTest {
 
   private static final String MEASURED =
       """
-      {"scenarios": [
-        {"name": "a", "passed": false, "criteria": [{"text": "no impact"}], "series": {"time": [0]}},
-        {"name": "gone", "passed": true}
+      {"runId": "1", "scenarios": [
+        {"name": "a", "title": "A", "tested": true, "passed": false,
+         "criteria": [{"text": "no impact"}], "series": {"time": [0]}},
+        {"name": "gone", "title": "B", "tested": true, "passed": true, "criteria": [], "series": {}}
       ]}
       """;
 
   @TempDir private Path folder;
 
-  private static JsonNode json(String text) throws IOException {
-    return new JsonMapper().readTree(text);
+  private static SimulatedScenario scenario(String name) {
+    Mover ego = new Mover("ego", 4, 2, List.of(), List.of(), List.of());
+    return new SimulatedScenario(
+        name,
+        name,
+        true,
+        true,
+        "1 criterion holds",
+        List.of(),
+        List.of(),
+        List.of(),
+        Optional.empty(),
+        new SimulatedScenario.Series(List.of(), List.of()),
+        new SimulatedScenario.Scene(0, 3, 20, ego, List.of(), List.of()));
   }
 
   private EarlierRun read(String text) throws IOException {
@@ -40,19 +57,27 @@ class EarlierRunTest {
 
   @Test
   void scenarioStandsBesideTheOneOfItsName() throws IOException {
-    JsonNode now = json("[{\"name\": \"a\", \"passed\": true}, {\"name\": \"new\"}]");
-    JsonNode both = read(MEASURED).beside(now);
+    JsonNode both = read(MEASURED).beside(List.of(scenario("a"), scenario("new")));
     assertEquals(2, both.size());
     assertTrue(both.at("/0/passed").booleanValue());
+    assertFalse(both.at("/0/before/passed").booleanValue());
+    assertTrue(both.at("/0/before/tested").booleanValue());
     assertEquals("no impact", both.at("/0/before/criteria/0/text").asText());
     assertTrue(both.at("/1/before").isMissingNode());
-    assertTrue(now.at("/0/before").isMissingNode(), "what this run made stays as it is");
   }
 
   @Test
-  void withoutAnotherRunNothingIsAdded() throws IOException {
-    JsonNode now = json("[{\"name\": \"a\"}]");
-    assertEquals(now, EarlierRun.read(Optional.empty()).beside(now));
+  void withoutAnotherRunNothingIsAdded() {
+    List<SimulatedScenario> now = List.of(scenario("a"));
+    assertEquals(ResultJson.tree(now), EarlierRun.read(Optional.empty()).beside(now));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"name", "tested", "passed", "criteria", "series"})
+  void scenarioWithoutItsMeasurementsIsRefused(String key) {
+    String misspelt = MEASURED.replace("\"" + key + "\"", "\"" + key + "s\"");
+    DiagnosticException refused = assertThrows(DiagnosticException.class, () -> read(misspelt));
+    assertEquals("project.comparison.unreadable", refused.diagnostics().get(0).id());
   }
 
   @ParameterizedTest

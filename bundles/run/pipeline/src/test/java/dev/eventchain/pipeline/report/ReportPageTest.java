@@ -21,12 +21,14 @@ import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.model.eventchain.StatisticKind;
 import dev.eventchain.model.eventchain.Statistics;
 import dev.eventchain.pipeline.diagram.ChainPicture;
+import dev.eventchain.pipeline.run.RunResult.Verdict;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.util.Base64;
 import java.util.List;
+import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.eclipse.emf.ecore.util.EcoreUtil;
@@ -62,9 +64,10 @@ class ReportPageTest {
   @ParameterizedTest
   @ValueSource(strings = {"passed", "failed", "incomplete"})
   void sameDataGivesSameBytes(String sample) throws IOException {
-    byte[] first = ReportPage.render(chain("Detection"), sample(sample));
+    ReportPage.Heading heading = heading(sample(sample));
+    byte[] first = ReportPage.render(chain("Detection"), heading, sample(sample));
 
-    assertArrayEquals(first, ReportPage.render(chain("Detection"), sample(sample)));
+    assertArrayEquals(first, ReportPage.render(chain("Detection"), heading, sample(sample)));
     assertFalse(new String(first, StandardCharsets.UTF_8).contains("\r"));
   }
 
@@ -86,14 +89,18 @@ class ReportPageTest {
 
   @Test
   void hostileTitleAndSummaryAreText() {
-    ObjectNode data = MAPPER.createObjectNode();
     String hostile = "</title></noscript><img src=x onerror=\"alert(1)\">&{{data}}[data/]";
-    data.putObject("project").put("title", hostile).put("verdict", hostile).put("summary", hostile);
 
-    String page = page(data);
+    String page =
+        text(
+            ReportPage.render(
+                EventchainFactory.eINSTANCE.createEventChain(),
+                new ReportPage.Heading("", hostile, Verdict.INCOMPLETE, hostile),
+                MAPPER.createObjectNode()));
 
     String escaped =
-        "&lt;/title&gt;&lt;/noscript&gt;&lt;img src=x onerror=&quot;alert(1)&quot;&gt;&amp;{{data}}[data/]";
+        "&lt;/title&gt;&lt;/noscript&gt;&lt;img src=x"
+            + " onerror=&quot;alert(1)&quot;&gt;&amp;{{data}}[data/]";
     assertFalse(page.contains("<img"));
     assertEquals(3, count(page, escaped));
     assertEquals(1, count(page, "</noscript>"));
@@ -322,7 +329,21 @@ class ReportPageTest {
   }
 
   private static String page(EventChain chain, JsonNode data) {
-    return new String(ReportPage.render(chain, data), StandardCharsets.UTF_8);
+    return text(ReportPage.render(chain, heading(data), data));
+  }
+
+  private static String text(byte[] page) {
+    return new String(page, StandardCharsets.UTF_8);
+  }
+
+  private static ReportPage.Heading heading(JsonNode data) {
+    JsonNode project = data.path("project");
+    String verdict = project.path("verdict").asText("incomplete").toUpperCase(Locale.ROOT);
+    return new ReportPage.Heading(
+        project.path("name").asText(),
+        project.path("title").asText(),
+        Verdict.valueOf(verdict),
+        project.path("summary").asText());
   }
 
   private static String dataOf(String page) {

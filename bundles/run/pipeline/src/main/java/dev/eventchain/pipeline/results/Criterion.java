@@ -1,0 +1,41 @@
+package dev.eventchain.pipeline.results;
+
+import com.fasterxml.jackson.annotation.JsonInclude;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * A criterion of a scenario or a fault, and its outcome.
+ *
+ * @param text the requirement, in words
+ * @param tested true if its premise came true
+ * @param passed true if it was tested and holds
+ * @param measured the measured figures, in words
+ * @param margin the distance from the opposite verdict; empty if it has no size
+ * @param limits the numbers that signals are compared with
+ */
+public record Criterion(
+    String text,
+    boolean tested,
+    boolean passed,
+    String measured,
+    Optional<Margin> margin,
+    @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Limit> limits) {
+
+  /**
+   * Distance of a criterion from the opposite verdict, negative if it does not hold.
+   *
+   * @param value in the unit; empty if it is infinite
+   * @param time the time of the margin, in s since the start
+   */
+  public record Margin(OptionalDouble value, String unit, double time) {}
+
+  /** A number, in the signal's unit, with which a criterion compares a signal. */
+  public record Limit(String signal, double value) {}
+
+  /** Copies the list, which JSON omits where it is empty. */
+  public Criterion {
+    limits = limits == null ? List.of() : List.copyOf(limits);
+  }
+}

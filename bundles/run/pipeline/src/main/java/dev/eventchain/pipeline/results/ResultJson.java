@@ -1,0 +1,132 @@
+package dev.eventchain.pipeline.results;
+
+import com.fasterxml.jackson.annotation.JsonInclude;
+import com.fasterxml.jackson.annotation.JsonSetter;
+import com.fasterxml.jackson.annotation.Nulls;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.DeserializationContext;
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.JsonDeserializer;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.SerializationFeature;
+import com.fasterxml.jackson.databind.introspect.Annotated;
+import com.fasterxml.jackson.databind.introspect.AnnotatedMember;
+import com.fasterxml.jackson.databind.introspect.JacksonAnnotationIntrospector;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import com.fasterxml.jackson.databind.module.SimpleModule;
+import dev.eventchain.pipeline.run.Stage;
+import java.io.IOException;
+import java.util.Set;
+
+/**
+ * Reads and writes results as JSON. Reading is strict: an unknown, missing or repeated key is an
+ * error, since a value read as false or empty could pass for a result. Only what is optional, or
+ * omitted where it is empty, may be missing.
+ */
+public final class ResultJson {
+
+  private static final JsonMapper MAPPER =
+      JsonMapper.builder()
+          .annotationIntrospector(new RequiredUnlessOmitted())
+          .addModule(OptionalValues.module())
+          .enable(JsonParser.Feature.STRICT_DUPLICATE_DETECTION)
+          .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
+          .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
+          .disable(SerializationFeature.FAIL_ON_EMPTY_BEANS)
+          .build();
+
+  static {
+    OptionalValues.TYPES.forEach(
+        type ->
+            MAPPER
+                .configOverride(type)
+                .setInclude(JsonInclude.Value.construct(JsonInclude.Include.NON_EMPTY, null)));
+  }
+
+  private ResultJson() {}
+
+  /** Returns the JSON of a value, in one line. */
+  public static byte[] bytes(Object value) {
+    try {
+      return MAPPER.writeValueAsBytes(value);
+    } catch (JsonProcessingException e) {
+      throw new IllegalStateException("a result is plain data", e);
+    }
+  }
+
+  /** Returns the JSON of a value as a tree. */
+  public static JsonNode tree(Object value) {
+    return MAPPER.valueToTree(value);
+  }
+
+  /**
+   * Reads a value.
+   *
+   * @throws IOException if the bytes are not exactly such a value
+   */
+  public static <T> T read(byte[] json, Class<T> type) throws IOException {
+    return MAPPER.readValue(json, type);
+  }
+
+  /**
+   * Reads a value that holds the report of a stage.
+   *
+   * @throws IOException if the bytes are not exactly such a value
+   */
+  public static <T> T read(byte[] json, Class<T> type, Stage stage) throws IOException {
+    SimpleModule reports =
+        new SimpleModule().addDeserializer(StageReport.class, new ReportReader(stage));
+    return MAPPER.rebuild().addModule(reports).build().readValue(json, type);
+  }
+
+  /** Reads the report of a stage, whose type follows from the stage. */
+  private static final class ReportReader extends JsonDeserializer<StageReport> {
+
+    private final Class<? extends StageReport> type;
+    private final boolean mayBeNone;
+
+    ReportReader(Stage stage) {
+      type =
+          switch (stage) {
+            case DESIGN, IMPLEMENT, MODEL, CONSTRAIN -> Answers.class;
+            case VALIDATE -> Validated.class;
+            case SIMULATE -> Simulated.class;
+            case GENERATE, REPORT -> StageReport.None.class;
+          };
+      mayBeNone = !Set.of(Stage.VALIDATE, Stage.SIMULATE).contains(stage);
+    }
+
+    @Override
+    public StageReport deserialize(JsonParser parser, DeserializationContext context)
+        throws IOException {
+      JsonNode report = context.readTree(parser);
+      return mayBeNone && report.isObject() && report.isEmpty()
+          ? new StageReport.None()
+          : context.readTreeAsValue(report, type);
+    }
+  }
+
+  /** Requires each key that is not omitted in some cases, and refuses null for it. */
+  private static final class RequiredUnlessOmitted extends JacksonAnnotationIntrospector {
+
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public Boolean hasRequiredMarker(AnnotatedMember member) {
+      return !mayBeOmitted(member);
+    }
+
+    @Override
+    public JsonSetter.Value findSetterInfo(Annotated member) {
+      return mayBeOmitted(member)
+          ? super.findSetterInfo(member)
+          : JsonSetter.Value.forValueNulls(Nulls.FAIL);
+    }
+
+    private static boolean mayBeOmitted(Annotated member) {
+      return OptionalValues.TYPES.contains(member.getRawType())
+          || member.hasAnnotation(JsonInclude.class);
+    }
+  }
+}

@@ -1,0 +1,82 @@
+package dev.eventchain.pipeline.results;
+
+import com.fasterxml.jackson.annotation.JsonProperty;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The result of a scenario, with the curves and the scene that the report draws. Lists of numbers
+ * hold null where a quantity has no value; such lists are not copied.
+ *
+ * @param text the result in a sentence
+ * @param requirements the identifiers of the requirements that it tests
+ * @param measurements the measured figures
+ * @param latency the latency of the chain, in ms; empty if it was not measured
+ */
+public record SimulatedScenario(
+    String name,
+    String title,
+    boolean tested,
+    boolean passed,
+    String text,
+    List<String> requirements,
+    List<Criterion> criteria,
+    List<Figure> measurements,
+    Optional<Statistics> latency,
+    Series series,
+    Scene scene) {
+
+  /** Copies the lists. */
+  public SimulatedScenario {
+    requirements = List.copyOf(requirements);
+    criteria = List.copyOf(criteria);
+    measurements = List.copyOf(measurements);
+  }
+
+  /**
+   * A measured number.
+   *
+   * @param time first time of the value, in s since the start
+   */
+  public record Figure(String name, String unit, String statistic, double value, double time) {}
+
+  /**
+   * Curves over time.
+   *
+   * @param time since the start, in s
+   */
+  public record Series(List<Double> time, List<Signal> signals) {}
+
+  /**
+   * A quantity over time.
+   *
+   * @param absent why it has no values, if it has none
+   * @param values one for each time
+   */
+  public record Signal(String name, String unit, Optional<String> absent, List<Double> values) {}
+
+  /** The road from above, in m and rad. */
+  public record Scene(
+      double curvature,
+      @JsonProperty("lane_width") double laneWidth,
+      @JsonProperty("wall_distance") double wallDistance,
+      Mover ego,
+      List<Mover> others,
+      List<Scan> scans) {}
+
+  /** The positions of a box, one for each time of the series, or one for all. */
+  public record Mover(
+      String name,
+      double length,
+      double width,
+      List<Double> x,
+      List<Double> y,
+      List<Double> heading) {}
+
+  /**
+   * The echoes of a scan.
+   *
+   * @param time since the start, in s
+   */
+  public record Scan(double time, List<Double> x, List<Double> y) {}
+}

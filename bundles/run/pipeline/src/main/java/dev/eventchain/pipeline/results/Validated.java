@@ -1,0 +1,4 @@
+package dev.eventchain.pipeline.results;
+
+/** The report of the stage that validates the model. */
+public record Validated(Validation validation) implements StageReport {}
