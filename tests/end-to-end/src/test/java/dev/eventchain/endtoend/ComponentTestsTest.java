@@ -81,7 +81,8 @@ class ComponentTestsTest {
         .expect(1)
         .says("tests/Braking_Decision.yaml:2:5")
         .says(
-            "but AEB-4 says \"Partial brake if 1.0s ≤ TTC < 2.0s\". [component.tests.contradiction]");
+            "but AEB-4 says \"Partial brake if 1.0s ≤ TTC < 2.0s\"."
+                + " [component.tests.contradiction]");
   }
 
   @Test
@@ -104,6 +105,30 @@ class ComponentTestsTest {
         .expect(1)
         .says("tests/Carla_Vehicle_Control.yaml:2:5")
         .says("'brake' is 1.0, not 0.5, with braking_force = 1.0. [component.test.failed]");
+  }
+
+  /** The tests run again when the component changes, or another file that it imports. */
+  @Test
+  void existingComponentsAreTestedAsTheyStand() throws IOException {
+    project.write(
+        "tests/Carla_Vehicle_Control.yaml",
+        """
+        tests:
+          - {name: all of it, requirement: AEB-6, inputs: {braking_force: 1.0}, outputs: {brake: 1.0}}
+        """);
+    String component = "software-base/components/Carla_Vehicle_Control.py";
+    String code = Files.readString(project.path().resolve(component));
+    project.write(component, code.replaceFirst("(?m)^class ", "import limits\n\n\nclass "));
+    project.write("software-base/components/limits.py", "HIGHEST = 1.0\n");
+    implement().expect(0).says("31 component tests passed");
+    implement().expect(0).says("= Implement");
+    project.write("software-base/components/limits.py", "HIGHEST = 1 / 0\n");
+    implement().expect(1).says("Carla_Vehicle_Control");
+    project.write("software-base/components/limits.py", "HIGHEST = 1.0\n");
+    project.write(component, "class Carla_Vehicle_Control:\n    pass\n");
+    implement().expect(1).says("Carla_Vehicle_Control");
+    project.write(component, code);
+    implement().expect(0).says("31 component tests passed");
   }
 
   /** Whatever an earlier run found in its own version, the tests run on the current one. */

@@ -10,6 +10,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.results.Answers;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.ChainSnapshot;
@@ -43,7 +44,18 @@ public final class ImplementStage implements StageWork {
         .addFiles(TestFiles.ofProject(run.project()));
     if (!TestFiles.ofProject(run.project()).isEmpty()) {
       fingerprint.addFiles(run.project().softwareBaseFiles());
+      fingerprint.addFiles(testedCode(run));
     }
+  }
+
+  /** Returns existing components for which people wrote tests, with all that they may import. */
+  private static List<Path> testedCode(RunContext run) {
+    return run.softwareBase().components().stream()
+        .filter(each -> TestFiles.isWritten(run.project(), each.name()))
+        .map(each -> each.file().getParent())
+        .distinct()
+        .flatMap(folder -> Project.existingBelow(folder).stream())
+        .toList();
   }
 
   @Override

@@ -51,8 +51,18 @@ final class TestFiles {
 
   /** Returns the tests that people wrote for a component. */
   Optional<ComponentTester> written(String component) {
-    Path file = run.project().folder().resolve(FOLDER).resolve(component + SUFFIX);
-    return Files.isRegularFile(file) ? Optional.of(read(file, component)) : Optional.empty();
+    return isWritten(run.project(), component)
+        ? Optional.of(read(file(run.project(), component), component))
+        : Optional.empty();
+  }
+
+  /** Returns whether people wrote tests for a component. */
+  static boolean isWritten(Project project, String component) {
+    return Files.isRegularFile(file(project, component));
+  }
+
+  private static Path file(Project project, String component) {
+    return project.folder().resolve(FOLDER).resolve(component + SUFFIX);
   }
 
   /** Proposes tests of a component, which people may edit. */
