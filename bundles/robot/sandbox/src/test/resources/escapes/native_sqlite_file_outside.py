@@ -1,2 +1,4 @@
-import apsw, sys
-apsw.Connection(sys.argv[1] + "/written").execute("create table t (x)")
+import _sqlite3, sys
+database = _sqlite3.connect(sys.argv[1] + "/written")
+database.execute("create table t (x)")
+database.commit()

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * Eventchain's own Python: a virtual environment with pinned packages (NumPy, rosbags) in the
+ * Eventchain's own Python: a virtual environment with pinned packages (NumPy, ruamel.yaml) in the
  * user's cache, based on this machine's Python 3.10 or newer.
  */
 public final class PythonEnvironment {

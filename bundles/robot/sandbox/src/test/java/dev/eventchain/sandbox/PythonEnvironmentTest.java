@@ -33,10 +33,10 @@ class PythonEnvironmentTest {
                 TestEnvironment.PYTHON.executable().toString(),
                 "-c",
                 "import importlib.metadata as m, sys;"
-                    + "print('.'.join(map(str, sys.version_info[:3])), m.version('rosbags'))")
+                    + "print('.'.join(map(str, sys.version_info[:3])), m.version('ruamel.yaml'))")
             .start();
     String output = process.inputReader(StandardCharsets.UTF_8).readLine();
-    assertEquals(TestEnvironment.PYTHON.version() + " 0.11.9", output);
+    assertEquals(TestEnvironment.PYTHON.version() + " 0.19.1", output);
   }
 
   @Test
@@ -137,11 +137,11 @@ class PythonEnvironmentTest {
     assertTrue(finder.find().executable().startsWith(folder.resolve("cache")));
     assertEquals(version + ", packages are there", finder.outlook());
 
-    Files.delete(wheels.resolve("rosbags-0.11.9-py3-none-any.whl"));
+    Files.delete(wheels.resolve("ruamel.yaml-0.19.1-py3-none-any.whl"));
     settings.put("XDG_CACHE_HOME", folder + "/another cache");
     Diagnostic problem = failure("python.wheels.missing", finder::outlook);
-    assertTrue(problem.message().endsWith(" of rosbags==0.11.9"), problem.message());
-    assertTrue(problem.hint().contains("--dest FOLDER rosbags==0.11.9;"), problem.hint());
+    assertTrue(problem.message().endsWith(" of ruamel.yaml==0.19.1"), problem.message());
+    assertTrue(problem.hint().contains("--dest FOLDER ruamel.yaml==0.19.1;"), problem.hint());
   }
 
   @Test
