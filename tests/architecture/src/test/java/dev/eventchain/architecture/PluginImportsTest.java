@@ -59,6 +59,7 @@ class PluginImportsTest {
   @Test
   void userInterfaceShowsWhatIsInModels() throws IOException {
     assertEquals(
-        Set.of("diagnostics", "eclipse", "messages", "model", "project", "xmi"), imports("ui"));
+        Set.of("diagnostics", "eclipse", "m2t", "messages", "model", "ocl", "project", "xmi"),
+        imports("ui"));
   }
 }

@@ -113,7 +113,7 @@ final class BlockParser {
 
   private Optional<Node> output(Token token) {
     HeaderReader reader = reader(token);
-    if (reader.acceptWord("super") && reader.atEnd()) {
+    if (reader.acceptWord(Words.SUPER) && reader.atEnd()) {
       return Optional.of(new Syntax.Super(token.start()));
     }
     SourceRange whole = token.content(problems.source());
@@ -144,7 +144,9 @@ final class BlockParser {
       if (reader.atEnd() || reader.parentheses("arguments").isEmpty()) {
         return span.end();
       }
-      if (reader.atWord("before") || reader.atWord("separator") || reader.atWord("after")) {
+      if (reader.atWord(Words.BEFORE)
+          || reader.atWord(Words.SEPARATOR)
+          || reader.atWord(Words.AFTER)) {
         return reader.position();
       }
     }
@@ -274,10 +276,10 @@ final class BlockParser {
     Optional<SourceRange> id = reader.parentheses("the id of the area");
     Optional<SourceRange> startPrefix = Optional.empty();
     Optional<SourceRange> endPrefix = Optional.empty();
-    if (reader.acceptWord("startTagPrefix")) {
+    if (reader.acceptWord(Words.START_TAG_PREFIX)) {
       startPrefix = reader.parentheses("a string");
     }
-    if (reader.acceptWord("endTagPrefix")) {
+    if (reader.acceptWord(Words.END_TAG_PREFIX)) {
       endPrefix = reader.parentheses("a string");
     }
     reader.expectEnd("startTagPrefix(), endTagPrefix() or the end of the tag");

@@ -168,11 +168,11 @@ final class HeaderReader {
     Optional<SourceRange> guard = Optional.empty();
     List<Variable> variables = List.of();
     while (!atEnd()) {
-      if (acceptWord("before")) {
+      if (acceptWord(Words.BEFORE)) {
         before = parentheses("the text before the first item");
-      } else if (acceptWord("separator")) {
+      } else if (acceptWord(Words.SEPARATOR)) {
         separator = parentheses("the text between items");
-      } else if (acceptWord("after")) {
+      } else if (acceptWord(Words.AFTER)) {
         after = parentheses("the text after the last item");
       } else if (accept('?')) {
         guard = parentheses("a condition");

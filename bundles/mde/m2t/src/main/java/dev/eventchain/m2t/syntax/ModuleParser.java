@@ -10,7 +10,6 @@ import dev.eventchain.m2t.syntax.Syntax.Visibility;
 import dev.eventchain.m2t.syntax.Token.Kind;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 
 /** Parser of a file: its declarations, and its templates by {@link BlockParser}. */
@@ -129,7 +128,7 @@ final class ModuleParser {
     }
     Optional<SourceRange> inside = reader.parentheses("the namespaces of the metamodels");
     inside.ifPresent(span -> list(span).forEach(metamodels::add));
-    if (reader.acceptWord("extends")) {
+    if (reader.acceptWord(Words.EXTENDS)) {
       do {
         Optional<Name> name = reader.qualifiedName();
         name.ifPresentOrElse(extended::add, () -> reader.unexpected("the name of a module"));
@@ -201,7 +200,7 @@ final class ModuleParser {
     }
     List<Variable> parameters = reader.parameters();
     List<Name> overrides = new ArrayList<>();
-    if (reader.acceptWord("overrides")) {
+    if (reader.acceptWord(Words.OVERRIDES)) {
       do {
         reader
             .name()
@@ -211,7 +210,7 @@ final class ModuleParser {
     Optional<SourceRange> guard =
         reader.accept('?') ? reader.parentheses("a condition") : Optional.empty();
     Optional<SourceRange> post =
-        reader.acceptWord("post") ? reader.parentheses("an operation") : Optional.empty();
+        reader.acceptWord(Words.POST) ? reader.parentheses("an operation") : Optional.empty();
     List<Variable> variables = reader.variablesInBraces();
     reader.expectEnd(
         "the end of the tag after 'overrides', '? (guard)', 'post (...)' and '{...}', in this order");
@@ -222,7 +221,7 @@ final class ModuleParser {
 
   private Visibility visibility(HeaderReader reader) {
     for (Visibility visibility : Visibility.values()) {
-      if (reader.acceptWord(visibility.name().toLowerCase(Locale.ROOT))) {
+      if (reader.acceptWord(Words.of(visibility))) {
         return visibility;
       }
     }

@@ -2,6 +2,7 @@ package dev.eventchain.m2t.syntax;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
+import java.util.AbstractList;
 import java.util.List;
 
 /** Collector of the findings about one compilation unit. */
@@ -10,6 +11,26 @@ public record Problems(SourceText source, List<Diagnostic> found) {
 
   /** Greatest number of problems; a file with more is not a template. */
   private static final int MOST = 1000;
+
+  /** Returns a collector that keeps none, however many there are. */
+  public static Problems ignored(SourceText source) {
+    return new Problems(
+        source,
+        new AbstractList<>() {
+          @Override
+          public void add(int index, Diagnostic ignored) {}
+
+          @Override
+          public Diagnostic get(int index) {
+            throw new IndexOutOfBoundsException(index);
+          }
+
+          @Override
+          public int size() {
+            return 0;
+          }
+        });
+  }
 
   public void syntax(int offset, String message, String hint) {
     error(SYNTAX, offset, message, hint);

@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 /**
  * Lexer that splits a template file into text and tags. It recognises tags, but not their nesting.
  */
-final class TemplateLexer {
+public final class TemplateLexer {
   private static final List<String> BLOCKS =
       List.of("template", "for", "if", "let", "file", "protected", "trace", "macro");
   private static final List<String> MIDDLES = List.of("elseif", "else", "elselet");
@@ -22,6 +22,8 @@ final class TemplateLexer {
   /** All keywords, in the order of precedence for suggestions. */
   private static final List<String> KEYWORDS =
       Stream.of(BLOCKS, MIDDLES, DECLARATIONS).flatMap(List::stream).toList();
+
+  private static final String COMMENT = "comment";
 
   /** Keywords that can also start an OCL expression. */
   private static final Set<String> EXPRESSION_KEYWORDS = Set.of("if", "let");
@@ -38,8 +40,14 @@ final class TemplateLexer {
     this.problems = problems;
   }
 
-  static List<Token> tokens(Problems problems) {
+  /** Returns the tokens of a template, which cover its whole text; reports tags without an end. */
+  public static List<Token> tokens(Problems problems) {
     return new TemplateLexer(problems).tokens();
+  }
+
+  /** Returns the words that begin a tag, in alphabetical order. */
+  public static List<String> keywords() {
+    return Stream.concat(KEYWORDS.stream(), Stream.of(COMMENT)).sorted().toList();
   }
 
   private List<Token> tokens() {
@@ -83,7 +91,7 @@ final class TemplateLexer {
     }
     int nameEnd = endOfName(nameStart);
     String keyword = keywordAt(nameStart, nameEnd);
-    if (keyword.equals("comment")) {
+    if (keyword.equals(COMMENT)) {
       return comment(start, nameEnd);
     }
     return keyword.isEmpty() ? expression(start, start + 1) : keywordTag(start, keyword, nameEnd);
@@ -93,7 +101,7 @@ final class TemplateLexer {
   private String keywordAt(int nameStart, int nameEnd) {
     String name = text.substring(nameStart, nameEnd);
     boolean known =
-        name.equals("comment")
+        name.equals(COMMENT)
             || BLOCKS.contains(name)
             || MIDDLES.contains(name)
             || DECLARATIONS.contains(name);
@@ -102,7 +110,7 @@ final class TemplateLexer {
     }
     char next = text.charAt(nameEnd);
     boolean separate = Character.isWhitespace(next) || next == '(' || next == ']';
-    boolean emptyComment = name.equals("comment") && next == '/';
+    boolean emptyComment = name.equals(COMMENT) && next == '/';
     return separate || emptyComment ? name : "";
   }
 
@@ -201,7 +209,7 @@ final class TemplateLexer {
       problems.syntax(start, message, "Did you mean [/" + meant + "]?");
       return new Token(Kind.CLOSE, meant, start, end + 1, nameEnd, end);
     }
-    boolean comment = name.equals("comment");
+    boolean comment = name.equals(COMMENT);
     problems.syntax(
         start,
         comment ? "There is no comment to close here." : message,
@@ -225,7 +233,7 @@ final class TemplateLexer {
     boolean open = plainEnd >= 0 && (slashEnd < 0 || plainEnd < slashEnd);
     if (open && blockEnd > plainEnd && (empty || slashEnd < 0 || (closed && !bracketed))) {
       int end = blockEnd + "[/comment]".length();
-      return new Token(Kind.COMMENT, "comment", start, end, plainEnd + 1, blockEnd);
+      return new Token(Kind.COMMENT, COMMENT, start, end, plainEnd + 1, blockEnd);
     }
     if (empty) {
       problems.syntax(start, "This comment is not closed.", "Close it with [/comment].");
@@ -247,7 +255,7 @@ final class TemplateLexer {
       problems.syntax(start, "This comment is not closed.", "Close it with '" + closer + "'.");
       return broken(start, contentStart);
     }
-    return new Token(Kind.COMMENT, "comment", start, end + closer.length(), contentStart, end);
+    return new Token(Kind.COMMENT, COMMENT, start, end + closer.length(), contentStart, end);
   }
 
   /** Returns the next offset of a text; each part of the file is searched once for each text. */

@@ -12,9 +12,10 @@ import dev.eventchain.diagnostics.SourceText;
  * @param contentStart the offset where a tag's content starts, after its keyword
  * @param contentEnd the offset where it ends, before {@code ]} or {@code /]}
  */
-record Token(Kind kind, String keyword, int start, int end, int contentStart, int contentEnd) {
+public record Token(
+    Kind kind, String keyword, int start, int end, int contentStart, int contentEnd) {
   /** Kind of a token. */
-  enum Kind {
+  public enum Kind {
     TEXT,
     EXPRESSION,
     COMMENT,

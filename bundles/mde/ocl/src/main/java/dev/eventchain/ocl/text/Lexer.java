@@ -28,6 +28,25 @@ public final class Lexer {
     return start + 1;
   }
 
+  /**
+   * Returns the end of the number at an offset, with its fraction and exponent: {@code 1.5e2} is
+   * one, {@code 1..2} begins with {@code 1}.
+   */
+  public static int endOfNumber(String text, int start, int limit) {
+    int end = endOfRun(text, start, limit, Character::isDigit);
+    if (end + 1 < limit && text.charAt(end) == '.' && Character.isDigit(text.charAt(end + 1))) {
+      end = endOfRun(text, end + 1, limit, Character::isDigit);
+    }
+    if (end < limit && "eE".indexOf(text.charAt(end)) >= 0) {
+      int exponent = end + 1;
+      exponent += exponent < limit && "+-".indexOf(text.charAt(exponent)) >= 0 ? 1 : 0;
+      if (exponent < limit && Character.isDigit(text.charAt(exponent))) {
+        return endOfRun(text, exponent, limit, Character::isDigit);
+      }
+    }
+    return end;
+  }
+
   /** Returns the end of a line: before a line feed or a carriage return. */
   private static int endOfLine(String text, int start, int limit) {
     int end = start;

@@ -1,2 +1,2 @@
-/** OCL as plain text: its lexer and tokens. Independent of metamodels. */
+/** OCL as plain text: its lexer, tokens and keywords. Independent of metamodels. */
 package dev.eventchain.ocl.text;

@@ -1,5 +1,7 @@
 package dev.eventchain.eclipse.ui.text;
 
+import dev.eventchain.m2t.TemplateParts;
+import dev.eventchain.ocl.text.Keywords;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
@@ -56,12 +58,11 @@ final class CodeProposals implements IContentAssistProcessor {
     if (before.endsWith(".")) {
       return features(before);
     } else if (language == Language.TEMPLATE && before.matches("(?s).*\\[\\s*/?")) {
-      return inOrder(TemplateTokens.BLOCKS, OclTokens.KEYWORDS, names.get().types());
+      return inOrder(TemplateParts.KEYWORDS, Keywords.ALL, names.get().types());
     } else if (language == Language.TEMPLATE) {
-      return inOrder(
-          TemplateTokens.MODIFIERS, OclTokens.KEYWORDS, OclTokens.TYPES, names.get().types());
+      return inOrder(TemplateParts.MODIFIERS, Keywords.ALL, Keywords.TYPES, names.get().types());
     }
-    return inOrder(OclTokens.KEYWORDS, OclTokens.TYPES, names.get().types());
+    return inOrder(Keywords.ALL, Keywords.TYPES, names.get().types());
   }
 
   @SafeVarargs

@@ -1,5 +1,8 @@
 package dev.eventchain.eclipse.ui.text;
 
+import dev.eventchain.m2t.TemplateParts;
+import dev.eventchain.ocl.text.Keywords;
+import dev.eventchain.ocl.text.Lexer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -10,59 +13,8 @@ import java.util.Set;
  */
 public final class OclTokens {
 
-  /** Keywords of Complete OCL. */
-  static final List<String> KEYWORDS =
-      List.of(
-          "and",
-          "body",
-          "context",
-          "def",
-          "derive",
-          "else",
-          "endif",
-          "endpackage",
-          "false",
-          "if",
-          "implies",
-          "import",
-          "in",
-          "include",
-          "init",
-          "inv",
-          "invalid",
-          "let",
-          "library",
-          "not",
-          "null",
-          "or",
-          "package",
-          "post",
-          "pre",
-          "self",
-          "static",
-          "then",
-          "true",
-          "xor");
-
-  /** Predefined types of OCL. */
-  static final List<String> TYPES =
-      List.of(
-          "Bag",
-          "Boolean",
-          "Collection",
-          "Integer",
-          "OclAny",
-          "OclInvalid",
-          "OclVoid",
-          "OrderedSet",
-          "Real",
-          "Sequence",
-          "Set",
-          "String",
-          "Tuple",
-          "UnlimitedNatural");
-
-  private static final Set<String> WORDS = Set.copyOf(KEYWORDS);
+  private static final Set<String> KEYWORDS = Set.copyOf(Keywords.ALL);
+  private static final Set<String> MODIFIERS = Set.copyOf(TemplateParts.MODIFIERS);
 
   private final String text;
   private final int limit;
@@ -118,23 +70,12 @@ public final class OclTokens {
       return TemplateTokens.endOfOpening(text, start, limit);
     } else if (tags && text.startsWith("/]", start) && start + 2 <= limit) {
       return start + 2;
-    } else if (!tags && text.startsWith("--", start)) {
-      return endOfLine(text, start, limit);
-    } else if (!tags && text.startsWith("/*", start)) {
-      int end = text.indexOf("*/", start + 2);
-      return end < 0 ? limit : Math.min(end + 2, limit);
-    } else if (c == '\'' || c == '"' && !tags) {
-      return endOfString(text, start, limit);
-    } else if (Character.isDigit(c)) {
-      return endOfNumber(start);
+    } else if (tags && "\"-/".indexOf(c) >= 0) {
+      return start + 1; // tags have no comments, and only one kind of quotes
     }
-    int end = start + 1;
-    while (Character.isJavaIdentifierPart(c)
-        && end < limit
-        && Character.isJavaIdentifierPart(text.charAt(end))) {
-      end++;
-    }
-    return end;
+    return Character.isDigit(c)
+        ? Lexer.endOfNumber(text, start, limit)
+        : Lexer.end(text, start, limit);
   }
 
   private TokenKind kind(int start, int end) {
@@ -149,58 +90,15 @@ public final class OclTokens {
       return TokenKind.NUMBER;
     }
     String word = text.substring(start, end);
-    if (WORDS.contains(word) || tags && TemplateTokens.MODIFIERS.contains(word)) {
+    if (KEYWORDS.contains(word) || tags && MODIFIERS.contains(word)) {
       return isFeature(start) ? TokenKind.CODE : TokenKind.KEYWORD;
     }
-    return types.contains(word) || TYPES.contains(word) ? TokenKind.TYPE : TokenKind.CODE;
+    return types.contains(word) || Keywords.TYPES.contains(word) ? TokenKind.TYPE : TokenKind.CODE;
   }
 
   /** Returns whether a word follows a dot or an arrow, so that it is no keyword. */
   private boolean isFeature(int start) {
     int before = start - 1;
     return before >= 0 && (text.charAt(before) == '.' || text.startsWith("->", before - 1));
-  }
-
-  private int endOfNumber(int start) {
-    int end = digits(start);
-    if (end + 1 < limit && text.charAt(end) == '.' && Character.isDigit(text.charAt(end + 1))) {
-      end = digits(end + 1);
-    }
-    if (end < limit && "eE".indexOf(text.charAt(end)) >= 0) {
-      int exponent = end + 1;
-      exponent += exponent < limit && "+-".indexOf(text.charAt(exponent)) >= 0 ? 1 : 0;
-      end = exponent < limit && Character.isDigit(text.charAt(exponent)) ? digits(exponent) : end;
-    }
-    return end;
-  }
-
-  private int digits(int start) {
-    int end = start;
-    while (end < limit && Character.isDigit(text.charAt(end))) {
-      end++;
-    }
-    return end;
-  }
-
-  static int endOfLine(String text, int start, int limit) {
-    int end = start;
-    while (end < limit && text.charAt(end) != '\n' && text.charAt(end) != '\r') {
-      end++;
-    }
-    return end;
-  }
-
-  /** Returns the end of a string, or of its line if it has none. */
-  static int endOfString(String text, int start, int limit) {
-    char quote = text.charAt(start);
-    int line = endOfLine(text, start, limit);
-    for (int i = start + 1; i < line; i++) {
-      if (text.charAt(i) == '\\') {
-        i++;
-      } else if (text.charAt(i) == quote) {
-        return i + 1;
-      }
-    }
-    return line;
   }
 }
