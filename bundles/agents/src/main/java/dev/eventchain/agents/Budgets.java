@@ -2,6 +2,7 @@ package dev.eventchain.agents;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.description.ChainNames;
 import dev.eventchain.description.EventChainSchema;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.JsonLayout;
@@ -14,7 +15,10 @@ import java.util.Set;
  */
 final class Budgets {
   private static final Set<String> KEYS =
-      Set.of("best_case_execution_time", "worst_case_execution_time", "memory");
+      Set.of(
+          ChainNames.BEST_CASE_EXECUTION_TIME,
+          ChainNames.WORST_CASE_EXECUTION_TIME,
+          ChainNames.MEMORY);
 
   private Budgets() {}
 

@@ -1,6 +1,7 @@
 package dev.eventchain.agents.chain;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.description.ChainNames;
 import dev.eventchain.description.EventChainSchema;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.jsonmodels.JsonDocument;
@@ -82,11 +83,11 @@ public record ChainView(List<ChainView.Component> components) {
 
   static Component component(JsonNode json, String pointer) {
     return new Component(
-        text(json, "name"),
+        text(json, ChainNames.NAME),
         json,
         pointer,
-        ports(json.path("input"), pointer + "/input"),
-        ports(json.path("output"), pointer + "/output"));
+        ports(json.path(ChainNames.INPUT), pointer + "/" + ChainNames.INPUT),
+        ports(json.path(ChainNames.OUTPUT), pointer + "/" + ChainNames.OUTPUT));
   }
 
   private static List<Port> ports(JsonNode json, String pointer) {
@@ -94,7 +95,11 @@ public record ChainView(List<ChainView.Component> components) {
     for (int i = 0; i < json.size(); i++) {
       JsonNode port = json.path(i);
       String here = pointer + "/" + i;
-      ports.add(new Port(text(port, "topic"), here, values(port.path("values"), here + "/values")));
+      ports.add(
+          new Port(
+              text(port, ChainNames.TOPIC),
+              here,
+              values(port.path(ChainNames.VALUES), here + "/" + ChainNames.VALUES)));
     }
     return ports;
   }
@@ -105,7 +110,10 @@ public record ChainView(List<ChainView.Component> components) {
       JsonNode value = json.path(i);
       values.add(
           new Value(
-              text(value, "name"), text(value, "type"), text(value, "unit"), pointer + "/" + i));
+              text(value, ChainNames.NAME),
+              text(value, ChainNames.TYPE),
+              text(value, ChainNames.UNIT),
+              pointer + "/" + i));
     }
     return values;
   }

@@ -2,6 +2,7 @@ package dev.eventchain.agents.chain;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.agents.chain.ChainView.Component;
+import dev.eventchain.description.ChainNames;
 import java.util.Set;
 import java.util.stream.Stream;
 
@@ -30,7 +31,7 @@ final class ComponentCheck {
   }
 
   private void frequency(Component component) {
-    JsonNode frequency = component.json().path("frequency");
+    JsonNode frequency = component.json().path(ChainNames.FREQUENCY);
     if (frequency.isMissingNode() || frequency.isNull()) {
       findings.error(
           "agents.frequency",
@@ -40,7 +41,7 @@ final class ComponentCheck {
     } else if (frequency.asDouble() > HIGHEST_FREQUENCY) {
       findings.error(
           "agents.frequency",
-          component.pointer() + "/frequency",
+          component.pointer() + "/" + ChainNames.FREQUENCY,
           "'%s' cannot execute at %s Hz.".formatted(component.name(), frequency.asText()),
           "State a number in Hz, at most 10000.");
     }

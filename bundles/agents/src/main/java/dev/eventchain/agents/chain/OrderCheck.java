@@ -2,6 +2,7 @@ package dev.eventchain.agents.chain;
 
 import dev.eventchain.agents.chain.ChainView.Component;
 import dev.eventchain.agents.chain.ChainView.Port;
+import dev.eventchain.description.ChainNames;
 import java.util.HashMap;
 import java.util.Map;
 
@@ -33,7 +34,7 @@ final class OrderCheck {
   private void report(Port port, Component writer) {
     findings.warning(
         "agents.order",
-        port.pointer() + "/topic",
+        port.pointer() + "/" + ChainNames.TOPIC,
         "%s is written by '%s', which comes later in the chain."
             .formatted(port.topic(), writer.name()),
         "Put components into the order of the data flow, unless this is a feedback loop.");

@@ -2,6 +2,7 @@ package dev.eventchain.agents.chain;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.agents.chain.ChainView.Component;
+import dev.eventchain.description.ChainNames;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.project.Requirements;
 import java.util.ArrayList;
@@ -22,7 +23,7 @@ public final class RequirementCheck {
   void check(ChainView chain) {
     Set<String> open = new LinkedHashSet<>(known);
     for (Component component : chain.components()) {
-      JsonNode ids = component.json().path("requirements");
+      JsonNode ids = component.json().path(ChainNames.REQUIREMENTS);
       for (int i = 0; i < ids.size(); i++) {
         open.remove(ids.path(i).asText());
       }
@@ -39,7 +40,7 @@ public final class RequirementCheck {
   /** Returns the requirements that a component contributes to, according to its description. */
   public static List<WrittenRequirement> own(JsonNode component, Requirements requirements) {
     List<String> ids = new ArrayList<>();
-    component.path("requirements").forEach(id -> ids.add(id.asText()));
+    component.path(ChainNames.REQUIREMENTS).forEach(id -> ids.add(id.asText()));
     return requirements.items().stream().filter(item -> ids.contains(item.id())).toList();
   }
 }

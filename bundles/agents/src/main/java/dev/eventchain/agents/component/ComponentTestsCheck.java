@@ -6,6 +6,7 @@ import dev.eventchain.agents.component.ComponentTests.Case;
 import dev.eventchain.agents.component.ComponentTests.Property;
 import dev.eventchain.agents.component.RequirementThresholds.Effect;
 import dev.eventchain.agents.component.RequirementThresholds.Threshold;
+import dev.eventchain.description.ChainNames;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -163,7 +164,7 @@ final class ComponentTestsCheck {
     Set<String> tested = new TreeSet<>();
     tests.tests().forEach(test -> tested.add(test.requirement()));
     tests.properties().forEach(property -> tested.add(property.requirement()));
-    for (JsonNode id : component.json().path("requirements")) {
+    for (JsonNode id : component.json().path(ChainNames.REQUIREMENTS)) {
       if (requirements.containsKey(id.asText()) && !tested.contains(id.asText())) {
         missing.add("about " + id.asText());
       }
@@ -190,7 +191,7 @@ final class ComponentTestsCheck {
   /** Returns the values of inputs at which a requirement of the component changes its effect. */
   private Map<String, Set<Double>> changes() {
     Map<String, Set<Double>> changes = new LinkedHashMap<>();
-    for (JsonNode id : component.json().path("requirements")) {
+    for (JsonNode id : component.json().path(ChainNames.REQUIREMENTS)) {
       Optional.ofNullable(requirements.get(id.asText())).stream()
           .flatMap(item -> thresholds(item).stream())
           .forEach(

@@ -58,33 +58,9 @@ public final class EventChainReader {
 
   private static final NumberRange NOT_NEGATIVE = NumberRange.atLeast(0);
 
-  private static final String EXTERNAL = "external";
-
-  /** Properties of a topic that become features of each of its values. */
-  private static final Map<EStructuralFeature, String> PORT =
-      Map.of(
-          Literals.DATA__TOPIC_NAME, "topic",
-          Literals.DATA__MESSAGE_TYPE, "message_type",
-          Literals.DATA__QOS, "qos_profile");
-
-  private static final Map<EStructuralFeature, String> VALUE =
-      Map.of(
-          Literals.DATA__NAME, "name",
-          Literals.DATA__FIELD_NAME, "field",
-          Literals.DATA__TYPE, "type",
-          Literals.DATA__UNIT, "unit",
-          Literals.DATA__MAXIMUM_AGE, "maximum_age",
-          Literals.DATA__SAFE_VALUE, "safe_value");
-
-  private static final Map<EStructuralFeature, String> COMPONENT =
-      Map.of(
-          Literals.SOFTWARE_NODE__NAME, "name",
-          Literals.SOFTWARE_NODE__FREQUENCY, "frequency",
-          Literals.SOFTWARE_NODE__BEST_CASE_EXECUTION_TIME, "best_case_execution_time",
-          Literals.SOFTWARE_NODE__WORST_CASE_EXECUTION_TIME, "worst_case_execution_time",
-          Literals.SOFTWARE_NODE__MEMORY, "memory",
-          Literals.SOFTWARE_NODE__INPUT, "input",
-          Literals.SOFTWARE_NODE__OUTPUT, "output");
+  /** Features of values that their port states. */
+  private static final Set<EStructuralFeature> OF_PORTS =
+      Set.of(Literals.DATA__TOPIC_NAME, Literals.DATA__MESSAGE_TYPE, Literals.DATA__QOS);
 
   private final Document text;
   private final Origins origins = new Origins();
@@ -160,29 +136,30 @@ public final class EventChainReader {
     SoftwareNode node = FACTORY.createSoftwareNode();
     chain.getSoftware().add(node);
     origins.put(node, json.location());
-    origins.putFeatures(node, feature -> Optional.ofNullable(COMPONENT.get(feature)).map(json::at));
+    origins.putFeatures(node, feature -> ChainNames.of(feature).map(json::at));
     node.setName(name(json, "component"));
-    json.text("description").ifPresent(node::setDescription);
-    OptionalDouble frequency = json.number("frequency", NumberRange.above(0));
-    if (frequency.isPresent() || json.value("frequency").isEmpty()) {
+    json.text(ChainNames.DESCRIPTION).ifPresent(node::setDescription);
+    OptionalDouble frequency = json.number(ChainNames.FREQUENCY, NumberRange.above(0));
+    if (frequency.isPresent() || json.value(ChainNames.FREQUENCY).isEmpty()) {
       frequency = frequency.isPresent() ? frequency : defaultFrequency;
       frequency.ifPresent(node::setFrequency);
     }
-    json.number("best_case_execution_time", NOT_NEGATIVE).ifPresent(node::setBestCaseExecutionTime);
-    json.number("worst_case_execution_time", NOT_NEGATIVE)
+    json.number(ChainNames.BEST_CASE_EXECUTION_TIME, NOT_NEGATIVE)
+        .ifPresent(node::setBestCaseExecutionTime);
+    json.number(ChainNames.WORST_CASE_EXECUTION_TIME, NOT_NEGATIVE)
         .ifPresent(node::setWorstCaseExecutionTime);
-    json.number("memory", NOT_NEGATIVE).ifPresent(node::setMemory);
-    json.value("implementation");
-    json.value("file");
+    json.number(ChainNames.MEMORY, NOT_NEGATIVE).ifPresent(node::setMemory);
+    json.value(ChainNames.IMPLEMENTATION);
+    json.value(ChainNames.FILE);
     node.getSatisfies().addAll(readRequirements(json));
-    readPorts(json, "input", node.getInput(), port -> value -> {});
-    readPorts(json, "output", node.getOutput(), this::readConsumer);
+    readPorts(json, ChainNames.INPUT, node.getInput(), port -> value -> {});
+    readPorts(json, ChainNames.OUTPUT, node.getOutput(), this::readConsumer);
     json.refuseOthers();
   }
 
   private List<Requirement> readRequirements(ObjectReader json) {
     List<Requirement> found = new ArrayList<>();
-    List<String> ids = json.texts("requirements");
+    List<String> ids = json.texts(ChainNames.REQUIREMENTS);
     for (int i = 0; i < ids.size(); i++) {
       Requirement requirement = requirements.get(ids.get(i));
       if (requirement == null && requirementsKnown) {
@@ -190,7 +167,7 @@ public final class EventChainReader {
             Diagnostic.error(
                     "modeler.reference.unresolved",
                     "There is no requirement '" + ids.get(i) + "'.",
-                    text.at(Document.below(json.pointerTo("requirements"), i)))
+                    text.at(Document.below(json.pointerTo(ChainNames.REQUIREMENTS), i)))
                 .withHint(NearestName.hint(ids.get(i), requirements.keySet())));
       } else if (requirement != null) {
         found.add(requirement);
@@ -210,13 +187,13 @@ public final class EventChainReader {
 
   /** Reads whether an output leaves the chain, and the requirements that ask for it. */
   private Consumer<Data> readConsumer(ObjectReader port) {
-    Optional<String> consumer = port.text("consumer");
-    if (consumer.isPresent() && !consumer.get().equals(EXTERNAL)) {
+    Optional<String> consumer = port.text(ChainNames.CONSUMER);
+    if (consumer.isPresent() && !consumer.get().equals(ChainNames.EXTERNAL)) {
       port.find(
           Diagnostic.error(
                   "modeler.consumer.unknown",
                   "'" + Names.printable(consumer.get()) + "' is not a consumer.",
-                  port.at("consumer"))
+                  port.at(ChainNames.CONSUMER))
               .withHint(
                   "Write \"external\" for an output that leaves the chain; leave it out"
                       + " otherwise."));
@@ -233,14 +210,15 @@ public final class EventChainReader {
       Set<String> names,
       List<Data> data,
       Function<ObjectReader, Consumer<Data>> more) {
-    String topic = checked(port, "topic", RosNames::isTopic, "modeler.topic.illegal");
-    String type = checked(port, "message_type", RosNames::isMessageType, "modeler.type.illegal");
+    String topic = checked(port, ChainNames.TOPIC, RosNames::isTopic, "modeler.topic.illegal");
+    String type =
+        checked(port, ChainNames.MESSAGE_TYPE, RosNames::isMessageType, "modeler.type.illegal");
     Optional<QosProfile> qos = QosReader.read(port);
-    if (port.value("values").map(json -> json.isArray() && json.isEmpty()).orElse(true)) {
+    if (port.value(ChainNames.VALUES).map(json -> json.isArray() && json.isEmpty()).orElse(true)) {
       find("modeler.feature.missing", "The topic '" + topic + "' has no values.", port.location());
     }
     Consumer<Data> completion = more.apply(port);
-    for (ObjectReader json : port.objects("values")) {
+    for (ObjectReader json : port.objects(ChainNames.VALUES)) {
       Data value = readValue(json, names);
       origins.putFeatures(value, feature -> placeOf(feature, port, json));
       completion.accept(value);
@@ -255,9 +233,7 @@ public final class EventChainReader {
 
   private static Optional<SourceLocation> placeOf(
       EStructuralFeature feature, ObjectReader port, ObjectReader value) {
-    boolean ofPort = PORT.containsKey(feature);
-    return Optional.ofNullable(ofPort ? PORT.get(feature) : VALUE.get(feature))
-        .map(ofPort ? port::at : value::at);
+    return ChainNames.of(feature).map(OF_PORTS.contains(feature) ? port::at : value::at);
   }
 
   private Data readValue(ObjectReader json, Set<String> names) {
@@ -268,13 +244,14 @@ public final class EventChainReader {
       find(
           "modeler.name.duplicate",
           "There is already a value '" + value.getName() + "' on this side of the component.",
-          json.at("name"));
+          json.at(ChainNames.NAME));
     }
-    value.setFieldName(checked(json, "field", RosNames::isFieldPath, "modeler.field.illegal"));
-    json.text("description").ifPresent(value::setDescription);
-    json.text("type").ifPresent(value::setType);
-    json.text("unit").ifPresent(value::setUnit);
-    json.number("maximum_age", NumberRange.above(0)).ifPresent(value::setMaximumAge);
+    value.setFieldName(
+        checked(json, ChainNames.FIELD, RosNames::isFieldPath, "modeler.field.illegal"));
+    json.text(ChainNames.DESCRIPTION).ifPresent(value::setDescription);
+    json.text(ChainNames.TYPE).ifPresent(value::setType);
+    json.text(ChainNames.UNIT).ifPresent(value::setUnit);
+    json.number(ChainNames.MAXIMUM_AGE, NumberRange.above(0)).ifPresent(value::setMaximumAge);
     safeValue(json).ifPresent(value::setSafeValue);
     json.refuseOthers();
     return value;
@@ -282,24 +259,24 @@ public final class EventChainReader {
 
   /** Returns a number, a Boolean or a string as written. */
   private Optional<String> safeValue(ObjectReader json) {
-    Optional<JsonNode> value = json.value("safe_value");
+    Optional<JsonNode> value = json.value(ChainNames.SAFE_VALUE);
     if (value.isPresent() && !value.get().isValueNode()) {
       find(
           "modeler.value.type",
           "A safe value is a number, true, false or a string.",
-          json.at("safe_value"));
+          json.at(ChainNames.SAFE_VALUE));
     }
     return value.filter(JsonNode::isValueNode).map(JsonNode::asText);
   }
 
   private String name(ObjectReader json, String what) {
-    String name = json.requiredText("name");
+    String name = json.requiredText(ChainNames.NAME);
     if (!name.isBlank() && !PythonNames.isFreeIdentifier(name)) {
       diagnostics.add(
           Diagnostic.error(
                   "modeler.name.illegal",
                   "'" + Names.printable(name) + "' cannot be the name of a " + what + ".",
-                  json.at("name"))
+                  json.at(ChainNames.NAME))
               .withHint(
                   "Names are Python identifiers: letters, digits and underscores; they cannot"
                       + " begin with a digit, or be a keyword."));
@@ -313,7 +290,7 @@ public final class EventChainReader {
       String message =
           "'" + Names.printable(value) + "' is not a legal " + property.replace('_', ' ') + ".";
       diagnostics.add(
-          Diagnostic.error(id, message, json.at(property)).withHint(Names.ruleOf(property)));
+          Diagnostic.error(id, message, json.at(property)).withHint(ChainNames.ruleOf(property)));
     }
     return value;
   }

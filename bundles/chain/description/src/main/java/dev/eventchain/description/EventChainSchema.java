@@ -36,9 +36,6 @@ import org.eclipse.emf.common.util.Enumerator;
 public final class EventChainSchema {
 
   private static final JsonNodeFactory JSON = JsonNodeFactory.instance;
-  private static final String COMPONENTS = "components";
-  private static final String MESSAGE_TYPE = "message_type";
-  private static final String QOS = "qos_profile";
   private static final String REQUIREMENT = "requirement";
   private static final String POLICIES = "policies";
 
@@ -82,7 +79,7 @@ public final class EventChainSchema {
    * schema. Anything else is returned unchanged.
    */
   public static JsonNode components(JsonNode description) {
-    return isWrapped(description) ? description.get(COMPONENTS) : description;
+    return isWrapped(description) ? description.get(ChainNames.COMPONENTS) : description;
   }
 
   /** Returns readers of the components; anything else is a finding. */
@@ -91,13 +88,13 @@ public final class EventChainSchema {
       return description.objects(findings);
     }
     ObjectReader root = description.object("", findings).orElseThrow();
-    List<ObjectReader> components = root.objects(COMPONENTS);
+    List<ObjectReader> components = root.objects(ChainNames.COMPONENTS);
     root.refuseOthers();
     return components;
   }
 
   private static boolean isWrapped(JsonNode description) {
-    return description.isObject() && description.path(COMPONENTS).isArray();
+    return description.isObject() && description.path(ChainNames.COMPONENTS).isArray();
   }
 
   /** Builder of a schema. */
@@ -110,15 +107,16 @@ public final class EventChainSchema {
     }
 
     ObjectNode root() {
-      return defined(new Properties().always(COMPONENTS, array(pointer("component"))).closed());
+      return defined(
+          new Properties().always(ChainNames.COMPONENTS, array(pointer("component"))).closed());
     }
 
     ObjectNode defined(ObjectNode root) {
       ObjectNode definitions = root.putObject("$defs");
       definitions.set("component", component());
-      definitions.set("input", port(value("maximum_age", type("number"))).closed());
+      definitions.set("input", port(value(ChainNames.MAXIMUM_AGE, type("number"))).closed());
       definitions.set("output", output());
-      definitions.set(MESSAGE_TYPE, oneOf(messageTypes));
+      definitions.set(ChainNames.MESSAGE_TYPE, oneOf(messageTypes));
       definitions.set(REQUIREMENT, oneOf(requirements));
       definitions.set(POLICIES, policies());
       return EnumLimits.keep(root);
@@ -126,40 +124,40 @@ public final class EventChainSchema {
 
     private ObjectNode component() {
       return new Properties()
-          .always("name", type("string"))
-          .always("description", type("string"))
-          .always("frequency", type("number").put("description", "Hz"))
-          .maybe("worst_case_execution_time", type("number").put("description", "ms"))
-          .always("requirements", array(pointer(REQUIREMENT)))
-          .always("input", array(pointer("input")))
-          .always("output", array(pointer("output")))
+          .always(ChainNames.NAME, type("string"))
+          .always(ChainNames.DESCRIPTION, type("string"))
+          .always(ChainNames.FREQUENCY, type("number").put("description", "Hz"))
+          .maybe(ChainNames.WORST_CASE_EXECUTION_TIME, type("number").put("description", "ms"))
+          .always(ChainNames.REQUIREMENTS, array(pointer(REQUIREMENT)))
+          .always(ChainNames.INPUT, array(pointer("input")))
+          .always(ChainNames.OUTPUT, array(pointer("output")))
           .closed();
     }
 
     private ObjectNode output() {
       ObjectNode safe = JSON.objectNode();
       safe.putArray("anyOf").add(type("number")).add(type("boolean")).add(type("string"));
-      return port(value("safe_value", safe))
-          .maybe("consumer", oneOf(List.of("external")))
-          .always("requirements", array(pointer(REQUIREMENT)))
+      return port(value(ChainNames.SAFE_VALUE, safe))
+          .maybe(ChainNames.CONSUMER, oneOf(List.of(ChainNames.EXTERNAL)))
+          .always(ChainNames.REQUIREMENTS, array(pointer(REQUIREMENT)))
           .closed();
     }
 
     private Properties port(ObjectNode value) {
       return new Properties()
-          .always("topic", type("string"))
-          .always(MESSAGE_TYPE, pointer(MESSAGE_TYPE))
-          .maybe(QOS, qos())
-          .always("values", array(value));
+          .always(ChainNames.TOPIC, type("string"))
+          .always(ChainNames.MESSAGE_TYPE, pointer(ChainNames.MESSAGE_TYPE))
+          .maybe(ChainNames.QOS_PROFILE, qos())
+          .always(ChainNames.VALUES, array(value));
     }
 
     private ObjectNode value(String last, ObjectNode type) {
       return new Properties()
-          .always("name", type("string"))
-          .always("field", type("string"))
-          .always("type", type("string"))
-          .maybe("unit", type("string"))
-          .always("description", type("string"))
+          .always(ChainNames.NAME, type("string"))
+          .always(ChainNames.FIELD, type("string"))
+          .always(ChainNames.TYPE, type("string"))
+          .maybe(ChainNames.UNIT, type("string"))
+          .always(ChainNames.DESCRIPTION, type("string"))
           .maybe(last, type)
           .closed();
     }
@@ -177,14 +175,14 @@ public final class EventChainSchema {
 
     private ObjectNode policies() {
       return new Properties()
-          .always("profile", oneOf(QosSettings.names()))
-          .maybe("reliability", oneOf(names(Reliability.VALUES)))
-          .maybe("durability", oneOf(names(Durability.VALUES)))
-          .maybe("history", oneOf(names(History.VALUES)))
-          .maybe("depth", type("integer"))
-          .maybe("deadline", type("number").put("description", "ms"))
-          .maybe("liveliness", oneOf(names(Liveliness.VALUES)))
-          .maybe("lease_duration", type("number").put("description", "ms"))
+          .always(ChainNames.PROFILE, oneOf(QosSettings.names()))
+          .maybe(ChainNames.RELIABILITY, oneOf(names(Reliability.VALUES)))
+          .maybe(ChainNames.DURABILITY, oneOf(names(Durability.VALUES)))
+          .maybe(ChainNames.HISTORY, oneOf(names(History.VALUES)))
+          .maybe(ChainNames.DEPTH, type("integer"))
+          .maybe(ChainNames.DEADLINE, type("number").put("description", "ms"))
+          .maybe(ChainNames.LIVELINESS, oneOf(names(Liveliness.VALUES)))
+          .maybe(ChainNames.LEASE_DURATION, type("number").put("description", "ms"))
           .closed();
     }
 

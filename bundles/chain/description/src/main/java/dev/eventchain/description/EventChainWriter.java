@@ -12,7 +12,6 @@ import dev.eventchain.model.eventchain.QosProfile;
 import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import java.util.List;
-import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import org.eclipse.emf.ecore.EStructuralFeature;
@@ -32,24 +31,24 @@ public final class EventChainWriter {
 
   private static ObjectNode component(SoftwareNode node) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
-    text(json, "name", node.getName());
-    text(json, "description", node.getDescription());
+    text(json, ChainNames.NAME, node.getName());
+    text(json, ChainNames.DESCRIPTION, node.getDescription());
     if (node.isSetFrequency()) {
-      json.put("frequency", node.getFrequency());
+      json.put(ChainNames.FREQUENCY, node.getFrequency());
     }
     if (node.isSetBestCaseExecutionTime()) {
-      json.put("best_case_execution_time", node.getBestCaseExecutionTime());
+      json.put(ChainNames.BEST_CASE_EXECUTION_TIME, node.getBestCaseExecutionTime());
     }
     if (node.isSetWorstCaseExecutionTime()) {
-      json.put("worst_case_execution_time", node.getWorstCaseExecutionTime());
+      json.put(ChainNames.WORST_CASE_EXECUTION_TIME, node.getWorstCaseExecutionTime());
     }
     if (node.isSetMemory()) {
-      json.put("memory", node.getMemory());
+      json.put(ChainNames.MEMORY, node.getMemory());
     }
-    ArrayNode requirements = json.putArray("requirements");
+    ArrayNode requirements = json.putArray(ChainNames.REQUIREMENTS);
     node.getSatisfies().stream().map(Requirement::getId).forEach(requirements::add);
-    json.set("input", ports(node.getInput()));
-    json.set("output", ports(node.getOutput()));
+    json.set(ChainNames.INPUT, ports(node.getInput()));
+    json.set(ChainNames.OUTPUT, ports(node.getOutput()));
     return json;
   }
 
@@ -61,11 +60,12 @@ public final class EventChainWriter {
     for (Data data : all) {
       if (previous == null || !samePort(previous, data)) {
         ObjectNode port = ports.addObject();
-        text(port, "topic", data.getTopicName());
-        text(port, "message_type", data.getMessageType());
-        Optional.ofNullable(data.getQos()).ifPresent(qos -> port.set("qos_profile", qos(qos)));
+        text(port, ChainNames.TOPIC, data.getTopicName());
+        text(port, ChainNames.MESSAGE_TYPE, data.getMessageType());
+        Optional.ofNullable(data.getQos())
+            .ifPresent(qos -> port.set(ChainNames.QOS_PROFILE, qos(qos)));
         consumer(port, data);
-        values = port.putArray("values");
+        values = port.putArray(ChainNames.VALUES);
       }
       values.add(value(data));
       previous = data;
@@ -75,10 +75,10 @@ public final class EventChainWriter {
 
   private static void consumer(ObjectNode port, Data data) {
     if (data.isExternal()) {
-      port.put("consumer", "external");
+      port.put(ChainNames.CONSUMER, ChainNames.EXTERNAL);
     }
     if (!data.getSatisfies().isEmpty()) {
-      ArrayNode requirements = port.putArray("requirements");
+      ArrayNode requirements = port.putArray(ChainNames.REQUIREMENTS);
       data.getSatisfies().stream().map(Requirement::getId).forEach(requirements::add);
     }
   }
@@ -93,33 +93,29 @@ public final class EventChainWriter {
 
   private static ObjectNode value(Data data) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
-    text(json, "name", data.getName());
-    text(json, "field", data.getFieldName());
-    text(json, "type", data.getType());
-    text(json, "unit", data.getUnit());
+    text(json, ChainNames.NAME, data.getName());
+    text(json, ChainNames.FIELD, data.getFieldName());
+    text(json, ChainNames.TYPE, data.getType());
+    text(json, ChainNames.UNIT, data.getUnit());
     if (data.isSetMaximumAge()) {
-      json.put("maximum_age", data.getMaximumAge());
+      json.put(ChainNames.MAXIMUM_AGE, data.getMaximumAge());
     }
-    text(json, "safe_value", data.getSafeValue());
-    text(json, "description", data.getDescription());
+    text(json, ChainNames.SAFE_VALUE, data.getSafeValue());
+    text(json, ChainNames.DESCRIPTION, data.getDescription());
     return json;
   }
 
   /** Returns the quality of service; the name alone if no policy differs from the profile. */
   private static JsonNode qos(QosProfile qos) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
-    text(json, "profile", qos.getName());
+    text(json, ChainNames.PROFILE, qos.getName());
     for (EStructuralFeature policy :
         EventchainPackage.Literals.QOS_PROFILE.getEStructuralFeatures()) {
       if (policy.isUnsettable() && qos.eIsSet(policy)) {
-        json.putPOJO(snakeCase(policy.getName()), plain(qos.eGet(policy)));
+        json.putPOJO(ChainNames.of(policy).orElseThrow(), plain(qos.eGet(policy)));
       }
     }
-    return json.size() == 1 && json.has("profile") ? json.get("profile") : json;
-  }
-
-  private static String snakeCase(String feature) {
-    return feature.replaceAll("(?=[A-Z])", "_").toLowerCase(Locale.ROOT);
+    return json.size() == 1 && json.has(ChainNames.PROFILE) ? json.get(ChainNames.PROFILE) : json;
   }
 
   private static Object plain(Object value) {

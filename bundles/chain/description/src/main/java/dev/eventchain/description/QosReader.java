@@ -22,7 +22,6 @@ import java.util.function.Function;
  */
 public final class QosReader {
 
-  private static final String NAME = "qos_profile";
   private static final String DEFAULT = "default";
 
   /** Names for the profile {@code default} with that reliability. */
@@ -32,17 +31,17 @@ public final class QosReader {
 
   /** Returns the profile of {@code qos_profile}; empty if it is missing or invalid. */
   public static Optional<QosProfile> read(ObjectReader port) {
-    Optional<JsonNode> value = port.value(NAME);
+    Optional<JsonNode> value = port.value(ChainNames.QOS_PROFILE);
     if (value.isEmpty()) {
       return Optional.empty();
     }
     if (value.get().isObject()) {
-      return port.object(NAME).map(QosReader::policies);
+      return port.object(ChainNames.QOS_PROFILE).map(QosReader::policies);
     }
     if (value.get().isTextual() || value.get().isIntegralNumber()) {
       return named(value.get().asText(), port);
     }
-    port.refuseType(NAME, "a profile's name, a depth or an object");
+    port.refuseType(ChainNames.QOS_PROFILE, "a profile's name, a depth or an object");
     return Optional.empty();
   }
 
@@ -65,7 +64,7 @@ public final class QosReader {
           Diagnostic.error(
                   "modeler.qos.unknown",
                   "There is no quality-of-service profile called '" + written + "'.",
-                  port.at(NAME))
+                  port.at(ChainNames.QOS_PROFILE))
               .withHint(
                   "Use "
                       + String.join(", ", QosSettings.names())
@@ -77,22 +76,24 @@ public final class QosReader {
 
   private static QosProfile policies(ObjectReader object) {
     QosProfile qos = EventchainFactory.eINSTANCE.createQosProfile();
-    qos.setName(object.text("profile").orElse(DEFAULT));
+    qos.setName(object.text(ChainNames.PROFILE).orElse(DEFAULT));
     if (QosSettings.named(qos.getName()).isEmpty()) {
       object.find(
           "modeler.qos.unknown",
           "There is no quality-of-service profile called '" + qos.getName() + "'.",
-          object.at("profile"));
+          object.at(ChainNames.PROFILE));
     }
-    policy(object, "reliability", Reliability::getByName).ifPresent(qos::setReliability);
-    policy(object, "durability", Durability::getByName).ifPresent(qos::setDurability);
-    policy(object, "history", History::getByName).ifPresent(qos::setHistory);
-    policy(object, "liveliness", Liveliness::getByName).ifPresent(qos::setLiveliness);
+    policy(object, ChainNames.RELIABILITY, Reliability::getByName).ifPresent(qos::setReliability);
+    policy(object, ChainNames.DURABILITY, Durability::getByName).ifPresent(qos::setDurability);
+    policy(object, ChainNames.HISTORY, History::getByName).ifPresent(qos::setHistory);
+    policy(object, ChainNames.LIVELINESS, Liveliness::getByName).ifPresent(qos::setLiveliness);
     object
-        .wholeNumber("depth", NumberRange.of(0, Integer.MAX_VALUE))
+        .wholeNumber(ChainNames.DEPTH, NumberRange.of(0, Integer.MAX_VALUE))
         .ifPresent(depth -> qos.setDepth((int) depth));
-    object.number("deadline", NumberRange.atLeast(0)).ifPresent(qos::setDeadline);
-    object.number("lease_duration", NumberRange.atLeast(0)).ifPresent(qos::setLeaseDuration);
+    object.number(ChainNames.DEADLINE, NumberRange.atLeast(0)).ifPresent(qos::setDeadline);
+    object
+        .number(ChainNames.LEASE_DURATION, NumberRange.atLeast(0))
+        .ifPresent(qos::setLeaseDuration);
     object.refuseOthers();
     return qos;
   }

@@ -1,5 +1,6 @@
 package dev.eventchain.project;
 
+import dev.eventchain.description.ChainNames;
 import dev.eventchain.description.EventChainReader;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -276,17 +277,17 @@ public final class SoftwareBase {
 
     /** Reads a component and checks its file; its description is checked when read as a chain. */
     private Optional<Component> component(ObjectReader json, String pointer) {
-      String name = text.root().at(pointer).path("name").asText();
+      String name = text.root().at(pointer).path(ChainNames.NAME).asText();
       if (!PythonNames.isFreeIdentifier(name)) {
         return Optional.empty();
       }
-      String file = json.text("file").orElse("components/" + name + ".py");
+      String file = json.text(ChainNames.FILE).orElse("components/" + name + ".py");
       Path path = folder.resolve(file).normalize();
       if (!path.startsWith(folder.normalize())) {
         json.find(
             "modeler.component.file",
             "The file '" + file + "' is not in the software base.",
-            json.at("file"));
+            json.at(ChainNames.FILE));
         return Optional.empty();
       }
       ComponentImplementation implementation = implementation(json);
@@ -300,7 +301,7 @@ public final class SoftwareBase {
     }
 
     private ComponentImplementation implementation(ObjectReader json) {
-      String written = json.text("implementation").orElse("component");
+      String written = json.text(ChainNames.IMPLEMENTATION).orElse("component");
       return switch (written) {
         case "component" -> ComponentImplementation.COMPONENT;
         case "node" -> ComponentImplementation.NODE;
@@ -308,7 +309,7 @@ public final class SoftwareBase {
           json.find(
               "modeler.component.implementation",
               "'" + written + "' is not an implementation; write 'component' or 'node'.",
-              json.at("implementation"));
+              json.at(ChainNames.IMPLEMENTATION));
           yield ComponentImplementation.COMPONENT;
         }
       };
