@@ -6,7 +6,6 @@ import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -24,48 +23,31 @@ import java.util.Set;
 public final class DataFlowIndex {
 
   private final Map<Data, List<Data>> producers = new HashMap<>();
-  private final Map<Data, List<Data>> consumers = new HashMap<>();
-  private final Map<Data, List<SoftwareNode>> writers = new HashMap<>();
-  private final Map<Data, List<SoftwareNode>> readers = new HashMap<>();
   private final Map<SoftwareNode, List<SoftwareNode>> successors = new HashMap<>();
-  private final Map<SoftwareNode, List<SoftwareNode>> predecessors = new HashMap<>();
   private final List<List<SoftwareNode>> cycles;
 
   private DataFlowIndex(EventChain chain) {
     List<SoftwareNode> nodes = chain.getSoftware();
-    Map<SoftwareNode, Integer> order = new HashMap<>();
-    for (SoftwareNode node : nodes) {
-      order.put(node, order.size());
-      node.getOutput()
-          .forEach(data -> writers.computeIfAbsent(data, key -> new ArrayList<>()).add(node));
-      node.getInput()
-          .forEach(data -> readers.computeIfAbsent(data, key -> new ArrayList<>()).add(node));
-    }
     TopicIndex topics = TopicIndex.of(chain);
-    nodes.forEach(node -> connect(node, order, topics));
+    nodes.forEach(node -> connect(node, topics));
     cycles = new Cycles(nodes, successors).find();
   }
 
-  private void connect(SoftwareNode reader, Map<SoftwareNode, Integer> order, TopicIndex topics) {
+  private void connect(SoftwareNode reader, TopicIndex topics) {
     Set<SoftwareNode> before = new HashSet<>();
     for (Data input : reader.getInput()) {
       TopicIndex.nameOf(input, reader)
           .flatMap(topics::find)
           .ifPresent(topic -> topic.publishers().forEach(from -> connect(from, input, before)));
     }
-    List<SoftwareNode> sorted = new ArrayList<>(before);
-    sorted.sort(Comparator.comparing(order::get));
-    predecessors.put(reader, sorted);
-    for (SoftwareNode writer : sorted) {
-      successors.computeIfAbsent(writer, key -> new ArrayList<>()).add(reader);
-    }
+    before.forEach(
+        writer -> successors.computeIfAbsent(writer, key -> new ArrayList<>()).add(reader));
   }
 
   private void connect(TopicIndex.Endpoint publisher, Data input, Set<SoftwareNode> before) {
     for (Data output : publisher.data()) {
       if (overlap(output.getFieldName(), input.getFieldName())) {
         addOnce(producers, input, output);
-        addOnce(consumers, output, input);
         before.add(publisher.node());
       }
     }
@@ -81,29 +63,9 @@ public final class DataFlowIndex {
     return view(successors, node);
   }
 
-  /** Returns the components that write data for this one, including itself if it does. */
-  public List<SoftwareNode> predecessors(SoftwareNode node) {
-    return view(predecessors, node);
-  }
-
   /** Returns the outputs that feed an input. */
   public List<Data> producers(Data input) {
     return view(producers, input);
-  }
-
-  /** Returns the inputs that an output feeds. */
-  public List<Data> consumers(Data output) {
-    return view(consumers, output);
-  }
-
-  /** Returns the components with this data as an output: one in a valid model. */
-  public List<SoftwareNode> writers(Data data) {
-    return view(writers, data);
-  }
-
-  /** Returns the components with this data as an input: one in a valid model. */
-  public List<SoftwareNode> readers(Data data) {
-    return view(readers, data);
   }
 
   /**

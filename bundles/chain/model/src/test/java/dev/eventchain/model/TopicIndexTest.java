@@ -42,7 +42,7 @@ class TopicIndexTest {
         List.of("/writer/x", "/reader/x"),
         index.topics().stream().map(TopicIndex.Topic::name).toList());
     assertEquals(List.of(spy), DataFlowIndex.of(chain).successors(writer));
-    assertEquals(List.of(), DataFlowIndex.of(chain).predecessors(reader));
+    assertEquals(List.of(), DataFlowIndex.of(chain).producers(shared));
   }
 
   @Test

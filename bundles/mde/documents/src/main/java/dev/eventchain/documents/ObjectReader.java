@@ -196,16 +196,6 @@ public final class ObjectReader {
     return texts;
   }
 
-  /** Returns the pointers to the elements of an optional array. */
-  public List<String> elements(String name) {
-    List<String> pointers = new ArrayList<>();
-    int size = array(name).size();
-    for (int i = 0; i < size; i++) {
-      pointers.add(Document.below(pointerTo(name), i));
-    }
-    return pointers;
-  }
-
   private JsonNode array(String name) {
     String wanted = document.format().array();
     Optional<JsonNode> value = given(name, wanted);

@@ -75,11 +75,6 @@ public final class ComponentProbe {
     this.existing = existing;
   }
 
-  /** Returns a copy with another limit of processor time for the import and for each call. */
-  public ComponentProbe withTimeLimit(Duration newTimeLimit) {
-    return new ComponentProbe(environment, newTimeLimit, wallTime, confinement, existing);
-  }
-
   /**
    * Returns a copy for hand-written components: they may import and call what generated ones must
    * not, and import modules next to them.

@@ -33,23 +33,6 @@ final class Overriding {
     return found;
   }
 
-  /** Returns the member that overrides a given one for objects of a class. */
-  ETypedElement select(ETypedElement member, EClass type) {
-    EClass nearest = null;
-    ETypedElement selected = member;
-    List<EClass> classes = new ArrayList<>(type.getEAllSuperTypes());
-    classes.add(type);
-    for (EClass each : classes) {
-      List<ETypedElement> own = in(each, member);
-      boolean isMembers = environment.membersOf(each).contains(member);
-      if ((isMembers || !own.isEmpty()) && (nearest == null || nearest.isSuperTypeOf(each))) {
-        nearest = each;
-        selected = isMembers ? member : own.get(0);
-      }
-    }
-    return selected;
-  }
-
   private static boolean isSame(ETypedElement one, ETypedElement other) {
     boolean named = one.getName() != null && one.getName().equals(other.getName());
     return named

@@ -26,7 +26,6 @@ public final class Scenario {
 
   private final String name;
   private final String title;
-  private final String description;
   private final List<String> requirements;
   private final long seed;
   private final double duration;
@@ -45,7 +44,6 @@ public final class Scenario {
       List<Expectation> criteria) {
     this.name = heading.name();
     this.title = heading.title();
-    this.description = heading.description();
     this.requirements = List.copyOf(heading.requirements());
     this.requirementsLocation = heading.requirementsLocation();
     this.location = heading.location();
@@ -56,19 +54,17 @@ public final class Scenario {
     this.criteria = List.copyOf(criteria);
   }
 
-  /** Name, description and requirements of a scenario. */
+  /** Names and requirements of a scenario. */
   record Heading(
       String name,
       String title,
-      String description,
       List<String> requirements,
       SourceLocation requirementsLocation,
       SourceLocation location) {}
 
   /** Returns a copy with other criteria. */
   public Scenario with(List<Expectation> others) {
-    Heading heading =
-        new Heading(name, title, description, requirements, requirementsLocation, location);
+    Heading heading = new Heading(name, title, requirements, requirementsLocation, location);
     return new Scenario(heading, seed, duration, situation, inputs, others);
   }
 
@@ -122,11 +118,6 @@ public final class Scenario {
   /** Returns the title for users. */
   public String title() {
     return title;
-  }
-
-  /** Returns its course and purpose; may be empty. */
-  public String description() {
-    return description;
   }
 
   /** Returns the ids of the tested requirements. */

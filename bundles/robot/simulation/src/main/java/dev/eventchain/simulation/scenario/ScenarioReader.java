@@ -61,11 +61,11 @@ final class ScenarioReader {
       String message = "A name consists of lower-case letters, digits and hyphens.";
       section.find("scenario.value.range", message, section.at("name"));
     }
+    section.text("description"); // for people
     Scenario.Heading heading =
         new Scenario.Heading(
             name,
             section.requiredText("title"),
-            section.text("description").orElse("").strip(),
             section.texts("requirements"),
             section.has("requirements") ? section.atKey("requirements") : section.location(),
             section.location());

@@ -66,10 +66,6 @@ public final class Actor {
     return name;
   }
 
-  ActorKind kind() {
-    return kind;
-  }
-
   public Size size() {
     return size;
   }
@@ -128,11 +124,6 @@ public final class Actor {
   /** Returns its speed across the road, in m/s; positive to the left. */
   public double speedAcross(double seconds) {
     return offset.rate(seconds) + StrictMath.sin(heading) * speed.speed(seconds);
-  }
-
-  /** Returns its acceleration along the road, in m/s2. */
-  double accelerationAlong(double seconds) {
-    return StrictMath.cos(heading) * speed.acceleration(seconds);
   }
 
   /** Returns its box after some seconds. */

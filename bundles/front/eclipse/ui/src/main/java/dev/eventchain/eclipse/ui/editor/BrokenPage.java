@@ -14,19 +14,17 @@ import org.eclipse.swt.widgets.TableItem;
 import org.eclipse.ui.forms.widgets.FormToolkit;
 import org.eclipse.ui.forms.widgets.ScrolledForm;
 
-/** * The page of an editor for an invalid model file: lists its problems by line. */
+/** The page of an editor for an invalid model file: lists its problems by line. */
 final class BrokenPage {
 
   private static final int LINE_WIDTH = 70;
   private static final int MESSAGE_WIDTH = 900;
 
-  private final Composite area;
-
   /**
    * @param openAsText opens the file as text, at a line if known
    */
   BrokenPage(Composite parent, List<ModelFile.Problem> problems, IntConsumer openAsText) {
-    area = new Composite(parent, SWT.NONE);
+    Composite area = new Composite(parent, SWT.NONE);
     GridLayoutFactory.fillDefaults().applyTo(area);
     FormToolkit toolkit = new FormToolkit(area.getDisplay());
     area.addDisposeListener(event -> toolkit.dispose());
@@ -67,9 +65,5 @@ final class BrokenPage {
 
   private static int line(List<ModelFile.Problem> problems, int index) {
     return index >= 0 && index < problems.size() ? problems.get(index).line() : 0;
-  }
-
-  Composite control() {
-    return area;
   }
 }

@@ -123,10 +123,6 @@ final class ModelPage {
     managed.dispose();
   }
 
-  Composite control() {
-    return area;
-  }
-
   EditedModel model() {
     return model;
   }

@@ -55,10 +55,6 @@ final class PropertyForm {
         .applyTo(form.getBody());
   }
 
-  Control control() {
-    return form;
-  }
-
   /** Shows an element or a heading; null for nothing. */
   void show(Object element) {
     if (element == shown) {

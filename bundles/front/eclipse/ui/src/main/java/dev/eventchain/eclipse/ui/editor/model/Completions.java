@@ -49,11 +49,6 @@ public final class Completions {
     this.messages = messages;
   }
 
-  /** Returns the units that are proposed for any chain. */
-  static List<String> units() {
-    return UNITS;
-  }
-
   /** Returns whether there are proposals for a text feature. */
   public boolean knows(EStructuralFeature feature) {
     return feature == MODEL.getData_TopicName()
