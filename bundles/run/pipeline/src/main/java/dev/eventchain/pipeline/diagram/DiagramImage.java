@@ -7,11 +7,7 @@ import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
-import java.util.regex.MatchResult;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import net.sourceforge.plantuml.FileFormat;
 import net.sourceforge.plantuml.FileFormatOption;
@@ -35,19 +31,6 @@ final class DiagramImage {
 
   /** The library writes its version into each picture. */
   private static final Pattern VERSION = Pattern.compile("<\\?plantuml [^?]*\\?>");
-
-  /** A bar of a fork or a join. */
-  private static final Pattern BAR =
-      Pattern.compile("<rect x=\"([\\d.]+)\" y=\"([\\d.]+)\" width=\"80\" height=\"8\" ");
-
-  /** The start of an arrow's line. */
-  private static final Pattern LINE = Pattern.compile(" d=\"M([\\d.]+),([\\d.]+) ");
-
-  private static final double BAR_WIDTH = 80;
-  private static final double BAR_HEIGHT = 8;
-
-  /** Height of a bar in the layout: that of a line of text. */
-  private static final double LAID_OUT_HEIGHT = 24;
 
   static {
     System.setProperty("java.awt.headless", "true");
@@ -84,7 +67,7 @@ final class DiagramImage {
     if (drawing.isAlive()) {
       return Optional.empty();
     }
-    String picture = joinBars(VERSION.matcher(svg[0]).replaceAll(""));
+    String picture = VERSION.matcher(svg[0]).replaceAll("");
     return Optional.of(picture.getBytes(StandardCharsets.UTF_8));
   }
 
@@ -118,45 +101,5 @@ final class DiagramImage {
       throw new UncheckedIOException(e);
     }
     return svg.toString(StandardCharsets.UTF_8);
-  }
-
-  /**
-   * Moves the start of arrows to their bar. PlantUML 1.2026.9 lays bars out as high as a line of
-   * text and draws them at the top of that, so that outgoing arrows begin below a gap.
-   */
-  private static String joinBars(String svg) {
-    List<MatchResult> bars = BAR.matcher(svg).results().toList();
-    if (bars.isEmpty()) {
-      return svg;
-    }
-    List<double[]> corners = new ArrayList<>();
-    bars.forEach(bar -> corners.add(new double[] {number(bar, 1), number(bar, 2)}));
-    return LINE.matcher(svg)
-        .replaceAll(line -> Matcher.quoteReplacement(lengthened(line, corners)));
-  }
-
-  private static String lengthened(MatchResult line, List<double[]> corners) {
-    double x = number(line, 1);
-    double y = number(line, 2);
-    for (double[] corner : corners) {
-      boolean below = Math.abs(y - corner[1] - LAID_OUT_HEIGHT) < 1;
-      if (below && x >= corner[0] && x <= corner[0] + BAR_WIDTH) {
-        String bottom = Double.toString(corner[1] + BAR_HEIGHT);
-        return " d=\"M"
-            + line.group(1)
-            + ","
-            + bottom
-            + " L"
-            + line.group(1)
-            + ","
-            + line.group(2)
-            + " ";
-      }
-    }
-    return line.group();
-  }
-
-  private static double number(MatchResult match, int group) {
-    return Double.parseDouble(match.group(group));
   }
 }

@@ -7,6 +7,9 @@ import dev.eventchain.m2t.TemplateModule;
 import dev.eventchain.m2t.generation.GenerationContext;
 import dev.eventchain.m2t.generation.GenerationResult;
 import dev.eventchain.model.EventChainMetamodel;
+import dev.eventchain.model.diagram.ChainLayout;
+import dev.eventchain.model.diagram.DiagramSvg;
+import dev.eventchain.model.diagram.PrintedSizes;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.output.OutputFolder;
@@ -136,12 +139,23 @@ public final class Diagrams {
     }
     String drawing = new String(text, StandardCharsets.UTF_8);
     long size = ITEM.matcher(drawing).results().count();
-    Optional<byte[]> picture = size > MOST ? Optional.empty() : DiagramImage.svg(drawing, LONGEST);
+    Optional<byte[]> picture =
+        size > MOST ? Optional.empty() : picture(kind, drawn.get(0), drawing);
     if (picture.isEmpty()) {
       found.add(tooLarge(kind, size));
       return Map.of();
     }
     return new TreeMap<>(Map.of(kind + ".puml", text, kind + ".svg", picture.get()));
+  }
+
+  /** Draws a chain as reports and Eclipse do, and other models as PlantUML. */
+  private static Optional<byte[]> picture(Kind kind, EObject drawn, String text) {
+    if (kind != Kind.ACTIVITY) {
+      return DiagramImage.svg(text, LONGEST);
+    }
+    PrintedSizes sizes = new PrintedSizes();
+    String svg = DiagramSvg.of(ChainLayout.of((EventChain) drawn, sizes), sizes);
+    return Optional.of(svg.getBytes(StandardCharsets.UTF_8));
   }
 
   private GenerationContext context(Kind kind) {

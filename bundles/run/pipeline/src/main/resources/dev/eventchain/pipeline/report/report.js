@@ -118,26 +118,18 @@ function completeChain() {
   if (!holder) {
     return;
   }
-  const chain = record(data.chain);
-  let width = 0;
-  new ResizeObserver(() => {
-    if (holder.clientWidth !== width && holder.clientWidth > 0) {
-      width = holder.clientWidth;
-      drawChain(chain, holder);
-    }
-  }).observe(holder);
-  drawChain(chain, holder);
+  drawChain(record(data.chain), holder);
   holder.after(chainKey());
 }
 
 function chainKey() {
   const box = (name) => svg("svg", { width: 22, height: 14, "aria-hidden": "true" }, svg("rect", { class: "node " + name, x: 1, y: 1, width: 20, height: 12, rx: 2 }));
-  const circle = (kind) => svg("svg", { width: 12, height: 12, "aria-hidden": "true" }, svg("circle", { class: "terminal" + kind, cx: 6, cy: 6, r: 4 }));
-  const external = records(record(data.chain).edges).some((edge) => edge.external === true);
+  const signal = (points, kind = "") => svg("svg", { width: 22, height: 14, "aria-hidden": "true" }, svg("polygon", { class: "topic" + kind, points }));
+  const external = records(record(data.chain).boxes).some((each) => each.external === true);
   return html("p", { class: "chain-key" },
     html("span", null, box("generated"), "generated node"), html("span", null, box("existing"), "existing node"),
-    html("span", null, circle(""), "topic from or to the outside"),
-    external ? html("span", null, circle(" external"), "signal that leaves the chain, as a requirement asks") : null);
+    html("span", null, signal("1 1, 21 1, 21 13, 1 13, 6 7"), "topic from the outside"), html("span", null, signal("1 1, 16 1, 21 7, 16 13, 1 13"), "topic to the outside"),
+    external ? html("span", null, signal("1 1, 16 1, 21 7, 16 13, 1 13", " external"), "signal that leaves the chain, as a requirement asks") : null);
 }
 
 /** What never came, before the picture of what should have brought it. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.model.eventchain.ChainMeasurement;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
@@ -62,6 +63,8 @@ class DiagramsTest {
           "\u202egnp.exe \u200b \ue000 \u0085",
           "über 漢字 🚗");
 
+  private static final String DECLARATION = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>";
+
   @TempDir Path folder;
 
   @Test
@@ -103,11 +106,13 @@ class DiagramsTest {
     assertTrue(text.contains("state j4 <<join>>\nj4 --> n4\n"), text);
     String svg = svg(Kind.ACTIVITY);
     List<MatchResult> bars =
-        Pictures.matches("<rect x=\"([\\d.]+)\" y=\"([\\d.]+)\" width=\"80\" height=\"8\"", svg);
+        Pictures.matches(
+            "<rect x=\"(\\d+)\" y=\"(\\d+)\" width=\"(\\d+)\" height=\"4\" rx=\"0\"", svg);
     assertEquals(2, bars.size());
     for (MatchResult bar : bars) {
-      String bottom = Double.toString(Double.parseDouble(bar.group(2)) + 8);
-      assertTrue(svg.contains("," + bottom + " L"), () -> "no arrow leaves the bar at " + bottom);
+      String bottom = String.valueOf(Integer.parseInt(bar.group(2)) + 4);
+      String line = "d=\"M\\d+ (" + bottom + " V?|.*[ L]\\d+ " + bar.group(2) + "\")";
+      assertTrue(Pictures.matches(line, svg).size() > 0, () -> "nothing touches the bar " + bar);
     }
   }
 
@@ -132,7 +137,8 @@ class DiagramsTest {
     }
     for (Kind kind : EnumSet.of(Kind.ACTIVITY, Kind.INSTANCE)) {
       String text = drawn(hostile, kind);
-      List<String> shown = Pictures.texts(svg(kind));
+      List<String> shown =
+          kind == Kind.ACTIVITY ? Pictures.titles(svg(kind)) : Pictures.texts(svg(kind));
       Set<String> shape = Pictures.shape(svg(kind));
 
       assertEquals(
@@ -142,7 +148,9 @@ class DiagramsTest {
       assertEquals(Pictures.shape(svg(kind)), shape, "the same elements");
       for (String name : HOSTILE) {
         String expected =
-            name.replaceAll("[\\p{Cc}\\s]+", " ").trim().replaceAll("\\p{C}", "\ufffd");
+            kind == Kind.ACTIVITY
+                ? Printable.clean(name).replace('\n', ' ').replaceAll("\\p{C}", "\ufffd")
+                : name.replaceAll("[\\p{Cc}\\s]+", " ").trim().replaceAll("\\p{C}", "\ufffd");
         assertTrue(
             shown.stream().anyMatch(each -> each.contains(expected)),
             () -> expected + " is not in " + shown);
@@ -158,7 +166,7 @@ class DiagramsTest {
     drawn(chain, Kind.ACTIVITY);
 
     List<String> shown = Pictures.texts(svg(Kind.ACTIVITY));
-    assertTrue(shown.contains("a".repeat(79) + "…"), shown::toString);
+    assertTrue(shown.stream().anyMatch(each -> each.matches("a{9,}…a{9,}!")), shown::toString);
   }
 
   @Test
@@ -212,7 +220,7 @@ class DiagramsTest {
     for (String end : List.of(".puml", ".svg")) {
       assertEquals(past, Files.getLastModifiedTime(folder.resolve("out/" + kind + end)));
     }
-    String svg = new String(first, StandardCharsets.UTF_8);
+    String svg = new String(first, StandardCharsets.UTF_8).replace(DECLARATION, "");
     assertFalse(svg.contains("<?") || svg.contains("plantuml"), "no version, no source");
   }
 

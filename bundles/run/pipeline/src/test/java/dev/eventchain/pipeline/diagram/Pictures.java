@@ -21,7 +21,9 @@ final class Pictures {
 
   /** Elements that the library creates for text without markup. */
   private static final Set<String> ELEMENTS =
-      Set.of("svg", "defs", "g", "rect", "text", "path", "polygon", "ellipse", "line", "circle");
+      Set.of(
+          "svg", "defs", "g", "title", "rect", "text", "path", "polygon", "ellipse", "line",
+          "circle");
 
   private Pictures() {}
 
@@ -46,8 +48,17 @@ final class Pictures {
 
   /** Returns the texts of the picture, with ordinary spaces. */
   static List<String> texts(String svg) {
+    return contents(svg, "text");
+  }
+
+  /** Returns what the picture says about its parts, with ordinary spaces. */
+  static List<String> titles(String svg) {
+    return contents(svg, "title");
+  }
+
+  private static List<String> contents(String svg, String element) {
     try {
-      NodeList all = parsed(svg).getElementsByTagName("text");
+      NodeList all = parsed(svg).getElementsByTagName(element);
       List<String> texts = new ArrayList<>();
       for (int index = 0; index < all.getLength(); index++) {
         texts.add(all.item(index).getTextContent().replace('\u00a0', ' '));

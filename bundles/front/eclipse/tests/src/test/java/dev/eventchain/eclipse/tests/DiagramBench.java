@@ -2,8 +2,8 @@ package dev.eventchain.eclipse.tests;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import dev.eventchain.eclipse.diagram.ChainDiagram;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Box;
+import dev.eventchain.model.diagram.ChainDiagram;
+import dev.eventchain.model.diagram.ChainDiagram.Box;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import java.io.ByteArrayInputStream;
 import java.nio.file.Files;

@@ -3,7 +3,7 @@ package dev.eventchain.eclipse.tests;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.eventchain.eclipse.diagram.ChainDiagram.Kind;
+import dev.eventchain.model.diagram.ChainDiagram.Kind;
 import dev.eventchain.xmi.XmiStore;
 import java.nio.charset.StandardCharsets;
 import java.util.List;

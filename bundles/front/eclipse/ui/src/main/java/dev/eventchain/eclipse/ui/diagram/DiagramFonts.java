@@ -1,6 +1,6 @@
 package dev.eventchain.eclipse.ui.diagram;
 
-import dev.eventchain.eclipse.diagram.TextSizes;
+import dev.eventchain.model.diagram.TextSizes;
 import org.eclipse.jface.resource.JFaceResources;
 import org.eclipse.swt.graphics.Font;
 import org.eclipse.swt.graphics.GC;

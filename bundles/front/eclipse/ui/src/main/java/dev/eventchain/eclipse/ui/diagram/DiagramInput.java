@@ -1,6 +1,6 @@
 package dev.eventchain.eclipse.ui.diagram;
 
-import dev.eventchain.eclipse.diagram.ChainDiagram;
+import dev.eventchain.model.diagram.ChainDiagram;
 import java.util.List;
 import java.util.function.IntFunction;
 import org.eclipse.swt.SWT;

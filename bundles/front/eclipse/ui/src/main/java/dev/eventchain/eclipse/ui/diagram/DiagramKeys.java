@@ -1,9 +1,9 @@
 package dev.eventchain.eclipse.ui.diagram;
 
-import dev.eventchain.eclipse.diagram.ChainDiagram;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Box;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Line;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Point;
+import dev.eventchain.model.diagram.ChainDiagram;
+import dev.eventchain.model.diagram.ChainDiagram.Box;
+import dev.eventchain.model.diagram.ChainDiagram.Line;
+import dev.eventchain.model.diagram.ChainDiagram.Point;
 import java.util.Comparator;
 import java.util.stream.IntStream;
 import org.eclipse.swt.SWT;

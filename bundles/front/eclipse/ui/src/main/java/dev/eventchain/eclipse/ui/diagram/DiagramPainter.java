@@ -1,14 +1,14 @@
 package dev.eventchain.eclipse.ui.diagram;
 
-import dev.eventchain.eclipse.diagram.ChainDiagram;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Area;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Box;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Kind;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Line;
-import dev.eventchain.eclipse.diagram.ChainDiagram.LineKind;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Point;
-import dev.eventchain.eclipse.diagram.Shapes;
-import dev.eventchain.eclipse.diagram.TextSizes;
+import dev.eventchain.model.diagram.ChainDiagram;
+import dev.eventchain.model.diagram.ChainDiagram.Area;
+import dev.eventchain.model.diagram.ChainDiagram.Box;
+import dev.eventchain.model.diagram.ChainDiagram.Kind;
+import dev.eventchain.model.diagram.ChainDiagram.Line;
+import dev.eventchain.model.diagram.ChainDiagram.LineKind;
+import dev.eventchain.model.diagram.ChainDiagram.Point;
+import dev.eventchain.model.diagram.Shapes;
+import dev.eventchain.model.diagram.TextSizes;
 import java.util.List;
 import org.eclipse.core.resources.IMarker;
 import org.eclipse.swt.SWT;

@@ -1,6 +1,6 @@
 package dev.eventchain.eclipse.ui.diagram;
 
-import dev.eventchain.eclipse.diagram.ChainDiagram.Box;
+import dev.eventchain.model.diagram.ChainDiagram.Box;
 import java.util.List;
 import org.eclipse.core.runtime.ListenerList;
 import org.eclipse.emf.ecore.EObject;

@@ -1,10 +1,10 @@
 package dev.eventchain.eclipse.ui.diagram;
 
 import dev.eventchain.diagnostics.Printable;
-import dev.eventchain.eclipse.diagram.ChainDiagram;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Box;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Kind;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Line;
+import dev.eventchain.model.diagram.ChainDiagram;
+import dev.eventchain.model.diagram.ChainDiagram.Box;
+import dev.eventchain.model.diagram.ChainDiagram.Kind;
+import dev.eventchain.model.diagram.ChainDiagram.Line;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import java.util.ArrayList;

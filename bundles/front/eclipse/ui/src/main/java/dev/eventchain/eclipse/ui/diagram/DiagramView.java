@@ -1,8 +1,8 @@
 package dev.eventchain.eclipse.ui.diagram;
 
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.eclipse.diagram.ChainDiagram;
-import dev.eventchain.eclipse.diagram.ChainLayout;
+import dev.eventchain.model.diagram.ChainDiagram;
+import dev.eventchain.model.diagram.ChainLayout;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.xmi.Origins;
 import java.util.List;

@@ -1,7 +1,7 @@
 package dev.eventchain.eclipse.ui.diagram;
 
-import dev.eventchain.eclipse.diagram.ChainDiagram;
-import dev.eventchain.eclipse.diagram.DiagramSvg;
+import dev.eventchain.model.diagram.ChainDiagram;
+import dev.eventchain.model.diagram.DiagramSvg;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

@@ -2,8 +2,8 @@ package dev.eventchain.eclipse.ui.diagram;
 
 import dev.eventchain.eclipse.EventchainCore;
 import dev.eventchain.eclipse.FindingMarker;
-import dev.eventchain.eclipse.diagram.ChainDiagram;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Box;
+import dev.eventchain.model.diagram.ChainDiagram;
+import dev.eventchain.model.diagram.ChainDiagram.Box;
 import dev.eventchain.xmi.Origins;
 import java.util.ArrayList;
 import java.util.Comparator;

@@ -1,4 +1,4 @@
-package dev.eventchain.eclipse.diagram;
+package dev.eventchain.model.diagram;
 
 /** Measures texts in the picture's unit: pixels at 100 %. */
 public interface TextSizes {

@@ -1,11 +1,11 @@
-package dev.eventchain.eclipse.diagram;
+package dev.eventchain.model.diagram;
 
-import dev.eventchain.eclipse.diagram.ChainDiagram.Area;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Box;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Kind;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Line;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Point;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Text;
+import dev.eventchain.model.diagram.ChainDiagram.Area;
+import dev.eventchain.model.diagram.ChainDiagram.Box;
+import dev.eventchain.model.diagram.ChainDiagram.Kind;
+import dev.eventchain.model.diagram.ChainDiagram.Line;
+import dev.eventchain.model.diagram.ChainDiagram.Point;
+import dev.eventchain.model.diagram.ChainDiagram.Text;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -79,6 +79,11 @@ public final class Shapes {
       }
     }
     return false;
+  }
+
+  /** Returns the font size for a line, which is also the distance of its baseline from the top. */
+  public static int fontSize(int lineHeight) {
+    return Math.max(1, lineHeight * 3 / 4);
   }
 
   /** Returns the texts of a box with their positions: centred, one below the other. */

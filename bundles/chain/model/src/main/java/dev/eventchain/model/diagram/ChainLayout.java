@@ -1,15 +1,14 @@
-package dev.eventchain.eclipse.diagram;
+package dev.eventchain.model.diagram;
 
-import dev.eventchain.eclipse.diagram.ChainDiagram.Area;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Box;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Kind;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Line;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Text;
+import dev.eventchain.model.diagram.ChainDiagram.Area;
+import dev.eventchain.model.diagram.ChainDiagram.Box;
+import dev.eventchain.model.diagram.ChainDiagram.Kind;
+import dev.eventchain.model.diagram.ChainDiagram.Line;
+import dev.eventchain.model.diagram.ChainDiagram.Text;
 import dev.eventchain.model.eventchain.EventChain;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 
 /**
  * Lays out an event chain from top to bottom, like its activity diagram: components with the topics
@@ -135,7 +134,7 @@ public final class ChainLayout {
   }
 
   private ChainDiagram collect(String name, Routing routing) {
-    Map<Vertex, Integer> indices = new IdentityHashMap<>();
+    IdentityHashMap<Vertex, Integer> indices = new IdentityHashMap<>();
     List<Box> boxes = new ArrayList<>();
     for (Vertex vertex : graph.vertices) {
       indices.put(vertex, boxes.size());

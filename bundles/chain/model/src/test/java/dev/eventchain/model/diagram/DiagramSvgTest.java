@@ -1,12 +1,8 @@
-package dev.eventchain.eclipse.tests;
+package dev.eventchain.model.diagram;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.eventchain.eclipse.diagram.ChainDiagram;
-import dev.eventchain.eclipse.diagram.ChainLayout;
-import dev.eventchain.eclipse.diagram.DiagramSvg;
-import dev.eventchain.eclipse.diagram.Shapes;
 import dev.eventchain.model.eventchain.EventChain;
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;

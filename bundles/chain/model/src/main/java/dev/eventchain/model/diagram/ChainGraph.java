@@ -1,11 +1,11 @@
-package dev.eventchain.eclipse.diagram;
+package dev.eventchain.model.diagram;
 
 import dev.eventchain.diagnostics.Printable;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Kind;
-import dev.eventchain.eclipse.diagram.ChainDiagram.LineKind;
 import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.TopicIndex.Endpoint;
 import dev.eventchain.model.TopicIndex.Topic;
+import dev.eventchain.model.diagram.ChainDiagram.Kind;
+import dev.eventchain.model.diagram.ChainDiagram.LineKind;
 import dev.eventchain.model.eventchain.ComponentOrigin;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
@@ -15,7 +15,6 @@ import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -25,7 +24,7 @@ final class ChainGraph {
 
   final List<Vertex> vertices = new ArrayList<>();
   final List<Vertex.Edge> edges = new ArrayList<>();
-  private final Map<SoftwareNode, Vertex> components = new IdentityHashMap<>();
+  private final IdentityHashMap<SoftwareNode, Vertex> components = new IdentityHashMap<>();
 
   ChainGraph(EventChain chain) {
     for (SoftwareNode node : chain.getSoftware()) {
@@ -39,9 +38,19 @@ final class ChainGraph {
     Vertex vertex = new Vertex(Kind.COMPONENT, text(node.getName()), index);
     vertex.elements.add(node);
     vertex.isGenerated = node.getOrigin() == ComponentOrigin.GENERATED;
-    String origin = vertex.isGenerated ? "generated" : "existing";
-    vertex.facts =
-        node.isSetFrequency() ? hertz(node.getFrequency()) + " \u00b7 " + origin : origin;
+    List<String> facts = new ArrayList<>();
+    if (node.isSetFrequency()) {
+      facts.add(hertz(node.getFrequency()));
+    }
+    facts.add(vertex.isGenerated ? "generated" : "existing");
+    String satisfied =
+        node.getSatisfies().stream()
+            .map(each -> text(each.getId()))
+            .collect(Collectors.joining(", "));
+    if (!satisfied.isEmpty()) {
+      facts.add(satisfied);
+    }
+    vertex.facts = String.join(" \u00b7 ", facts);
     vertices.add(vertex);
     return vertex;
   }

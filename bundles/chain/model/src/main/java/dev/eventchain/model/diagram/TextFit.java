@@ -1,6 +1,6 @@
-package dev.eventchain.eclipse.diagram;
+package dev.eventchain.model.diagram;
 
-import dev.eventchain.eclipse.diagram.ChainDiagram.Text;
+import dev.eventchain.model.diagram.ChainDiagram.Text;
 
 /** Abbreviates texts in the middle, because both ends of a long name are distinctive. */
 final class TextFit {

@@ -1,7 +1,7 @@
-package dev.eventchain.eclipse.diagram;
+package dev.eventchain.model.diagram;
 
-import dev.eventchain.eclipse.diagram.ChainDiagram.Kind;
-import dev.eventchain.eclipse.diagram.Vertex.Edge;
+import dev.eventchain.model.diagram.ChainDiagram.Kind;
+import dev.eventchain.model.diagram.Vertex.Edge;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -59,9 +59,9 @@ final class Layering {
 
   /** Assigns each box the layer below its lowest predecessor. */
   private void assign() {
-    Map<Vertex, Integer> waitsFor = new IdentityHashMap<>();
+    IdentityHashMap<Vertex, Integer> waitsFor = new IdentityHashMap<>();
     edges.forEach(edge -> waitsFor.merge(edge.lower(), 1, Integer::sum));
-    Map<Vertex, List<Edge>> down = new IdentityHashMap<>();
+    IdentityHashMap<Vertex, List<Edge>> down = new IdentityHashMap<>();
     edges.forEach(edge -> down.computeIfAbsent(edge.upper(), v -> new ArrayList<>()).add(edge));
     Deque<Vertex> ready = new ArrayDeque<>();
     vertices.stream().filter(vertex -> !waitsFor.containsKey(vertex)).forEach(ready::add);

@@ -1,17 +1,14 @@
-package dev.eventchain.eclipse.tests;
+package dev.eventchain.model.diagram;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.eventchain.eclipse.diagram.ChainDiagram;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Area;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Box;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Kind;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Line;
-import dev.eventchain.eclipse.diagram.ChainDiagram.LineKind;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Point;
-import dev.eventchain.eclipse.diagram.ChainLayout;
-import dev.eventchain.eclipse.diagram.TextSizes;
+import dev.eventchain.model.diagram.ChainDiagram.Area;
+import dev.eventchain.model.diagram.ChainDiagram.Box;
+import dev.eventchain.model.diagram.ChainDiagram.Kind;
+import dev.eventchain.model.diagram.ChainDiagram.Line;
+import dev.eventchain.model.diagram.ChainDiagram.LineKind;
+import dev.eventchain.model.diagram.ChainDiagram.Point;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import java.util.ArrayList;

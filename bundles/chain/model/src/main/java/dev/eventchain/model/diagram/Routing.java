@@ -1,15 +1,14 @@
-package dev.eventchain.eclipse.diagram;
+package dev.eventchain.model.diagram;
 
-import dev.eventchain.eclipse.diagram.ChainDiagram.Area;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Line;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Point;
-import dev.eventchain.eclipse.diagram.Vertex.Edge;
+import dev.eventchain.model.diagram.ChainDiagram.Area;
+import dev.eventchain.model.diagram.ChainDiagram.Line;
+import dev.eventchain.model.diagram.ChainDiagram.Point;
+import dev.eventchain.model.diagram.Vertex.Edge;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 
 /**
  * Routes lines from the bottom of a box to the top of another. They may bend between layers; next
@@ -29,8 +28,8 @@ final class Routing {
   private static final int CROOKED = 3;
 
   private final List<int[]> bands;
-  private final Map<Edge, Integer> lowerPorts = new IdentityHashMap<>();
-  private final Map<Edge, Integer> upperPorts = new IdentityHashMap<>();
+  private final IdentityHashMap<Edge, Integer> lowerPorts = new IdentityHashMap<>();
+  private final IdentityHashMap<Edge, Integer> upperPorts = new IdentityHashMap<>();
 
   /**
    * Creates a router for placed boxes.
@@ -51,7 +50,7 @@ final class Routing {
     List<Edge> back = new ArrayList<>();
     (lowerSide ? vertex.out : vertex.in).stream().filter(e -> !e.isReversed).forEach(forward::add);
     (lowerSide ? vertex.in : vertex.out).stream().filter(e -> e.isReversed).forEach(back::add);
-    Map<Edge, Integer> ports = lowerSide ? upperPorts : lowerPorts;
+    IdentityHashMap<Edge, Integer> ports = lowerSide ? upperPorts : lowerPorts;
     Comparator<Edge> byTarget = Comparator.comparingDouble(edge -> next(edge, lowerSide).x);
     forward.sort(byTarget);
     back.sort(byTarget);
@@ -69,7 +68,7 @@ final class Routing {
   }
 
   private static void spread(
-      List<Edge> edges, double left, double right, Map<Edge, Integer> ports) {
+      List<Edge> edges, double left, double right, IdentityHashMap<Edge, Integer> ports) {
     double step = Math.min((right - left) / (edges.size() + 1), 3.0 * PORT);
     double first = (left + right) / 2 - step * (edges.size() - 1) / 2;
     for (int i = 0; i < edges.size(); i++) {
@@ -89,7 +88,7 @@ final class Routing {
     return bars;
   }
 
-  private static Area bar(List<Edge> edges, Map<Edge, Integer> ports, int y) {
+  private static Area bar(List<Edge> edges, IdentityHashMap<Edge, Integer> ports, int y) {
     int[] xs = edges.stream().filter(e -> !e.isReversed).mapToInt(ports::get).sorted().toArray();
     int left = xs[0] - PORT / 2;
     return new Area(left, y, xs[xs.length - 1] + PORT / 2 - left, BAR);

@@ -1,4 +1,4 @@
-package dev.eventchain.eclipse.diagram;
+package dev.eventchain.model.diagram;
 
 import java.util.List;
 import org.eclipse.emf.ecore.EObject;

@@ -1,4 +1,4 @@
-package dev.eventchain.eclipse.diagram;
+package dev.eventchain.model.diagram;
 
 import java.util.ArrayDeque;
 import java.util.Deque;

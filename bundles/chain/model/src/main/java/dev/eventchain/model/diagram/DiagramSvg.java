@@ -1,14 +1,15 @@
-package dev.eventchain.eclipse.diagram;
+package dev.eventchain.model.diagram;
 
 import dev.eventchain.diagnostics.Printable;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Area;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Box;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Kind;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Line;
-import dev.eventchain.eclipse.diagram.ChainDiagram.LineKind;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Point;
-import dev.eventchain.eclipse.diagram.ChainDiagram.Text;
+import dev.eventchain.model.diagram.ChainDiagram.Area;
+import dev.eventchain.model.diagram.ChainDiagram.Box;
+import dev.eventchain.model.diagram.ChainDiagram.Kind;
+import dev.eventchain.model.diagram.ChainDiagram.Line;
+import dev.eventchain.model.diagram.ChainDiagram.LineKind;
+import dev.eventchain.model.diagram.ChainDiagram.Point;
+import dev.eventchain.model.diagram.ChainDiagram.Text;
 import java.util.List;
+import java.util.regex.Pattern;
 
 /**
  * Renders a diagram as SVG, in colours suitable for printing. The same diagram gives the same text.
@@ -16,6 +17,9 @@ import java.util.List;
 public final class DiagramSvg {
 
   private static final String LINE = "#39434b";
+
+  /** Characters that XML cannot hold or that nobody sees; breaks of lines are none of them. */
+  private static final Pattern INVISIBLE = Pattern.compile("[\\p{C}&&[^\\n\\t]]");
 
   private final ChainDiagram diagram;
   private final TextSizes sizes;
@@ -114,17 +118,17 @@ public final class DiagramSvg {
                 + " lengthAdjust=\"spacingAndGlyphs\"%s>%s</text>")
             .formatted(
                 placed.x(),
-                placed.y() + height * 3 / 4,
-                Math.max(1, height * 3 / 4),
+                placed.y() + Shapes.fontSize(height),
+                Shapes.fontSize(height),
                 Math.max(1, text.width()),
                 text.title() ? " font-weight=\"bold\"" : "",
                 escape(text.text())));
   }
 
   private static String escape(String text) {
-    return Printable.clean(text)
-        .replace('\uFFFE', '\uFFFD')
-        .replace('\uFFFF', '\uFFFD')
+    return INVISIBLE
+        .matcher(Printable.clean(text))
+        .replaceAll("\uFFFD")
         .replace("&", "&amp;")
         .replace("<", "&lt;")
         .replace(">", "&gt;");

@@ -1,5 +1,0 @@
-/**
- * The diagram of an event chain: its contents and layout, independent of the renderer. The same
- * chain with the same text sizes gives the same diagram.
- */
-package dev.eventchain.eclipse.diagram;
