@@ -6,26 +6,11 @@ import java.net.URL;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
-import org.eclipse.core.runtime.Platform;
 import org.osgi.framework.Bundle;
+import org.osgi.framework.FrameworkUtil;
 
 /** Pages about findings, of which each bundle contains its own. */
 public final class RulePages {
-
-  private static final List<String> BUNDLES =
-      List.of(
-          "analysis",
-          "diagnostics",
-          "documents",
-          "m2t",
-          "messages",
-          "metamodel",
-          "modeler",
-          "ocl",
-          "output",
-          "rules",
-          "validation",
-          "eclipse");
 
   private static final List<String> FOLDERS = List.of("META-INF/eventchain/rules/", "rules/");
 
@@ -40,16 +25,19 @@ public final class RulePages {
     if (!id.matches("[a-z0-9.-]+")) {
       return Optional.empty();
     }
-    for (String name : BUNDLES) {
-      Bundle bundle = Platform.getBundle("dev.eventchain." + name);
+    for (Bundle bundle : FrameworkUtil.getBundle(RulePages.class).getBundleContext().getBundles()) {
       for (String folder : FOLDERS) {
-        URL page = bundle == null ? null : bundle.getEntry(folder + id + ".md");
+        URL page = isOurs(bundle) ? bundle.getEntry(folder + id + ".md") : null;
         if (page != null) {
           return read(page);
         }
       }
     }
     return Optional.empty();
+  }
+
+  private static boolean isOurs(Bundle bundle) {
+    return String.valueOf(bundle.getSymbolicName()).startsWith("dev.eventchain.");
   }
 
   private static Optional<String> read(URL page) {

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.eclipse.EventchainCore;
 import dev.eventchain.eclipse.FindingMarker;
 import dev.eventchain.eclipse.ProjectChecks;
+import dev.eventchain.eclipse.RulePages;
 import java.util.List;
 import org.eclipse.core.resources.IMarker;
 import org.eclipse.core.resources.IResource;
@@ -123,6 +124,30 @@ class BuilderTest {
       assertEquals(
           IMarker.SEVERITY_ERROR,
           project.marker("xmi.reference.unresolved").getAttribute(IMarker.SEVERITY, -1));
+    }
+  }
+
+  @Test
+  void thePagesOfAllBundlesAreFound() {
+    for (String id : List.of("contract.unit.mismatch", "ocl.violated", "xmi.package.unknown")) {
+      assertTrue(RulePages.of(id).isPresent(), id);
+    }
+  }
+
+  @Test
+  void entryForASyntaxErrorIsRefused() throws Exception {
+    try (TestProject project = TestProject.ofRadarExample("refused")) {
+      project.write(
+          "eventchain-suppressions.yaml",
+          """
+          - id: xmi.syntax
+            reason: It is fixed in release 2.
+            expires: 2999-12-31
+          """);
+      project.build();
+      assertEquals(
+          IMarker.SEVERITY_ERROR,
+          project.marker("suppression.invalid").getAttribute(IMarker.SEVERITY, -1));
     }
   }
 
