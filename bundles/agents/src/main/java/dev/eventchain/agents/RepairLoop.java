@@ -133,8 +133,8 @@ final class RepairLoop {
     }
     List<Diagnostic> said = new ArrayList<>(problem.diagnostics());
     said.add(
-        Diagnostic.info(
-                "agents.answer.returned",
+        Diagnostic.of(
+                AgentRules.ANSWER_RETURNED,
                 "The previous answer was sent back: " + refused.get(0).message(),
                 SourceLocation.of(file))
             .withHint(
@@ -167,8 +167,8 @@ final class RepairLoop {
   private static DiagnosticException rejected(String file, List<Attempt> attempts) {
     List<Diagnostic> diagnostics = new ArrayList<>();
     diagnostics.add(
-        Diagnostic.error(
-                "agents.answer.rejected",
+        Diagnostic.of(
+                AgentRules.ANSWER_REJECTED,
                 ("The model gave no usable answer in %d attempts; this is what is wrong with"
                         + " the last one.")
                     .formatted(attempts.size()),

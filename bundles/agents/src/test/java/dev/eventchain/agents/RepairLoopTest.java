@@ -9,6 +9,7 @@ import dev.eventchain.agents.prompt.PromptTemplate;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.llm.chat.ChatMessage;
 import dev.eventchain.llm.chat.ChatResponse.FinishReason;
@@ -139,11 +140,11 @@ class RepairLoopTest {
         at >= 0;
         at = text.text().indexOf("wrong", at + 1)) {
       findings.add(
-          Diagnostic.error("test.wrong", "It is wrong.", text.at(at - 1))
+          Diagnostic.of(Rule.error("test.wrong"), "It is wrong.", text.at(at - 1))
               .withHint("Make it right."));
     }
     if (text.text().contains("careful")) {
-      findings.add(Diagnostic.warning("test.careful", "Be careful.", text.at(0)));
+      findings.add(Diagnostic.of(Rule.warning("test.careful"), "Be careful.", text.at(0)));
     }
     return findings;
   }

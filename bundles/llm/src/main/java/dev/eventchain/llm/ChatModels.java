@@ -3,6 +3,7 @@ package dev.eventchain.llm;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.llm.chat.AnswerSchema;
 import dev.eventchain.llm.chat.ChatModel;
@@ -144,7 +145,9 @@ public final class ChatModels {
 
   private static DiagnosticException noWay(String source) {
     return input(
-        "llm.provider.unknown", "'" + source + "' is not a way to get answers from models.", WAYS);
+        LlmRules.PROVIDER_UNKNOWN,
+        "'" + source + "' is not a way to get answers from models.",
+        WAYS);
   }
 
   private ChatModel program(ModelName name) {
@@ -173,7 +176,7 @@ public final class ChatModels {
             .orElseThrow(
                 () ->
                     input(
-                        "llm.service.unknown",
+                        LlmRules.SERVICE_UNKNOWN,
                         "The model '" + name + "' names no service that can be asked.",
                         "Write it as SERVICE/MODEL in eventchain.yaml; services are "
                             + String.join(", ", access.services().names())
@@ -186,7 +189,7 @@ public final class ChatModels {
     try {
       return ModelName.parse(text);
     } catch (IllegalArgumentException e) {
-      throw input("llm.model.name", e.getMessage(), "Write it as SERVICE/NAME.");
+      throw input(LlmRules.MODEL_NAME, e.getMessage(), "Write it as SERVICE/NAME.");
     }
   }
 
@@ -194,12 +197,12 @@ public final class ChatModels {
     try {
       return Path.of(text);
     } catch (InvalidPathException e) {
-      throw input("llm.handoff.folder", "'" + text + "' is not a folder: " + e.getReason(), "");
+      throw input(LlmRules.HANDOFF_FOLDER, "'" + text + "' is not a folder: " + e.getReason(), "");
     }
   }
 
-  private static DiagnosticException input(String id, String message, String hint) {
+  private static DiagnosticException input(Rule rule, String message, String hint) {
     return new DiagnosticException(
-        Reason.INPUT, List.of(Diagnostic.error(id, message, SourceLocation.NONE).withHint(hint)));
+        Reason.INPUT, List.of(Diagnostic.of(rule, message, SourceLocation.NONE).withHint(hint)));
   }
 }

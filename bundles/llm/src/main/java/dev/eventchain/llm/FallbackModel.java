@@ -4,6 +4,8 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.llm.chat.AnswerRules;
+import dev.eventchain.llm.chat.AnswerTrait;
 import dev.eventchain.llm.chat.ChatModel;
 import dev.eventchain.llm.chat.ChatRequest;
 import dev.eventchain.llm.chat.ChatResponse;
@@ -34,8 +36,8 @@ final class FallbackModel implements ChatModel {
         ChatResponse response = each.model().chat(request);
         if (first != null) {
           findings.accept(
-              Diagnostic.warning(
-                      "llm.model.fallback",
+              Diagnostic.of(
+                      LlmRules.MODEL_FALLBACK,
                       "%s answered the task '%s' instead of %s. %s"
                           .formatted(
                               each.name(),
@@ -57,8 +59,8 @@ final class FallbackModel implements ChatModel {
   }
 
   private static boolean leavesOthers(DiagnosticException e) {
-    String id = e.diagnostics().get(0).id();
-    return (e.reason() == Reason.UNAVAILABLE && !Spending.ENDS.contains(id))
-        || id.equals("llm.recording.missing");
+    Diagnostic first = e.diagnostics().get(0);
+    return (e.reason() == Reason.UNAVAILABLE && !first.kind().has(AnswerTrait.ENDING))
+        || first.is(AnswerRules.RECORDING_MISSING);
   }
 }

@@ -31,8 +31,8 @@ final class MeteredModel implements ChatModel {
       access
           .findings()
           .accept(
-              Diagnostic.warning(
-                      "llm.model.differs",
+              Diagnostic.of(
+                      LlmRules.MODEL_DIFFERS,
                       "%s was asked, and '%s' answered."
                           .formatted(name, ErrorBody.shown(response.model())),
                       SourceLocation.NONE)

@@ -3,6 +3,7 @@ package dev.eventchain.llm;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.llm.chat.ChatResponse.Usage;
 import dev.eventchain.llm.chat.ModelName;
@@ -10,15 +11,11 @@ import dev.eventchain.llm.service.ModelServices;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
 /** Cost of the calls of a run, and its budget. Thread-safe. */
 public final class Spending {
-  /** Ids of the findings after which a run makes no more calls, since the budget is spent. */
-  public static final Set<String> ENDS = Set.of("llm.budget.spent", "llm.price.missing");
-
   private final ModelServices services;
   private final SortedMap<String, Line> lines = new TreeMap<>();
 
@@ -73,7 +70,7 @@ public final class Spending {
     ModelServices.Budget budget = services.budget();
     if (budget.cost().isPresent() && services.price(model).isEmpty()) {
       throw stop(
-          "llm.price.missing",
+          LlmRules.PRICE_MISSING,
           "A run may cost " + budget.cost().get() + ", and the price of " + model + " is unknown.",
           "Add it to 'prices' of eventchain.yaml, or limit 'tokens' instead of 'cost'.");
     }
@@ -94,13 +91,13 @@ public final class Spending {
 
   private static DiagnosticException spent(String message, Object spent, Object allowed) {
     return stop(
-        "llm.budget.spent",
+        LlmRules.BUDGET_SPENT,
         message.formatted(spent, allowed),
         "With --record, the answers so far are kept. Allow more with 'budget' in eventchain.yaml.");
   }
 
-  private static DiagnosticException stop(String id, String message, String hint) {
+  private static DiagnosticException stop(Rule rule, String message, String hint) {
     return new DiagnosticException(
-        Reason.UNAVAILABLE, Diagnostic.error(id, message, SourceLocation.NONE).withHint(hint));
+        Reason.UNAVAILABLE, Diagnostic.of(rule, message, SourceLocation.NONE).withHint(hint));
   }
 }

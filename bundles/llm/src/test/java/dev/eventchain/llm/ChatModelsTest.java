@@ -8,10 +8,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.llm.chat.ChatModel;
 import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.service.FakeService;
@@ -47,7 +48,7 @@ class ChatModelsTest {
     return Document.parse(
             SourceText.of("eventchain.yaml", yaml),
             DocumentFormat.YAML,
-            FindingIds.all("project.configuration"),
+            DocumentRules.all(Rule.error("project.configuration")),
             problems::add)
         .object("", problems::add)
         .map(ModelServices::read)

@@ -2,10 +2,11 @@ package dev.eventchain.benchmarks;
 
 import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpServer;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.llm.ChatModels;
 import dev.eventchain.llm.ModelAccess;
 import dev.eventchain.llm.Spending;
@@ -93,7 +94,7 @@ public final class LanguageModelBenchmark {
         SourceText.of(
             "s.yaml", "services:\n  ours: {wire: openai-compatible, url: \"" + url + "\"}\n");
     ModelServices services =
-        Document.parse(text, DocumentFormat.YAML, FindingIds.all("s"), problem -> {})
+        Document.parse(text, DocumentFormat.YAML, DocumentRules.all(Rule.error("s")), problem -> {})
             .object("", problem -> {})
             .map(ModelServices::read)
             .orElseThrow();

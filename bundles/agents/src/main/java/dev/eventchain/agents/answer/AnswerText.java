@@ -1,6 +1,7 @@
 package dev.eventchain.agents.answer;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.llm.chat.ChatResponse;
@@ -33,7 +34,7 @@ public record AnswerText(Optional<SourceText> artefact, List<Diagnostic> problem
       return truncated(file, "The answer was cut at the limit of its length.");
     }
     if (response.finishReason() != FinishReason.STOP) {
-      return problem("agents.answer.refused", "The model did not finish its answer.", file);
+      return problem(AnswerFormRules.ANSWER_REFUSED, "The model did not finish its answer.", file);
     }
     String text = response.text().replace("\r\n", "\n").replace("\uFEFF", "");
     text = THINKING.matcher(text).replaceFirst("");
@@ -97,12 +98,12 @@ public record AnswerText(Optional<SourceText> artefact, List<Diagnostic> problem
   }
 
   static AnswerText truncated(String file, String message) {
-    return problem("agents.answer.truncated", message, file);
+    return problem(AnswerFormRules.ANSWER_TRUNCATED, message, file);
   }
 
   static AnswerText several(AnswerKind kind, String file, int count) {
     return problem(
-        "agents.answer.several",
+        AnswerFormRules.ANSWER_SEVERAL,
         "The answer contains %d different blocks that may be the %s."
             .formatted(count, kind.description()),
         file);
@@ -110,11 +111,13 @@ public record AnswerText(Optional<SourceText> artefact, List<Diagnostic> problem
 
   static AnswerText nothing(AnswerKind kind, String file) {
     return problem(
-        "agents.answer.none", "The answer contains no %s.".formatted(kind.description()), file);
+        AnswerFormRules.ANSWER_NONE,
+        "The answer contains no %s.".formatted(kind.description()),
+        file);
   }
 
-  static AnswerText problem(String id, String message, String file) {
-    return problem(Diagnostic.error(id, message, SourceLocation.of(file)));
+  static AnswerText problem(Rule rule, String message, String file) {
+    return problem(Diagnostic.of(rule, message, SourceLocation.of(file)));
   }
 
   static AnswerText problem(Diagnostic diagnostic) {

@@ -17,7 +17,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.documents.JsonLayout;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -47,7 +47,7 @@ final class JsonAnswer {
           .disable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
           .configure(JsonNodeFeature.STRIP_TRAILING_BIGDECIMAL_ZEROES, false)
           .build();
-  private static final FindingIds IDS = FindingIds.all("agents.answer.json");
+  private static final DocumentRules RULES = DocumentRules.all(AnswerFormRules.ANSWER_JSON);
   private static final List<String> WORDS =
       List.of("true", "false", "null", "True", "False", "None");
   private static final Pattern UNKNOWN_WORD = Pattern.compile("Unrecognized token '(\\w+)'");
@@ -120,7 +120,7 @@ final class JsonAnswer {
   private static AnswerText found(String file, JsonNode node) {
     AnswerText found = AnswerText.found(file, JsonLayout.of(node));
     List<Diagnostic> problems = new ArrayList<>();
-    Document.parse(found.artefact().orElseThrow(), DocumentFormat.JSON, IDS, problems::add);
+    Document.parse(found.artefact().orElseThrow(), DocumentFormat.JSON, RULES, problems::add);
     return problems.isEmpty() ? found : new AnswerText(Optional.empty(), problems);
   }
 
@@ -130,7 +130,7 @@ final class JsonAnswer {
    */
   private static AnswerText number(String file) {
     return AnswerText.problem(
-        "agents.answer.json",
+        AnswerFormRules.ANSWER_JSON,
         "This is not valid JSON: the exponent of a number is out of range.",
         file);
   }
@@ -142,8 +142,8 @@ final class JsonAnswer {
     SourceText source = SourceText.of(file, text);
     JsonLocation place = e instanceof JsonProcessingException json ? json.getLocation() : null;
     return AnswerText.problem(
-        Diagnostic.error(
-            "agents.answer.json",
+        Diagnostic.of(
+            AnswerFormRules.ANSWER_JSON,
             "This is not valid JSON: " + reason(e),
             place == null ? source.at(0) : source.at(place.getLineNr(), place.getColumnNr())));
   }

@@ -33,14 +33,14 @@ final class ComponentCheck {
   private void frequency(Component component) {
     JsonNode frequency = component.json().path(ChainNames.FREQUENCY);
     if (frequency.isMissingNode() || frequency.isNull()) {
-      findings.error(
-          "agents.frequency",
+      findings.add(
+          ChainRules.FREQUENCY,
           component.pointer(),
           "'%s' states no frequency.".formatted(component.name()),
           "State it as a number in Hz.");
     } else if (frequency.asDouble() > HIGHEST_FREQUENCY) {
-      findings.error(
-          "agents.frequency",
+      findings.add(
+          ChainRules.FREQUENCY,
           component.pointer() + "/" + ChainNames.FREQUENCY,
           "'%s' cannot execute at %s Hz.".formatted(component.name(), frequency.asText()),
           "State a number in Hz, at most 10000.");
@@ -55,8 +55,8 @@ final class ComponentCheck {
         .filter(value -> value.type().isBlank())
         .forEach(
             value ->
-                findings.error(
-                    "agents.type",
+                findings.add(
+                    ChainRules.TYPE,
                     value.pointer(),
                     "The value '%s' of '%s' states no type."
                         .formatted(value.name(), component.name()),

@@ -1,6 +1,7 @@
 package dev.eventchain.agents.chain;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.documents.Document;
 import java.util.ArrayList;
 import java.util.List;
@@ -14,12 +15,8 @@ final class Findings {
     this.text = text;
   }
 
-  void error(String id, String pointer, String message, String hint) {
-    diagnostics.add(Diagnostic.error(id, message, text.at(pointer)).withHint(hint));
-  }
-
-  void warning(String id, String pointer, String message, String hint) {
-    diagnostics.add(Diagnostic.warning(id, message, text.at(pointer)).withHint(hint));
+  void add(Rule rule, String pointer, String message, String hint) {
+    diagnostics.add(Diagnostic.of(rule, message, text.at(pointer)).withHint(hint));
   }
 
   List<Diagnostic> diagnostics() {

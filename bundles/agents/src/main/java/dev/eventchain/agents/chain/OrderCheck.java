@@ -32,8 +32,8 @@ final class OrderCheck {
   }
 
   private void report(Port port, Component writer) {
-    findings.warning(
-        "agents.order",
+    findings.add(
+        ChainRules.ORDER,
         port.pointer() + "/" + ChainNames.TOPIC,
         "%s is written by '%s', which comes later in the chain."
             .formatted(port.topic(), writer.name()),

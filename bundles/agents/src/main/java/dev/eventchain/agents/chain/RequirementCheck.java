@@ -29,8 +29,8 @@ public final class RequirementCheck {
       }
     }
     for (String id : open) {
-      findings.error(
-          "agents.requirement.unsatisfied",
+      findings.add(
+          ChainRules.REQUIREMENT_UNSATISFIED,
           "",
           "No component contributes to the requirement %s.".formatted(id),
           "Name it with the component that does, or add one.");

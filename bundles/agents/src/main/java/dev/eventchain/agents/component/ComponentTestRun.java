@@ -12,6 +12,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.sandbox.CallResults;
 import dev.eventchain.sandbox.ComponentCall;
 import dev.eventchain.sandbox.ComponentProbe;
+import dev.eventchain.sandbox.ComponentRules;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -151,8 +152,8 @@ final class ComponentTestRun {
 
   private static Diagnostic failed(
       String test, String requirement, SourceLocation place, String message) {
-    return Diagnostic.error(
-            "component.test.failed",
+    return Diagnostic.of(
+            TestRules.TEST_FAILED,
             "The test '%s' of %s fails: %s".formatted(test, requirement, message),
             place)
         .withHint(
@@ -167,8 +168,8 @@ final class ComponentTestRun {
     return again.problem().isEmpty() && first.outputs().equals(again.outputs())
         ? List.of()
         : List.of(
-            Diagnostic.error(
-                    "component.state.shared",
+            Diagnostic.of(
+                    ComponentRules.STATE_SHARED,
                     "The test '%s' on a new component gives other outputs after the other tests."
                             .formatted(test.name())
                         + " The component keeps state outside of its object.",

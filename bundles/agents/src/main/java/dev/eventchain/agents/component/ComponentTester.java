@@ -3,6 +3,7 @@ package dev.eventchain.agents.component;
 import dev.eventchain.agents.chain.ChainView;
 import dev.eventchain.agents.chain.ChainView.Component;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.DocumentFormat;
@@ -54,7 +55,7 @@ public final class ComponentTester {
     SourceLocation place = source.at(0);
     if (tests.tests().isEmpty() && tests.properties().isEmpty() && found.isEmpty()) {
       String message = "The file contains no test and no property.";
-      found.add(Diagnostic.error(ComponentTestsReader.FORMAT, message, place));
+      found.add(Diagnostic.of(ComponentTestsReader.FORMAT, message, place));
     } else if (found.isEmpty()) {
       check.gaps(tests, place).ifPresent(found::add);
     }
@@ -67,12 +68,7 @@ public final class ComponentTester {
    */
   public List<Diagnostic> diagnostics() {
     return diagnostics.stream()
-        .map(
-            each ->
-                isGap(each)
-                    ? Diagnostic.warning(each.id(), each.message(), each.location())
-                        .withHint(each.hint())
-                    : each)
+        .map(each -> isGap(each) ? each.withSeverity(Severity.WARNING) : each)
         .toList();
   }
 
@@ -82,7 +78,7 @@ public final class ComponentTester {
   }
 
   private static boolean isGap(Diagnostic finding) {
-    return finding.id().equals("component.tests.gap");
+    return finding.is(TestRules.TESTS_GAP);
   }
 
   /** Returns the number of tests and properties. */

@@ -78,15 +78,15 @@ final class ComponentTestsCheck {
       List<Diagnostic> found) {
     if (!requirements.containsKey(requirement)) {
       found.add(
-          Diagnostic.error(
-                  "component.tests.requirement",
+          Diagnostic.of(
+                  TestRules.TESTS_REQUIREMENT,
                   "There is no requirement '%s'.".formatted(requirement),
                   place)
               .withHint(NearestName.hint(requirement, requirements.keySet())));
     }
     if (!names.add(name)) {
       found.add(
-          Diagnostic.error(
+          Diagnostic.of(
               ComponentTestsReader.FORMAT,
               "Another test is already called '%s'.".formatted(name),
               place));
@@ -113,8 +113,8 @@ final class ComponentTestsCheck {
 
   private static Diagnostic contradiction(
       Case test, Threshold threshold, String output, TestExpectation expected) {
-    return Diagnostic.error(
-            "component.tests.contradiction",
+    return Diagnostic.of(
+            TestRules.TESTS_CONTRADICTION,
             "'%s' expects '%s' to be %s, but %s says \"%s\"."
                 .formatted(
                     test.name(), output, expected.words(), test.requirement(), threshold.clause()),
@@ -174,8 +174,8 @@ final class ComponentTestsCheck {
     return missing.isEmpty()
         ? Optional.empty()
         : Optional.of(
-            Diagnostic.error(
-                    "component.tests.gap",
+            Diagnostic.of(
+                    TestRules.TESTS_GAP,
                     "No test is " + String.join(", none ", missing) + ".",
                     place)
                 .withHint(

@@ -8,11 +8,12 @@ import dev.eventchain.agents.component.ComponentTests.Kind;
 import dev.eventchain.agents.component.ComponentTests.Property;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import java.util.ArrayList;
@@ -25,8 +26,8 @@ import java.util.stream.Collectors;
 
 /** Reads the tests of a component, and refuses those that do not match it. */
 final class ComponentTestsReader {
-  static final String FORMAT = "component.tests.format";
-  private static final FindingIds IDS = FindingIds.all(FORMAT);
+  static final Rule FORMAT = TestRules.TESTS_FORMAT;
+  private static final DocumentRules RULES = DocumentRules.all(FORMAT);
   private static final NumberRange REPEATS = NumberRange.of(1, 10_000);
   private static final NumberRange ANY = NumberRange.of(-Double.MAX_VALUE, Double.MAX_VALUE);
 
@@ -63,7 +64,7 @@ final class ComponentTestsReader {
   static ComponentTests read(
       SourceText text, DocumentFormat format, Component component, Consumer<Diagnostic> findings) {
     ComponentTestsReader reader = new ComponentTestsReader(component, findings);
-    return Document.parse(text, format, IDS, findings)
+    return Document.parse(text, format, RULES, findings)
         .object("", findings)
         .map(reader::read)
         .orElseGet(() -> new ComponentTests(List.of(), List.of()));
@@ -240,7 +241,7 @@ final class ComponentTestsReader {
 
   private void unknown(SourceLocation place, String name, Map<String, Value> values) {
     findings.accept(
-        Diagnostic.error(FORMAT, "'%s' has no '%s'.".formatted(component, name), place)
+        Diagnostic.of(FORMAT, "'%s' has no '%s'.".formatted(component, name), place)
             .withHint(NearestName.hint(name, values.keySet())));
   }
 

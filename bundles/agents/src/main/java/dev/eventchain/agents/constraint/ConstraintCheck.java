@@ -41,8 +41,10 @@ public final class ConstraintCheck {
     }
     if (rules.constraints().isEmpty()) {
       diagnostics.add(
-          Diagnostic.error(
-              "agents.constraint.none", "The document contains no invariant.", document.at(0)));
+          Diagnostic.of(
+              OclAnswerRules.CONSTRAINT_NONE,
+              "The document contains no invariant.",
+              document.at(0)));
       return diagnostics;
     }
     diagnostics.addAll(uncovered(document, rules));
@@ -59,8 +61,8 @@ public final class ConstraintCheck {
         .filter(id -> !covered.contains(id))
         .map(
             id ->
-                Diagnostic.error(
-                        "agents.rule.uncovered",
+                Diagnostic.of(
+                        OclAnswerRules.RULE_UNCOVERED,
                         "No constraint is marked as the one for the design rule " + id + ".",
                         document.at(0))
                     .withHint("Write '-- " + id + ": ...' right above its invariant."))
@@ -75,8 +77,8 @@ public final class ConstraintCheck {
     return ConstraintProof.objection(constraint, model)
         .map(
             objection ->
-                Diagnostic.error(
-                        "agents.constraint.vacuous",
+                Diagnostic.of(
+                        OclAnswerRules.CONSTRAINT_VACUOUS,
                         objection
                             + ": changed values, references and contained objects of the model made"
                             + " no difference.",

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.agents.FindingLines;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -43,7 +44,7 @@ class RepairTextTest {
   @Test
   void clausesAboutFilesAndOptionsAreLeftOut() {
     Diagnostic finding =
-        Diagnostic.error("any.id", "It is wrong.", SourceLocation.NONE)
+        Diagnostic.of(Rule.error("any.id"), "It is wrong.", SourceLocation.NONE)
             .withHint(
                 "Did you mean `a`? Known is b; name another one with --metamodel FILE.ecore.");
     String text = FindingsText.of("answer", List.of(finding));
@@ -67,11 +68,12 @@ class RepairTextTest {
     assertTrue(texts.stream().filter(text -> FILES.matcher(text).find()).count() > 20);
     texts.removeIf(text -> !text.contains(" "));
     for (String text : texts) {
-      Diagnostic finding = Diagnostic.error("any.id", "It is wrong.", SourceLocation.NONE);
+      Diagnostic finding = Diagnostic.of(Rule.error("any.id"), "It is wrong.", SourceLocation.NONE);
       String hint = FindingsText.of("answer", List.of(finding.withHint(text)));
       assertFalse(FILES.matcher(hint).find(), hint);
       String message =
-          FindingsText.of("answer", List.of(Diagnostic.error("any.id", text, SourceLocation.NONE)));
+          FindingsText.of(
+              "answer", List.of(Diagnostic.of(Rule.error("any.id"), text, SourceLocation.NONE)));
       assertFalse(message.contains(" file ") || message.contains(" file."), message);
     }
   }

@@ -89,8 +89,10 @@ public final class ChainModel {
     }
     throw new DiagnosticException(
         DiagnosticException.Reason.INPUT,
-        Diagnostic.error(
-            "project.model", "The model's root is not an EventChain.", SourceLocation.of(model)));
+        Diagnostic.of(
+            CheckRules.PROJECT_MODEL,
+            "The model's root is not an EventChain.",
+            SourceLocation.of(model)));
   }
 
   /** Returns the chain. */

@@ -1,5 +1,6 @@
 package dev.eventchain.check;
 
+import dev.eventchain.constraints.ConstraintRules;
 import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.constraints.OclResult;
 import dev.eventchain.constraints.OclRules;
@@ -101,8 +102,8 @@ public final class Constraints {
         .filter(item -> standingFor(item.id()).isEmpty())
         .map(
             item ->
-                Diagnostic.error(
-                        "project.rule.uncovered",
+                Diagnostic.of(
+                        CheckRules.PROJECT_RULE_UNCOVERED,
                         "No constraint implements the design rule " + item.id() + ".",
                         item.location())
                     .withRule(item.id())
@@ -124,7 +125,7 @@ public final class Constraints {
                 check ->
                     new Coverage.Check(
                         Coverage.Kind.CONSTRAINT,
-                        "ocl.violated",
+                        ConstraintRules.VIOLATED.id(),
                         check.constraint().qualifiedName(),
                         check.constraint().severity(),
                         check.constraint().location(),

@@ -1,5 +1,6 @@
 package dev.eventchain.check;
 
+import dev.eventchain.constraints.ConstraintRules;
 import dev.eventchain.constraints.OclResult;
 import dev.eventchain.constraints.OclRules;
 import dev.eventchain.constraints.OclValidator;
@@ -152,7 +153,7 @@ public final class ModelValidation {
   private List<Diagnostic> aboutConstraints(OclRules rules, OclResult result, boolean mayBeNone) {
     List<Diagnostic> found = new ArrayList<>(result.diagnostics());
     if (mayBeNone) {
-      found.removeIf(finding -> finding.id().equals("ocl.nothing-evaluated"));
+      found.removeIf(finding -> finding.is(ConstraintRules.NOTHING_EVALUATED));
     }
     if (result.evaluations() > 0) {
       found.addAll(unconstrained(rules));
@@ -171,8 +172,8 @@ public final class ModelValidation {
         .map(model -> SourceLocation.of(origins.locate(model.roots().get(0)).file()))
         .map(
             file ->
-                Diagnostic.warning(
-                        "ocl.model-unconstrained",
+                Diagnostic.of(
+                        CheckRules.OCL_MODEL_UNCONSTRAINED,
                         "No constraint applies to any element of this model: only its metamodel was checked.",
                         file)
                     .withHint("Name a document with constraints on its classes (--ocl)."))

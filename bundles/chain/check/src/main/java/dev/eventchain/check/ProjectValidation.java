@@ -144,8 +144,8 @@ public final class ProjectValidation {
   }
 
   private Diagnostic missing() {
-    return Diagnostic.info(
-            "project.model.missing",
+    return Diagnostic.of(
+            CheckRules.PROJECT_MODEL_MISSING,
             "The project has no model of its chain yet, so its chain was not checked.",
             SourceLocation.of(folder.configurationFile()))
         .withHint("Write model/chain.xmi, or run '" + folder.command(output, "--to model") + "'.");

@@ -56,8 +56,8 @@ final class RequirementTrace {
       Map<String, String> texts,
       BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {
     String id = String.valueOf(requirement.getId());
-    return Diagnostic.error(
-            "project.requirement.unknown",
+    return Diagnostic.of(
+            CheckRules.PROJECT_REQUIREMENT_UNKNOWN,
             "The model has the requirement '" + id + "', which requirements.md does not have.",
             locator.apply(requirement, Literals.REQUIREMENT__ID))
         .withHint(NearestName.question(id, texts.keySet()));
@@ -67,8 +67,8 @@ final class RequirementTrace {
       Requirement requirement,
       String text,
       BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {
-    return Diagnostic.warning(
-            "project.requirement.changed",
+    return Diagnostic.of(
+            CheckRules.PROJECT_REQUIREMENT_CHANGED,
             "requirements.md says this about %s: %s".formatted(requirement.getId(), text),
             locator.apply(requirement, Literals.REQUIREMENT__TEXT))
         .withHint("Write the same into the model, once the components satisfy it.");

@@ -5,10 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.description.EventChainWriter;
+import dev.eventchain.diagnostics.CommonTrait;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
-import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.ProjectSettings;
 import dev.eventchain.xmi.XmiStore;
@@ -115,7 +115,7 @@ class ProjectValidationTest {
     assertEquals(List.of("eventchain.yaml:0 project.model.missing"), found());
     assertEquals(Severity.INFO, none.diagnostics().get(0).severity());
     assertEquals(Coverage.NONE, none.coverage());
-    assertFalse(Suppressions.mayBeSuppressed("project.model.missing"));
+    assertTrue(none.diagnostics().get(0).kind().has(CommonTrait.UNSUPPRESSIBLE));
   }
 
   /** Every file is read even if another one is unreadable. */

@@ -43,10 +43,10 @@ final class AgeContracts {
 
   /** Checks an age here, because OCL cannot tell zero from an unset value. */
   private void checkAge(Data data) {
-    findings.checked(Rule.AGE);
+    findings.checked(ContractRule.AGE);
     if (!(data.getMaximumAge() > 0) || Double.isInfinite(data.getMaximumAge())) {
       findings.error(
-          Rule.AGE,
+          ContractRule.AGE,
           findings.at(data, Literals.DATA__MAXIMUM_AGE),
           "'%s' has an impossible maximum age of %s ms."
               .formatted(data.getName(), data.getMaximumAge()),
@@ -60,10 +60,10 @@ final class AgeContracts {
         .fieldType(data)
         .ifPresent(
             type -> {
-              findings.checked(Rule.SAFE_VALUE);
+              findings.checked(ContractRule.SAFE_VALUE);
               if (!fits(data.getSafeValue(), type)) {
                 findings.error(
-                    Rule.SAFE_VALUE,
+                    ContractRule.SAFE_VALUE,
                     findings.at(data, Literals.DATA__SAFE_VALUE),
                     "The safe value of '%s' is '%s', which a field of the type %s cannot hold."
                         .formatted(data.getName(), data.getSafeValue(), type),

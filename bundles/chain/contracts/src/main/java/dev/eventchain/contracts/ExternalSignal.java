@@ -70,7 +70,7 @@ final class ExternalSignal {
 
   private void report(String problem, String hint, SourceLocation... related) {
     findings.error(
-        Rule.CONSUMER_MISSING,
+        ContractRule.CONSUMER_MISSING,
         findings.at(publisher.first(), Literals.DATA__TOPIC_NAME),
         "%s writes %s for a consumer outside of the chain, %s."
             .formatted(publisher.name(), topic.name(), problem),

@@ -19,7 +19,7 @@ import org.eclipse.emf.ecore.EStructuralFeature;
 final class Findings {
 
   private final BiFunction<EObject, EStructuralFeature, SourceLocation> locator;
-  private final Map<Rule, Long> checks = new EnumMap<>(Rule.class);
+  private final Map<ContractRule, Long> checks = new EnumMap<>(ContractRule.class);
   private final SortedSet<Diagnostic> found = new TreeSet<>();
 
   Findings(BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {
@@ -34,34 +34,46 @@ final class Findings {
     return locator.apply(element, feature);
   }
 
-  void checked(Rule rule) {
+  void checked(ContractRule rule) {
     checks.merge(rule, 1L, Long::sum);
   }
 
   void error(
-      Rule rule, SourceLocation place, String message, String hint, SourceLocation... related) {
+      ContractRule rule,
+      SourceLocation place,
+      String message,
+      String hint,
+      SourceLocation... related) {
     add(Severity.ERROR, rule, place, message, hint, related);
   }
 
   void warning(
-      Rule rule, SourceLocation place, String message, String hint, SourceLocation... related) {
+      ContractRule rule,
+      SourceLocation place,
+      String message,
+      String hint,
+      SourceLocation... related) {
     add(Severity.WARNING, rule, place, message, hint, related);
   }
 
   void info(
-      Rule rule, SourceLocation place, String message, String hint, SourceLocation... related) {
+      ContractRule rule,
+      SourceLocation place,
+      String message,
+      String hint,
+      SourceLocation... related) {
     add(Severity.INFO, rule, place, message, hint, related);
   }
 
   private void add(
       Severity severity,
-      Rule rule,
+      ContractRule rule,
       SourceLocation place,
       String message,
       String hint,
       SourceLocation... related) {
     found.add(
-        new Diagnostic(rule.id(), severity, message, place, hint, "", List.of())
+        new Diagnostic(rule.rule(), severity, message, place, hint, "", List.of())
             .withRelated(related));
   }
 
@@ -72,13 +84,13 @@ final class Findings {
 
   AnalysisResult result() {
     List<Coverage.Check> counted = new ArrayList<>();
-    for (Rule rule : Rule.values()) {
+    for (ContractRule rule : ContractRule.values()) {
       counted.add(
           new Coverage.Check(
               Coverage.Kind.CONTRACT,
               rule.id(),
               "",
-              rule.severity(),
+              rule.rule().severity(),
               SourceLocation.NONE,
               "",
               checks.getOrDefault(rule, 0L)));

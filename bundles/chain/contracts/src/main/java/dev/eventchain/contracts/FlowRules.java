@@ -43,7 +43,7 @@ final class FlowRules {
   /** Checks that the main line ends; otherwise it defines no order of execution. */
   private void mainLine() {
     if (chain.getSoftware().stream().anyMatch(node -> node.getNextstep() != null)) {
-      findings.checked(Rule.NEXTSTEP_CYCLE);
+      findings.checked(ContractRule.NEXTSTEP_CYCLE);
     }
     Set<SoftwareNode> done = new HashSet<>();
     for (SoftwareNode start : chain.getSoftware()) {
@@ -59,7 +59,7 @@ final class FlowRules {
       if (node != null && here.contains(node) && node.getNextstep() != node) {
         List<SoftwareNode> cycle = line.subList(line.indexOf(node), line.size());
         findings.error(
-            Rule.NEXTSTEP_CYCLE,
+            ContractRule.NEXTSTEP_CYCLE,
             findings.at(cycle.get(0), Literals.SOFTWARE_NODE__NEXTSTEP),
             "The next steps form a cycle: " + path(cycle) + ".",
             "The main line of a chain must end: remove the nextstep of one of them.");
@@ -73,11 +73,11 @@ final class FlowRules {
    */
   private void feedback() {
     if (!chain.getSoftware().isEmpty()) {
-      findings.checked(Rule.FLOW_CYCLE);
+      findings.checked(ContractRule.FLOW_CYCLE);
     }
     for (List<SoftwareNode> group : flow.cycles()) {
       findings.warning(
-          Rule.FLOW_CYCLE,
+          ContractRule.FLOW_CYCLE,
           findings.at(group.get(0), Literals.SOFTWARE_NODE__OUTPUT),
           "The data flow is cyclic: " + path(shortestCycle(group)) + ".",
           "If this is not a feedback loop that you want, look for the topic that is written further"
@@ -123,7 +123,7 @@ final class FlowRules {
     for (LatencyConstraint constraint : chain.getLatencyConstraints()) {
       // LatencyConstraintIsComplete reports those that lack an end.
       if (constraint.getFirst() != null && constraint.getLast() != null) {
-        findings.checked(Rule.LATENCY_UNCONNECTED);
+        findings.checked(ContractRule.LATENCY_UNCONNECTED);
         byFirst.computeIfAbsent(constraint.getFirst(), none -> new ArrayList<>()).add(constraint);
       }
     }
@@ -162,7 +162,7 @@ final class FlowRules {
     Set<SoftwareNode> backwards = new HashSet<>(List.of(first));
     removeReached(last, backwards);
     findings.error(
-        Rule.LATENCY_UNCONNECTED,
+        ContractRule.LATENCY_UNCONNECTED,
         findings.at(constraint, Literals.LATENCY_CONSTRAINT__FIRST),
         ("The latency constraint '%s' bounds the time from '%s' to '%s', but no data flows"
                 + " between them.")

@@ -43,8 +43,8 @@ final class QosContracts {
     for (Side offer : sides(topic.publishers(), topic, Signal.Direction.PROVIDED)) {
       for (Side request : requests) {
         if (!offer.isVehicle() || !request.isVehicle()) {
-          findings.checked(Rule.QOS_INCOMPATIBLE);
-          findings.checked(Rule.QOS_UNDECIDED);
+          findings.checked(ContractRule.QOS_INCOMPATIBLE);
+          findings.checked(ContractRule.QOS_UNDECIDED);
           compare(topic.name(), offer, request);
         }
       }
@@ -62,10 +62,10 @@ final class QosContracts {
     }
     for (Data data : endpoint.data()) {
       if (data.getQos() != null && data != holder) {
-        findings.checked(Rule.QOS_AMBIGUOUS);
+        findings.checked(ContractRule.QOS_AMBIGUOUS);
         if (!Qos.settings(data.getQos()).equals(Qos.settings(holder.getQos()))) {
           findings.warning(
-              Rule.QOS_AMBIGUOUS,
+              ContractRule.QOS_AMBIGUOUS,
               findings.at(data, Literals.DATA__QOS),
               "%s states two different qualities of service for %s."
                   .formatted(endpoint.name(), topic.name()),
@@ -102,7 +102,7 @@ final class QosContracts {
       Side there = request.isVehicle() ? request : offer;
       if (gap.decided()) {
         findings.error(
-            Rule.QOS_INCOMPATIBLE,
+            ContractRule.QOS_INCOMPATIBLE,
             here.place().get(),
             "%s requests %s %s on %s, but %s offers %s, so that no message arrives."
                 .formatted(
@@ -116,7 +116,7 @@ final class QosContracts {
             there.place().get());
       } else {
         findings.info(
-            Rule.QOS_UNDECIDED,
+            ContractRule.QOS_UNDECIDED,
             here.place().get(),
             "Whether messages of %s on %s reach %s depends on the %s: %s is offered, %s requested."
                 .formatted(

@@ -23,10 +23,10 @@ final class SignalContracts {
 
   private void check(Topic topic, Signal signal) {
     for (Endpoint publisher : topic.publishers()) {
-      findings.checked(Rule.SIGNAL_DIRECTION);
+      findings.checked(ContractRule.SIGNAL_DIRECTION);
       if (signal.direction() == Signal.Direction.PROVIDED) {
         findings.error(
-            Rule.SIGNAL_DIRECTION,
+            ContractRule.SIGNAL_DIRECTION,
             findings.at(publisher.first(), Literals.DATA__TOPIC_NAME),
             "%s writes %s, which the vehicle provides.".formatted(publisher.name(), topic.name()),
             "Write another topic, unless the direction of the signal is wrong.",
@@ -44,7 +44,7 @@ final class SignalContracts {
       if (types.fieldType(data).isEmpty()) {
         continue;
       }
-      findings.checked(Rule.SIGNAL_FIELD);
+      findings.checked(ContractRule.SIGNAL_FIELD);
       String path = data.getFieldName();
       boolean described =
           signal.fields().stream()
@@ -52,7 +52,7 @@ final class SignalContracts {
               .anyMatch(known -> RosNames.overlap(known, path));
       if (!described) {
         findings.warning(
-            Rule.SIGNAL_FIELD,
+            ContractRule.SIGNAL_FIELD,
             findings.at(data, Literals.DATA__FIELD_NAME),
             "%s uses the field '%s' of %s, which the description of the signal does not name."
                 .formatted(endpoint.name(), path, signal.topic()),

@@ -95,7 +95,7 @@ final class TopicContracts {
 
   /** Checks types against the signal if there is one, otherwise against the first endpoint. */
   private void oneType(Topic topic) {
-    Rule rule = topic.signal().isPresent() ? Rule.SIGNAL_TYPE : Rule.TOPIC_TYPE;
+    var rule = topic.signal().isPresent() ? ContractRule.SIGNAL_TYPE : ContractRule.TOPIC_TYPE;
     String wanted = topic.signal().map(Signal::messageType).orElse("");
     Supplier<SourceLocation> other = () -> topic.signal().orElseThrow().location();
     String owner = topic.signal().isPresent() ? "the existing signal" : "";
@@ -137,11 +137,11 @@ final class TopicContracts {
     if (topic.publishers().isEmpty()) {
       return;
     }
-    findings.checked(Rule.PUBLISHERS_SEVERAL);
+    findings.checked(ContractRule.PUBLISHERS_SEVERAL);
     Endpoint first = topic.publishers().get(0);
     for (Endpoint publisher : topic.publishers().subList(1, topic.publishers().size())) {
       findings.warning(
-          Rule.PUBLISHERS_SEVERAL,
+          ContractRule.PUBLISHERS_SEVERAL,
           findings.at(publisher.first(), Literals.DATA__TOPIC_NAME),
           "%s writes %s, which %s also writes."
               .formatted(publisher.name(), topic.name(), first.name()),
@@ -152,11 +152,11 @@ final class TopicContracts {
   }
 
   private void isFed(Topic topic, Endpoint subscriber) {
-    findings.checked(Rule.PUBLISHER_MISSING);
+    findings.checked(ContractRule.PUBLISHER_MISSING);
     if (!written.contains(topic.name())) {
       SourceLocation place = findings.at(subscriber.first(), Literals.DATA__TOPIC_NAME);
       findings.error(
-          Rule.PUBLISHER_MISSING,
+          ContractRule.PUBLISHER_MISSING,
           place,
           "%s reads %s, but no component of the chain writes it, and %s."
               .formatted(subscriber.name(), topic.name(), vehicle(topic, "provided")),
@@ -170,7 +170,7 @@ final class TopicContracts {
   }
 
   private void isRead(Topic topic, Endpoint publisher) {
-    findings.checked(Rule.CONSUMER_MISSING);
+    findings.checked(ContractRule.CONSUMER_MISSING);
     if (publisher.isExternal()) {
       new ExternalSignal(topic, publisher, findings).check(awaited);
     } else if (!read.contains(topic.name())) {
@@ -180,7 +180,7 @@ final class TopicContracts {
           "leave the output out"
               + orDirection(topic, place, "; if the vehicle takes it, ", "consumed");
       findings.error(
-          Rule.CONSUMER_MISSING,
+          ContractRule.CONSUMER_MISSING,
           place,
           "%s writes %s, but no component of the chain reads it, and %s."
               .formatted(publisher.name(), topic.name(), vehicle(topic, "consumed")),
@@ -192,10 +192,10 @@ final class TopicContracts {
   /** Refuses external inputs: the declaration has no meaning there, and is missing at an output. */
   private void staysInside(Topic topic, Endpoint subscriber) {
     for (Data data : subscriber.data()) {
-      findings.checked(Rule.EXTERNAL_INPUT);
+      findings.checked(ContractRule.EXTERNAL_INPUT);
       if (data.isExternal() || !data.getSatisfies().isEmpty()) {
         findings.error(
-            Rule.EXTERNAL_INPUT,
+            ContractRule.EXTERNAL_INPUT,
             findings.at(data, Literals.DATA__EXTERNAL),
             "'%s', by which %s reads %s, is declared to leave the chain, but is an input."
                 .formatted(data.getName(), subscriber.name(), topic.name()),
@@ -257,12 +257,12 @@ final class TopicContracts {
               .flatMap(publisher -> publisher.data().stream())
               .anyMatch(output -> sameKnown(output.getMessageType(), data.getMessageType()));
       if (sameType && types.fieldType(data).isPresent()) {
-        findings.checked(Rule.FIELD_UNSET);
+        findings.checked(ContractRule.FIELD_UNSET);
         if (flow.producers(data).isEmpty()) {
           Endpoint publisher = topic.publishers().get(0);
           Set<String> set = fieldsThatAreSet(topic, data.getMessageType());
           findings.error(
-              Rule.FIELD_UNSET,
+              ContractRule.FIELD_UNSET,
               findings.at(data, Literals.DATA__FIELD_NAME),
               "%s reads the field '%s' of %s, which %s does not set."
                   .formatted(

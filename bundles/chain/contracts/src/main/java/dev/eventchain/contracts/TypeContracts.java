@@ -85,10 +85,10 @@ final class TypeContracts {
   }
 
   private void known(String type, String topic, Supplier<SourceLocation> place) {
-    findings.checked(Rule.MESSAGE_UNKNOWN);
+    findings.checked(ContractRule.MESSAGE_UNKNOWN);
     if (typeOf(type).isEmpty() && !broken.contains(type)) {
       findings.error(
-          Rule.MESSAGE_UNKNOWN,
+          ContractRule.MESSAGE_UNKNOWN,
           place.get(),
           "There is no message type '%s', which %s is said to carry.".formatted(type, topic),
           nearest(type));
@@ -138,20 +138,20 @@ final class TypeContracts {
       String declared,
       String user,
       Function<EAttribute, SourceLocation> place) {
-    findings.checked(Rule.FIELD_UNKNOWN);
+    findings.checked(ContractRule.FIELD_UNKNOWN);
     MessageType.Resolution resolution = type.resolve(path);
     if (resolution.type().isEmpty()) {
       findings.error(
-          Rule.FIELD_UNKNOWN,
+          ContractRule.FIELD_UNKNOWN,
           place.apply(Literals.DATA__FIELD_NAME),
           "%s names the field '%s' of %s, but %s"
               .formatted(capitalized(user), path, type, resolution.problem()),
           resolution.hint());
     } else if (declared != null && !declared.isBlank()) {
-      findings.checked(Rule.TYPE_MISMATCH);
+      findings.checked(ContractRule.TYPE_MISMATCH);
       if (!DeclaredType.fits(declared, resolution.type().get())) {
         findings.error(
-            Rule.TYPE_MISMATCH,
+            ContractRule.TYPE_MISMATCH,
             place.apply(Literals.DATA__TYPE),
             "%s gives the type of '%s' as '%s', but %s has '%s' there."
                 .formatted(capitalized(user), path, declared, type, resolution.type().get()),

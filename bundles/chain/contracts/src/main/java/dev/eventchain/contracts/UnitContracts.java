@@ -56,7 +56,7 @@ final class UnitContracts {
             new Reference(
                 endpoint.name(), data.getUnit(), () -> findings.at(data, Literals.DATA__UNIT)));
       } else {
-        findings.checked(Rule.UNIT_MISMATCH);
+        findings.checked(ContractRule.UNIT_MISMATCH);
         compare(topic, endpoint, data, writes, reference);
       }
     }
@@ -79,7 +79,7 @@ final class UnitContracts {
     if (unit.isEmpty() || other.isEmpty()) {
       String unread = unit.isEmpty() ? here : there;
       findings.warning(
-          Rule.UNIT_MISMATCH,
+          ContractRule.UNIT_MISMATCH,
           findings.at(data, Literals.DATA__UNIT),
           message,
           "'%s' is not a known unit, such as m/s2, km/h, deg, %%: write the same on both sides."
@@ -91,21 +91,21 @@ final class UnitContracts {
       case SAME -> {}
       case ANGLE ->
           findings.warning(
-              Rule.UNIT_MISMATCH,
+              ContractRule.UNIT_MISMATCH,
               findings.at(data, Literals.DATA__UNIT),
               message,
               "One side is an angle and the other is not: write the intended unit on both.",
               place);
       case INCOMPATIBLE ->
           findings.error(
-              Rule.UNIT_MISMATCH,
+              ContractRule.UNIT_MISMATCH,
               findings.at(data, Literals.DATA__UNIT),
               message,
               "No factor converts one into the other: one side is a different quantity.",
               place);
       case CONVERTIBLE ->
           findings.error(
-              Rule.UNIT_MISMATCH,
+              ContractRule.UNIT_MISMATCH,
               findings.at(data, Literals.DATA__UNIT),
               message,
               writes

@@ -66,7 +66,9 @@ class RuleCasesTest {
   @Test
   void everyRuleHasAPageAndAGoodAndABadCase() throws IOException {
     Set<String> rules =
-        Arrays.stream(Rule.values()).map(Rule::id).collect(Collectors.toCollection(TreeSet::new));
+        Arrays.stream(ContractRule.values())
+            .map(ContractRule::id)
+            .collect(Collectors.toCollection(TreeSet::new));
     assertEquals(rules, names(Path.of("rules")));
     assertEquals(rules, names(CASES));
     for (String rule : rules) {
@@ -88,7 +90,7 @@ class RuleCasesTest {
   void everyRuleIsCountedInItsOrder() {
     AnalysisResult result = analyse(CASES.resolve("contract.field.unknown/good"));
     assertEquals(
-        Arrays.stream(Rule.values()).map(Rule::id).toList(),
+        Arrays.stream(ContractRule.values()).map(ContractRule::id).toList(),
         result.checks().stream().map(Coverage.Check::id).toList());
   }
 

@@ -3,11 +3,13 @@ package dev.eventchain.description;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.jsonmodels.InstanceRules;
 import dev.eventchain.jsonmodels.JsonDocument;
 import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.jsonmodels.Names;
@@ -121,7 +123,7 @@ public final class EventChainReader {
     read(EventChainSchema.objects(text, diagnostics::add));
     JsonNode components = EventChainSchema.components(text.root());
     if (components.isArray() && components.isEmpty()) {
-      find("modeler.chain.empty", "The description contains no component.", text.at(""));
+      find(DescriptionRules.CHAIN_EMPTY, "The description contains no component.", text.at(""));
     }
     linkNextSteps();
   }
@@ -164,8 +166,8 @@ public final class EventChainReader {
       Requirement requirement = requirements.get(ids.get(i));
       if (requirement == null && requirementsKnown) {
         diagnostics.add(
-            Diagnostic.error(
-                    "modeler.reference.unresolved",
+            Diagnostic.of(
+                    InstanceRules.REFERENCE_UNRESOLVED,
                     "There is no requirement '" + ids.get(i) + "'.",
                     text.at(Document.below(json.pointerTo(ChainNames.REQUIREMENTS), i)))
                 .withHint(NearestName.hint(ids.get(i), requirements.keySet())));
@@ -190,8 +192,8 @@ public final class EventChainReader {
     Optional<String> consumer = port.text(ChainNames.CONSUMER);
     if (consumer.isPresent() && !consumer.get().equals(ChainNames.EXTERNAL)) {
       port.find(
-          Diagnostic.error(
-                  "modeler.consumer.unknown",
+          Diagnostic.of(
+                  DescriptionRules.CONSUMER_UNKNOWN,
                   "'" + Names.printable(consumer.get()) + "' is not a consumer.",
                   port.at(ChainNames.CONSUMER))
               .withHint(
@@ -210,12 +212,17 @@ public final class EventChainReader {
       Set<String> names,
       List<Data> data,
       Function<ObjectReader, Consumer<Data>> more) {
-    String topic = checked(port, ChainNames.TOPIC, RosNames::isTopic, "modeler.topic.illegal");
+    String topic =
+        checked(port, ChainNames.TOPIC, RosNames::isTopic, DescriptionRules.TOPIC_ILLEGAL);
     String type =
-        checked(port, ChainNames.MESSAGE_TYPE, RosNames::isMessageType, "modeler.type.illegal");
+        checked(
+            port, ChainNames.MESSAGE_TYPE, RosNames::isMessageType, DescriptionRules.TYPE_ILLEGAL);
     Optional<QosProfile> qos = QosReader.read(port);
     if (port.value(ChainNames.VALUES).map(json -> json.isArray() && json.isEmpty()).orElse(true)) {
-      find("modeler.feature.missing", "The topic '" + topic + "' has no values.", port.location());
+      find(
+          InstanceRules.FEATURE_MISSING,
+          "The topic '" + topic + "' has no values.",
+          port.location());
     }
     Consumer<Data> completion = more.apply(port);
     for (ObjectReader json : port.objects(ChainNames.VALUES)) {
@@ -242,12 +249,12 @@ public final class EventChainReader {
     value.setName(name(json, "value"));
     if (!names.add(value.getName()) && !value.getName().isEmpty()) {
       find(
-          "modeler.name.duplicate",
+          DescriptionRules.NAME_DUPLICATE,
           "There is already a value '" + value.getName() + "' on this side of the component.",
           json.at(ChainNames.NAME));
     }
     value.setFieldName(
-        checked(json, ChainNames.FIELD, RosNames::isFieldPath, "modeler.field.illegal"));
+        checked(json, ChainNames.FIELD, RosNames::isFieldPath, DescriptionRules.FIELD_ILLEGAL));
     json.text(ChainNames.DESCRIPTION).ifPresent(value::setDescription);
     json.text(ChainNames.TYPE).ifPresent(value::setType);
     json.text(ChainNames.UNIT).ifPresent(value::setUnit);
@@ -262,7 +269,7 @@ public final class EventChainReader {
     Optional<JsonNode> value = json.value(ChainNames.SAFE_VALUE);
     if (value.isPresent() && !value.get().isValueNode()) {
       find(
-          "modeler.value.type",
+          InstanceRules.VALUE_TYPE,
           "A safe value is a number, true, false or a string.",
           json.at(ChainNames.SAFE_VALUE));
     }
@@ -273,8 +280,8 @@ public final class EventChainReader {
     String name = json.requiredText(ChainNames.NAME);
     if (!name.isBlank() && !PythonNames.isFreeIdentifier(name)) {
       diagnostics.add(
-          Diagnostic.error(
-                  "modeler.name.illegal",
+          Diagnostic.of(
+                  DescriptionRules.NAME_ILLEGAL,
                   "'" + Names.printable(name) + "' cannot be the name of a " + what + ".",
                   json.at(ChainNames.NAME))
               .withHint(
@@ -284,13 +291,13 @@ public final class EventChainReader {
     return name;
   }
 
-  private String checked(ObjectReader json, String property, Predicate<String> legal, String id) {
+  private String checked(ObjectReader json, String property, Predicate<String> legal, Rule rule) {
     String value = json.requiredText(property);
     if (!value.isBlank() && !legal.test(value)) {
       String message =
           "'" + Names.printable(value) + "' is not a legal " + property.replace('_', ' ') + ".";
       diagnostics.add(
-          Diagnostic.error(id, message, json.at(property)).withHint(ChainNames.ruleOf(property)));
+          Diagnostic.of(rule, message, json.at(property)).withHint(ChainNames.ruleOf(property)));
     }
     return value;
   }
@@ -302,8 +309,8 @@ public final class EventChainReader {
       SoftwareNode earlier = seen.putIfAbsent(node.getName().toLowerCase(Locale.ROOT), node);
       if (earlier != null && !node.getName().isEmpty()) {
         diagnostics.add(
-            Diagnostic.error(
-                    "modeler.name.duplicate",
+            Diagnostic.of(
+                    DescriptionRules.NAME_DUPLICATE,
                     "There is already a component '"
                         + earlier.getName()
                         + "' in line "
@@ -336,7 +343,7 @@ public final class EventChainReader {
         .collect(Collectors.toSet());
   }
 
-  private void find(String id, String message, SourceLocation location) {
-    diagnostics.add(Diagnostic.error(id, message, location));
+  private void find(Rule rule, String message, SourceLocation location) {
+    diagnostics.add(Diagnostic.of(rule, message, location));
   }
 }

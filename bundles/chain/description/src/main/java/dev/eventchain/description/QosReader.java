@@ -61,8 +61,8 @@ public final class QosReader {
       qos.setReliability(Reliability.BEST_EFFORT);
     } else {
       port.find(
-          Diagnostic.error(
-                  "modeler.qos.unknown",
+          Diagnostic.of(
+                  DescriptionRules.QOS_UNKNOWN,
                   "There is no quality-of-service profile called '" + written + "'.",
                   port.at(ChainNames.QOS_PROFILE))
               .withHint(
@@ -79,7 +79,7 @@ public final class QosReader {
     qos.setName(object.text(ChainNames.PROFILE).orElse(DEFAULT));
     if (QosSettings.named(qos.getName()).isEmpty()) {
       object.find(
-          "modeler.qos.unknown",
+          DescriptionRules.QOS_UNKNOWN,
           "There is no quality-of-service profile called '" + qos.getName() + "'.",
           object.at(ChainNames.PROFILE));
     }
@@ -104,7 +104,7 @@ public final class QosReader {
     Optional<E> found = value.map(v -> literal.apply(v.strip().toUpperCase(Locale.ROOT)));
     if (value.isPresent() && found.isEmpty()) {
       object.find(
-          "modeler.qos.unknown",
+          DescriptionRules.QOS_UNKNOWN,
           "There is no " + name + " '" + value.get() + "'.",
           object.at(name));
     }

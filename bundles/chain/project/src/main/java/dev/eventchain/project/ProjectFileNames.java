@@ -70,8 +70,8 @@ public final class ProjectFileNames {
         .findFirst()
         .map(
             entry ->
-                Diagnostic.error(
-                        "project.file.misnamed",
+                Diagnostic.of(
+                        ProjectRules.PROJECT_FILE_MISNAMED,
                         "'%s' is not read: its name has to be '%s', in this case."
                             .formatted(entry.getFileName(), name),
                         SourceLocation.of(entry))
@@ -110,8 +110,8 @@ public final class ProjectFileNames {
         .filter(file -> !Files.isDirectory(file) && !known.contains(identity(file)))
         .map(
             file ->
-                Diagnostic.warning(
-                        "project.constraints.unread",
+                Diagnostic.of(
+                        ProjectRules.PROJECT_CONSTRAINTS_UNREAD,
                         "The constraints in this file are not evaluated: a project's own are in constraints.ocl.",
                         SourceLocation.of(file))
                     .withHint(

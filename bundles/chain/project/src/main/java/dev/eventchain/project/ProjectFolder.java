@@ -3,6 +3,7 @@ package dev.eventchain.project;
 import dev.eventchain.constraints.OclRules;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.messages.MessageCatalog;
@@ -64,14 +65,14 @@ public class ProjectFolder {
     if (!Files.isDirectory(folder)) {
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT,
-          Diagnostic.error(
-              "project.missing", "There is no such folder.", SourceLocation.of(folder)));
+          Diagnostic.of(
+              ProjectRules.PROJECT_MISSING, "There is no such folder.", SourceLocation.of(folder)));
     }
     if (!Files.exists(configurationFile())) {
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT,
-          Diagnostic.error(
-                  "project.missing",
+          Diagnostic.of(
+                  ProjectRules.PROJECT_MISSING,
                   "The folder is not a project: it contains no eventchain.yaml.",
                   SourceLocation.of(folder))
               .withHint(
@@ -263,8 +264,8 @@ public class ProjectFolder {
   public static DiagnosticException unreadable(Path path, IOException e) {
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
-        Diagnostic.error(
-                "file.unreadable",
+        Diagnostic.of(
+                FileRules.UNREADABLE,
                 "This cannot be read: " + SourceText.reason(e) + ".",
                 SourceLocation.of(path))
             .withHint("Check that it exists and that you may read it."));

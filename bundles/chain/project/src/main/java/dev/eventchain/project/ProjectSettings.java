@@ -4,7 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import java.util.ArrayList;
@@ -20,7 +20,7 @@ import java.util.Optional;
 public record ProjectSettings(String name, double frequency) {
 
   /** Ids of the findings about the file. */
-  public static final FindingIds IDS = FindingIds.all("project.configuration");
+  public static final DocumentRules RULES = DocumentRules.all(ProjectRules.PROJECT_CONFIGURATION);
 
   /** Default frequency in Hz. */
   public static final double DEFAULT_FREQUENCY = 20;
@@ -36,7 +36,7 @@ public record ProjectSettings(String name, double frequency) {
   public static ProjectSettings read(ProjectFolder folder) {
     List<Diagnostic> problems = new ArrayList<>();
     Optional<ProjectSettings> read =
-        Document.parse(folder.configurationText(), DocumentFormat.YAML, IDS, problems::add)
+        Document.parse(folder.configurationText(), DocumentFormat.YAML, RULES, problems::add)
             .object("", problems::add)
             .map(settings -> new ProjectSettings(name(settings), frequency(settings)));
     if (!problems.isEmpty()) {
@@ -51,7 +51,7 @@ public record ProjectSettings(String name, double frequency) {
     if (!name.isBlank() && !name.matches("[a-z][a-z0-9_]*")) {
       String message = "'" + name + "' cannot be the name of a ROS 2 package.";
       settings.find(
-          Diagnostic.error(IDS.range(), message, settings.at("name"))
+          Diagnostic.of(RULES.range(), message, settings.at("name"))
               .withHint("Use lower-case letters, digits and underscores, a letter first."));
     }
     return name;

@@ -1,6 +1,7 @@
 package dev.eventchain.project;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.WrittenRequirement;
 import java.util.ArrayList;
@@ -80,8 +81,10 @@ public record Requirements(List<WrittenRequirement> items, List<Diagnostic> diag
     private void check() {
       if (items.isEmpty()) {
         diagnostics.add(
-            Diagnostic.error(
-                    "modeler.requirements.none", "The file contains no requirement.", source.at(0))
+            Diagnostic.of(
+                    ProjectRules.MODELER_REQUIREMENTS_NONE,
+                    "The file contains no requirement.",
+                    source.at(0))
                 .withHint("Write each as an item with an id: '- REQ-1: The system shall ...'"));
       }
       Map<String, WrittenRequirement> seen = new HashMap<>();
@@ -89,12 +92,15 @@ public record Requirements(List<WrittenRequirement> items, List<Diagnostic> diag
         WrittenRequirement earlier = seen.putIfAbsent(item.id().toLowerCase(Locale.ROOT), item);
         if (earlier != null) {
           find(
-              "duplicate",
+              ProjectRules.MODELER_REQUIREMENTS_DUPLICATE,
               "The id " + item.id() + " is already used in line " + earlier.location().line() + ".",
               item);
         }
         if (item.text().isEmpty()) {
-          find("empty", "The item " + item.id() + " has no text.", item);
+          find(
+              ProjectRules.MODELER_REQUIREMENTS_EMPTY,
+              "The item " + item.id() + " has no text.",
+              item);
         }
       }
     }
@@ -118,8 +124,8 @@ public record Requirements(List<WrittenRequirement> items, List<Diagnostic> diag
       while (found.find()) {
         if (known.add(plain(found))) {
           diagnostics.add(
-              Diagnostic.warning(
-                      "modeler.requirements.unread",
+              Diagnostic.of(
+                      ProjectRules.MODELER_REQUIREMENTS_UNREAD,
                       "No item has the id '%s'.".formatted(found.group()),
                       source.at(found.start()))
                   .withHint(
@@ -133,8 +139,8 @@ public record Requirements(List<WrittenRequirement> items, List<Diagnostic> diag
       return numbered.group(1).toLowerCase(Locale.ROOT) + "-" + numbered.group(2);
     }
 
-    private void find(String kind, String message, WrittenRequirement item) {
-      diagnostics.add(Diagnostic.error("modeler.requirements." + kind, message, item.location()));
+    private void find(Rule rule, String message, WrittenRequirement item) {
+      diagnostics.add(Diagnostic.of(rule, message, item.location()));
     }
   }
 }

@@ -2,6 +2,7 @@ package dev.eventchain.project;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.RosNames;
 import dev.eventchain.messages.Unit;
@@ -80,7 +81,7 @@ final class ReuseCheck {
         (name, data) -> {
           if (!there.containsKey(name)) {
             report(
-                "value.unknown",
+                ProjectRules.MODELER_COMPONENT_VALUE_UNKNOWN,
                 "The existing component '%s' has no %s '%s'."
                     .formatted(existing.getName(), side, name),
                 locator.apply(data, Literals.DATA__NAME),
@@ -128,7 +129,7 @@ final class ReuseCheck {
       String given) {
     if (!Objects.equals(wanted, given)) {
       report(
-          "value.changed",
+          ProjectRules.MODELER_COMPONENT_VALUE_CHANGED,
           "The %s of %sthe existing component '%s' is '%s', %s."
               .formatted(
                   words,
@@ -148,9 +149,13 @@ final class ReuseCheck {
         "The existing component '%s' has the %s '%s', which the chain leaves out."
             .formatted(existing.getName(), side, name);
     if (side.equals("input")) {
-      report("value.missing", message, at(side), "Its code cannot be called without it.");
+      report(
+          ProjectRules.MODELER_COMPONENT_VALUE_MISSING,
+          message,
+          at(side),
+          "Its code cannot be called without it.");
     } else {
-      found.add(Diagnostic.warning("modeler.component.output.unused", message, at(side)));
+      found.add(Diagnostic.of(ProjectRules.MODELER_COMPONENT_OUTPUT_UNUSED, message, at(side)));
     }
   }
 
@@ -160,8 +165,8 @@ final class ReuseCheck {
         side.equals("input") ? Literals.SOFTWARE_NODE__INPUT : Literals.SOFTWARE_NODE__OUTPUT);
   }
 
-  private void report(String kind, String message, SourceLocation place, String hint) {
-    found.add(Diagnostic.error("modeler.component." + kind, message, place).withHint(hint));
+  private void report(Rule rule, String message, SourceLocation place, String hint) {
+    found.add(Diagnostic.of(rule, message, place).withHint(hint));
   }
 
   private String topic(Data data) {

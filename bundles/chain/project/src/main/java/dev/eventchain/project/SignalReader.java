@@ -1,8 +1,10 @@
 package dev.eventchain.project;
 
+import dev.eventchain.description.DescriptionRules;
 import dev.eventchain.description.QosReader;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.messages.RosNames;
@@ -37,14 +39,15 @@ final class SignalReader {
   }
 
   private Signal readSignal(ObjectReader json) {
-    String topic = legal(json, "Topic Name", SignalReader::isTopic, "modeler.topic.illegal");
+    String topic = legal(json, "Topic Name", SignalReader::isTopic, DescriptionRules.TOPIC_ILLEGAL);
     if (!topic.isEmpty() && !topics.add(RosNames.resolve(topic, ""))) {
       json.find(
-          "modeler.name.duplicate",
+          DescriptionRules.NAME_DUPLICATE,
           "There is already a signal '" + topic + "'.",
           json.at("Topic Name"));
     }
-    String type = legal(json, "Message Type", RosNames::isMessageType, "modeler.type.illegal");
+    String type =
+        legal(json, "Message Type", RosNames::isMessageType, DescriptionRules.TYPE_ILLEGAL);
     Optional<QosProfile> qos = QosReader.read(json);
     Signal.Direction direction = direction(json);
     List<Signal.Field> fields = new ArrayList<>();
@@ -62,8 +65,8 @@ final class SignalReader {
     String direction = json.text("direction").orElse("internal");
     if (!DIRECTIONS.contains(direction)) {
       findings.add(
-          Diagnostic.error(
-                  "modeler.signal.direction",
+          Diagnostic.of(
+                  ProjectRules.MODELER_SIGNAL_DIRECTION,
                   "'" + direction + "' is not a direction.",
                   json.at("direction"))
               .withHint(NearestName.hint(direction, DIRECTIONS)));
@@ -76,7 +79,7 @@ final class SignalReader {
   }
 
   private Signal.Field readField(ObjectReader json) {
-    String path = legal(json, "Field", RosNames::isFieldPath, "modeler.field.illegal");
+    String path = legal(json, "Field", RosNames::isFieldPath, DescriptionRules.FIELD_ILLEGAL);
     String type = json.requiredText("Type");
     json.text("Description");
     String unit = json.text("Unit").orElse("");
@@ -85,10 +88,10 @@ final class SignalReader {
   }
 
   private static String legal(
-      ObjectReader json, String property, Predicate<String> legal, String id) {
+      ObjectReader json, String property, Predicate<String> legal, Rule rule) {
     String value = json.requiredText(property);
     if (!value.isBlank() && !legal.test(value)) {
-      json.find(id, "'" + value + "' is not a legal " + property + ".", json.at(property));
+      json.find(rule, "'" + value + "' is not a legal " + property + ".", json.at(property));
     }
     return value;
   }

@@ -4,6 +4,7 @@ import dev.eventchain.description.ChainNames;
 import dev.eventchain.description.EventChainReader;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
@@ -168,7 +169,7 @@ public final class SoftwareBase {
     Path file = folder.resolve(name);
     if (!Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
       diagnostics.add(
-          Diagnostic.error("file.missing", "There is no such file.", SourceLocation.of(file))
+          Diagnostic.of(FileRules.MISSING, "There is no such file.", SourceLocation.of(file))
               .withHint("Write `[]` into it if there is nothing to describe."));
       return Optional.empty();
     }
@@ -285,7 +286,7 @@ public final class SoftwareBase {
       Path path = folder.resolve(file).normalize();
       if (!path.startsWith(folder.normalize())) {
         json.find(
-            "modeler.component.file",
+            ProjectRules.MODELER_COMPONENT_FILE,
             "The file '" + file + "' is not in the software base.",
             json.at(ChainNames.FILE));
         return Optional.empty();
@@ -293,7 +294,7 @@ public final class SoftwareBase {
       ComponentImplementation implementation = implementation(json);
       if (implementation == ComponentImplementation.COMPONENT && !Files.isRegularFile(path)) {
         json.find(
-            "modeler.component.file",
+            ProjectRules.MODELER_COMPONENT_FILE,
             "The component '" + name + "' has no file " + file + ".",
             json.location());
       }
@@ -307,7 +308,7 @@ public final class SoftwareBase {
         case "node" -> ComponentImplementation.NODE;
         default -> {
           json.find(
-              "modeler.component.implementation",
+              ProjectRules.MODELER_COMPONENT_IMPLEMENTATION,
               "'" + written + "' is not an implementation; write 'component' or 'node'.",
               json.at(ChainNames.IMPLEMENTATION));
           yield ComponentImplementation.COMPONENT;

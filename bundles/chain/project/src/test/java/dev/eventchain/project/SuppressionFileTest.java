@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.Suppressions;
 import java.io.IOException;
@@ -38,7 +39,10 @@ class SuppressionFileTest {
               expires: 2027-03-31
             """);
     Diagnostic meant =
-        Diagnostic.error("ocl.violated", "m", SourceLocation.NONE.withElement("Library/books[1]"))
+        Diagnostic.of(
+                Rule.error("ocl.violated"),
+                "m",
+                SourceLocation.NONE.withElement("Library/books[1]"))
             .withRule("Book::HasPages");
     Suppressions.Parted parted =
         suppressions.part(List.of(meant, meant.withRule("Book::HasTitle")));

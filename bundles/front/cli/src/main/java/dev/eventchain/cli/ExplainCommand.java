@@ -3,6 +3,7 @@ package dev.eventchain.cli;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.RulePage;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.pipeline.ExitCode;
@@ -21,6 +22,7 @@ import picocli.CommandLine.Parameters;
     mixinStandardHelpOptions = true,
     description = "Explain a finding by its id, or list all ids.")
 final class ExplainCommand implements Callable<Integer> {
+  private static final Rule UNKNOWN = Rule.error("explain.unknown");
 
   @Parameters(
       arity = "0..1",
@@ -77,8 +79,7 @@ final class ExplainCommand implements Callable<Integer> {
     RulePage.all().forEach(page -> known.add(page.id()));
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
-        Diagnostic.error(
-                "explain.unknown", "There is no finding '" + id + "'.", SourceLocation.NONE)
+        Diagnostic.of(UNKNOWN, "There is no finding '" + id + "'.", SourceLocation.NONE)
             .withHint(
                 NearestName.of(id, known)
                     .map(nearest -> "Did you mean `" + nearest + "`?")

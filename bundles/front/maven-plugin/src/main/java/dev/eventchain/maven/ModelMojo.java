@@ -2,6 +2,7 @@ package dev.eventchain.maven;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.Outcome;
 import java.io.File;
@@ -67,7 +68,8 @@ abstract class ModelMojo extends ChainMojo {
     List<Diagnostic> counted =
         allowEmpty
             ? found.stream()
-                .map(each -> Diagnostic.info(each.id(), each.message(), each.location()))
+                .map(each -> Diagnostic.of(each.kind(), each.message(), each.location()))
+                .map(each -> each.withSeverity(Severity.INFO))
                 .toList()
             : found;
     return Outcome.of(Coverage.NONE, counted, List.of());

@@ -16,8 +16,8 @@ final class NothingToDo {
    * @param place the folder that was searched, if any
    */
   static Diagnostic finding(String message, Optional<File> place) {
-    return Diagnostic.error(
-            "maven.nothing-to-check",
+    return Diagnostic.of(
+            GoalRules.NOTHING_TO_CHECK,
             message,
             place.map(Places::shown).map(SourceLocation::of).orElse(SourceLocation.NONE))
         .withHint(

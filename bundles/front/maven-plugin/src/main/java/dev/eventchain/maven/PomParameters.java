@@ -88,7 +88,7 @@ final class PomParameters {
   }
 
   private void report(Xpp3Dom element, String message, String hint) {
-    found.add(Diagnostic.error("maven.parameter", message, place(element)).withHint(hint));
+    found.add(Diagnostic.of(GoalRules.PARAMETER, message, place(element)).withHint(hint));
   }
 
   private static SourceLocation place(Xpp3Dom element) {

@@ -3,6 +3,7 @@ package dev.eventchain.maven;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -36,10 +37,13 @@ class FindingLinesTest {
   @Test
   void namePlaceMessageIdAndRule() {
     Diagnostic error =
-        Diagnostic.error("ocl.violated", "No pages.", PLACE)
+        Diagnostic.of(Rule.error("ocl.violated"), "No pages.", PLACE)
             .withRule("Book::HasPages")
             .withHint("Add some.");
-    print(List.of(error, Diagnostic.warning("x.y", "Odd.\n[ERROR] forged", SourceLocation.NONE)));
+    print(
+        List.of(
+            error,
+            Diagnostic.of(Rule.warning("x.y"), "Odd.\n[ERROR] forged", SourceLocation.NONE)));
     assertEquals(
         List.of(
             "[ERROR] m/a.xmi:3:5: No pages. [ocl.violated Book::HasPages]",
@@ -51,7 +55,8 @@ class FindingLinesTest {
 
   @Test
   void oneRuleFillsNoScreens() {
-    print(Collections.nCopies(102, Diagnostic.error("a.b", "Wrong.", SourceLocation.NONE)));
+    print(
+        Collections.nCopies(102, Diagnostic.of(Rule.error("a.b"), "Wrong.", SourceLocation.NONE)));
     assertEquals(101, lines.size());
     assertEquals("[WARNING] ... and 2 more [a.b]", lines.get(100));
   }

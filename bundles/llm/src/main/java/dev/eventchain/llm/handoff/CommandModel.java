@@ -147,8 +147,8 @@ public final class CommandModel implements ChatModel {
     String said = complaint.isBlank() ? "" : ": " + ErrorBody.shown(complaint);
     return new DiagnosticException(
         Reason.UNAVAILABLE,
-        Diagnostic.error(
-                "llm.command.failed",
+        Diagnostic.of(
+                HandoffRules.COMMAND_FAILED,
                 "The command '%s' %s%s".formatted(command.get(0), how, said),
                 SourceLocation.NONE)
             .withHint(

@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.llm.chat.AnswerRules;
 import dev.eventchain.llm.chat.ChatModel;
 import dev.eventchain.llm.chat.ChatRequest;
 import dev.eventchain.llm.chat.ChatResponse;
@@ -104,8 +105,8 @@ public final class HandoffModel implements ChatModel {
     return new DiagnosticException(
         Reason.WAITING,
         List.of(
-            Diagnostic.error(
-                    "llm.handoff.waiting",
+            Diagnostic.of(
+                    AnswerRules.HANDOFF_WAITING,
                     "The answer to this prompt is awaited.",
                     SourceLocation.of(prompt))
                 .withHint(
@@ -116,8 +117,8 @@ public final class HandoffModel implements ChatModel {
     return new DiagnosticException(
         Reason.INPUT,
         List.of(
-            Diagnostic.error(
-                    "llm.handoff.unwritable",
+            Diagnostic.of(
+                    HandoffRules.HANDOFF_UNWRITABLE,
                     "The prompt cannot be written: " + SourceText.reason(cause) + ".",
                     SourceLocation.of(prompt))
                 .withHint("Choose another folder with --llm handoff:FOLDER.")));

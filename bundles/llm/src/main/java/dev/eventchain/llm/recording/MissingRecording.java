@@ -10,6 +10,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.llm.chat.AnswerRules;
 import dev.eventchain.llm.chat.ModelName;
 import dev.eventchain.llm.chat.RequestJson;
 import dev.eventchain.llm.chat.RequestKey;
@@ -95,8 +96,8 @@ final class MissingRecording {
           ". What changed compared with the nearest one, %s:".formatted(nearestFile.getFileName()));
       changes().forEach(line -> message.append('\n').append(line));
     }
-    return Diagnostic.error(
-            "llm.recording.missing", message.toString(), SourceLocation.of(expected))
+    return Diagnostic.of(
+            AnswerRules.RECORDING_MISSING, message.toString(), SourceLocation.of(expected))
         .withHint(HINT);
   }
 

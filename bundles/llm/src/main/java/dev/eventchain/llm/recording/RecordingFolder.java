@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.llm.chat.ChatResponse;
@@ -45,8 +46,8 @@ public final class RecordingFolder {
       throw new DiagnosticException(
           Reason.INPUT,
           List.of(
-              Diagnostic.error(
-                      "llm.recording.key",
+              Diagnostic.of(
+                      RecordingRules.RECORDING_KEY,
                       "The file's name belongs to a different request than the one it contains.",
                       SourceLocation.of(file))
                   .withHint("Delete the file and record it again.")));
@@ -66,8 +67,8 @@ public final class RecordingFolder {
       throw new DiagnosticException(
           Reason.INPUT,
           List.of(
-              Diagnostic.error(
-                      "file.unreadable",
+              Diagnostic.of(
+                      FileRules.UNREADABLE,
                       "The recordings cannot be read: " + SourceText.reason(e) + ".",
                       SourceLocation.of(tasks))
                   .withHint("Check that you may read the folder.")));
@@ -85,8 +86,8 @@ public final class RecordingFolder {
       throw new DiagnosticException(
           Reason.INPUT,
           List.of(
-              Diagnostic.error(
-                      "llm.recording.unwritable",
+              Diagnostic.of(
+                      RecordingRules.RECORDING_UNWRITABLE,
                       "The recording cannot be written: " + SourceText.reason(e) + ".",
                       SourceLocation.of(file))
                   .withHint("Make the folder writable, or run without --record.")));

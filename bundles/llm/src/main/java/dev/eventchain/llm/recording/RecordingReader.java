@@ -4,10 +4,11 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.llm.chat.ChatResponse;
@@ -27,9 +28,10 @@ import java.util.Optional;
  */
 final class RecordingReader {
 
-  private static final String FORMAT = "llm.recording.format";
-  private static final String JSON = "llm.recording.json";
-  private static final FindingIds IDS = new FindingIds(JSON, JSON, FORMAT, FORMAT, FORMAT, FORMAT);
+  private static final Rule FORMAT = RecordingRules.RECORDING_FORMAT;
+  private static final Rule JSON = RecordingRules.RECORDING_JSON;
+  private static final DocumentRules RULES =
+      new DocumentRules(JSON, JSON, FORMAT, FORMAT, FORMAT, FORMAT);
   private static final NumberRange TOKENS = NumberRange.of(0, 1L << 52);
 
   private final SourceText source;
@@ -59,7 +61,7 @@ final class RecordingReader {
 
   private Recording read() {
     // Answers are recorded verbatim, including control characters.
-    Document document = Document.parseWithAnyText(source, DocumentFormat.JSON, IDS, problems::add);
+    Document document = Document.parseWithAnyText(source, DocumentFormat.JSON, RULES, problems::add);
     Optional<ObjectReader> root = document.object("", problems::add);
     stopOnProblems();
     List<Recording.Sample> samples = recording(root.orElseThrow());
@@ -68,7 +70,7 @@ final class RecordingReader {
     RequestKey key = RequestKey.of(request);
     if (!document.root().get("key").asText().equals(key.value())) {
       String message = "The key does not belong to this request, whose key is " + key.value() + ".";
-      problems.add(Diagnostic.error("llm.recording.key", message, document.at("/key")));
+      problems.add(Diagnostic.of(RecordingRules.RECORDING_KEY, message, document.at("/key")));
     }
     stopOnProblems();
     return new Recording(key, request, samples);

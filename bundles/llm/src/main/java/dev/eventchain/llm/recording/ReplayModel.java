@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.llm.chat.AnswerRules;
 import dev.eventchain.llm.chat.ChatModel;
 import dev.eventchain.llm.chat.ChatRequest;
 import dev.eventchain.llm.chat.ChatResponse;
@@ -47,7 +48,7 @@ public final class ReplayModel implements ChatModel {
     return new DiagnosticException(
         Reason.INPUT,
         List.of(
-            Diagnostic.error("llm.recording.exhausted", message, SourceLocation.of(file))
+            Diagnostic.of(AnswerRules.RECORDING_EXHAUSTED, message, SourceLocation.of(file))
                 .withHint(MissingRecording.HINT)));
   }
 }

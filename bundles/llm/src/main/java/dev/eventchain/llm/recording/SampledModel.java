@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.llm.chat.AnswerRules;
 import dev.eventchain.llm.chat.ChatMessage;
 import dev.eventchain.llm.chat.ChatModel;
 import dev.eventchain.llm.chat.ChatRequest;
@@ -113,8 +114,8 @@ public final class SampledModel implements ChatModel {
               .formatted(run + 1, recording.get().samples().size());
       throw new DiagnosticException(
           Reason.INPUT,
-          Diagnostic.error(
-                  "llm.recording.exhausted",
+          Diagnostic.of(
+                  AnswerRules.RECORDING_EXHAUSTED,
                   message,
                   SourceLocation.of(recordings.file(request.task(), model, key)))
               .withHint("Ask for fewer runs, or let the model answer: --llm live."));

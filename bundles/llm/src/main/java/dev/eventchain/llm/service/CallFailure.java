@@ -3,6 +3,7 @@ package dev.eventchain.llm.service;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.time.Duration;
 import java.util.Optional;
@@ -16,31 +17,32 @@ final class CallFailure extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
   /** Kinds of failures, by possible actions of the user. */
+  @SuppressWarnings("ImmutableEnumChecker") // rules are immutable
   enum Kind {
     /** No service answers, or the connection broke before an answer began. */
-    UNREACHABLE("llm.service.unreachable", true),
+    UNREACHABLE(ServiceRules.SERVICE_UNREACHABLE, true),
     /** The service is currently overloaded or broken. */
-    FAILED("llm.service.failed", true),
+    FAILED(ServiceRules.SERVICE_FAILED, true),
     /** Too many requests. */
-    LIMITED("llm.service.limited", true),
+    LIMITED(ServiceRules.SERVICE_LIMITED, true),
     /** The key is missing, wrong, or not authorized for the model. */
-    KEY("llm.key.refused", false),
+    KEY(ServiceRules.KEY_REFUSED, false),
     /** The account has no credit left. */
-    QUOTA("llm.quota.spent", false),
+    QUOTA(ServiceRules.QUOTA_SPENT, false),
     /** The service rejected the request. */
-    REJECTED("llm.request.rejected", false),
+    REJECTED(ServiceRules.REQUEST_REJECTED, false),
     /** The deadline of the whole call passed, or the service was silent for too long. */
-    LATE("llm.answer.late", false),
+    LATE(ServiceRules.ANSWER_LATE, false),
     /** The answer ended early. */
-    CUT("llm.answer.cut", true),
+    CUT(ServiceRules.ANSWER_CUT, true),
     /** The response does not follow the service's protocol. */
-    UNREADABLE("llm.answer.unreadable", false);
+    UNREADABLE(ServiceRules.ANSWER_UNREADABLE, false);
 
-    private final String id;
+    private final Rule rule;
     private final boolean passing;
 
-    Kind(String id, boolean passing) {
-      this.id = id;
+    Kind(Rule rule, boolean passing) {
+      this.rule = rule;
       this.passing = passing;
     }
   }
@@ -104,7 +106,7 @@ final class CallFailure extends RuntimeException {
     String message = asked + ": " + getMessage();
     String shown = key.map(secret -> message.replace(secret, "***")).orElse(message);
     Diagnostic finding =
-        Diagnostic.error(kind.id, shown, SourceLocation.NONE)
+        Diagnostic.of(kind.rule, shown, SourceLocation.NONE)
             .withHint(key.map(secret -> hint.replace(secret, "***")).orElse(hint));
     return new DiagnosticException(Reason.UNAVAILABLE, finding);
   }

@@ -154,8 +154,8 @@ public final class ModelServices {
     Optional<Wire> wire = Wire.of(id);
     if (wire.isEmpty() && !id.isBlank()) {
       section.find(
-          Diagnostic.error(
-                  "llm.service.wire",
+          Diagnostic.of(
+                  ServiceRules.SERVICE_WIRE,
                   "'" + id + "' is not a wire format of a service.",
                   section.at("wire"))
               .withHint("Use one of " + String.join(", ", Wire.ids()) + "."));
@@ -177,8 +177,8 @@ public final class ModelServices {
     }
     if (!text.isBlank()) {
       section.find(
-          Diagnostic.error(
-                  "llm.service.url",
+          Diagnostic.of(
+                  ServiceRules.SERVICE_URL,
                   "'" + text + "' is not the address of a service.",
                   section.at("url"))
               .withHint("Write http:// or https://, a host, and a path; keys do not belong here."));

@@ -79,8 +79,8 @@ public final class ServiceModel implements ChatModel {
     if (key == null || key.isBlank()) {
       throw new DiagnosticException(
           Reason.UNAVAILABLE,
-          Diagnostic.error(
-                  "llm.key.missing",
+          Diagnostic.of(
+                  ServiceRules.KEY_MISSING,
                   "The environment variable "
                       + variable
                       + " with the key of '%s' is not set.".formatted(service.name()),

@@ -8,10 +8,11 @@ import static org.junit.jupiter.api.Assertions.fail;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.github.tomakehurst.wiremock.verification.LoggedRequest;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.llm.ChatModels;
 import dev.eventchain.llm.ModelAccess;
 import dev.eventchain.llm.Spending;
@@ -103,7 +104,7 @@ class WiresTest {
                         key.formatted(
                             wire.id(), SERVICE.service(wire).url(), FakeService.VARIABLE)),
                     DocumentFormat.YAML,
-                    FindingIds.all("x"),
+                    DocumentRules.all(Rule.error("x")),
                     finding -> fail(finding.toString()))
                 .object("", finding -> fail(finding.toString()))
                 .orElseThrow());

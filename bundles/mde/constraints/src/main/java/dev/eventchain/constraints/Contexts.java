@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.ocl.metamodel.Names;
 import dev.eventchain.ocl.metamodel.PackageIndex;
+import dev.eventchain.ocl.text.ExpressionRules;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -51,8 +52,8 @@ final class Contexts {
     }
     if (!known) {
       problems.add(
-          Diagnostic.error(
-                  "ocl.import.unknown",
+          Diagnostic.of(
+                  ConstraintRules.IMPORT_UNKNOWN,
                   "The import names neither a loaded metamodel nor a rules document: '"
                       + wanted.target()
                       + "'.",
@@ -108,8 +109,8 @@ final class Contexts {
               .map(each -> ((ETypedElement) each).getName())
               .toList();
       problems.add(
-          Diagnostic.error(
-                  "ocl.type",
+          Diagnostic.of(
+                  ExpressionRules.TYPE,
                   Names.of(owner.get()) + " has no " + wanted + " of its own.",
                   member.owner().location())
               .withHint(NearestName.question(member.name(), known)));
@@ -121,7 +122,8 @@ final class Contexts {
     if (type instanceof EClass) {
       return true;
     }
-    problems.add(Diagnostic.error("ocl.type", "'" + path + "' is not a class.", path.location()));
+    problems.add(
+        Diagnostic.of(ExpressionRules.TYPE, "'" + path + "' is not a class.", path.location()));
     return false;
   }
 
@@ -159,10 +161,13 @@ final class Contexts {
     String near = NearestName.question(last, packageNames());
     String candidates = String.join(", ", found.stream().map(PackageIndex::qualifiedName).toList());
     return found.isEmpty()
-        ? Diagnostic.error("ocl.type", "There is no package '" + path + "'.", path.location())
+        ? Diagnostic.of(
+                ExpressionRules.TYPE, "There is no package '" + path + "'.", path.location())
             .withHint(near.isEmpty() ? packages.hintForMetamodels() : near)
-        : Diagnostic.error(
-                "ocl.type", "Several packages are called '" + path + "'.", path.location())
+        : Diagnostic.of(
+                ExpressionRules.TYPE,
+                "Several packages are called '" + path + "'.",
+                path.location())
             .withHint("Write one of " + candidates + ".");
   }
 
@@ -186,13 +191,15 @@ final class Contexts {
 
   private Diagnostic contextProblem(RuleDocument.Path path, List<EClassifier> found) {
     if (found.isEmpty()) {
-      return Diagnostic.error(
-              "ocl.type", "No known metamodel has a class '" + path + "'.", path.location())
+      return Diagnostic.of(
+              ExpressionRules.TYPE,
+              "No known metamodel has a class '" + path + "'.",
+              path.location())
           .withHint(packages.hintForType(path.names()));
     }
     List<String> candidates = found.stream().map(Names::qualified).toList();
-    return Diagnostic.error(
-            "ocl.type", "Several classes are called '" + path + "'.", path.location())
+    return Diagnostic.of(
+            ExpressionRules.TYPE, "Several classes are called '" + path + "'.", path.location())
         .withHint("Write one of " + String.join(", ", candidates) + ".");
   }
 }

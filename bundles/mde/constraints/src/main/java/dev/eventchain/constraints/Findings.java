@@ -37,7 +37,7 @@ final class Findings {
   /** Returns the finding for an element for which an invariant is false. */
   Diagnostic violated(OclConstraint constraint, Object subject, Evaluation evaluation) {
     return new Diagnostic(
-        "ocl.violated",
+        ConstraintRules.VIOLATED,
         constraint.severity(),
         constraint.messageFor(subject, evaluation),
         locate(subject),
@@ -54,7 +54,7 @@ final class Findings {
     Invalid invalid = value instanceof Invalid reason ? reason : IS_NULL;
     boolean placed = !SourceLocation.NONE.equals(invalid.location());
     return new Diagnostic(
-        "ocl.undefined",
+        ConstraintRules.UNDEFINED,
         Severity.ERROR,
         "'"
             + constraint.name()
@@ -85,7 +85,7 @@ final class Findings {
    */
   Diagnostic limit(OclConstraint constraint, List<?> elements, int index, Invalid limit) {
     return new Diagnostic(
-        "ocl.limit",
+        Invalid.ABANDONED,
         Severity.ERROR,
         "'%s' was abandoned at %s: %s. It left %d of %s unchecked."
             .formatted(
@@ -107,8 +107,8 @@ final class Findings {
     List<String> documents = rules.documents();
     int constraints = rules.constraints().size();
     boolean wrong = Diagnostic.anyError(rules.diagnostics());
-    return Diagnostic.error(
-            "ocl.nothing-evaluated",
+    return Diagnostic.of(
+            ConstraintRules.NOTHING_EVALUATED,
             constraints == 0
                 ? "Nothing was checked: there is no constraint"
                     + (wrong ? " without errors" : "")

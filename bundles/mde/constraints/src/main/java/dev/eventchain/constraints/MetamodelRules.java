@@ -1,12 +1,14 @@
 package dev.eventchain.constraints;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.metamodel.Names;
 import dev.eventchain.ocl.metamodel.OclAnnotations;
+import dev.eventchain.ocl.text.ExpressionRules;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -87,29 +89,31 @@ final class MetamodelRules {
     OclAnnotations.unknown(type).forEach(annotation -> report(type, annotation));
     for (String name : OclAnnotations.constraintsInJava(type)) {
       problems.add(
-          Diagnostic.warning(
-                  "ocl.java.missing",
+          Diagnostic.of(
+                  ConstraintRules.JAVA_MISSING,
                   "The constraint '%s' of %s is not checked: it is defined only in Java code."
                       .formatted(name, Names.of(type)),
                   places.apply(type))
+              .withSeverity(Severity.WARNING)
               .withHint("Write it in OCL to have it checked here."));
     }
   }
 
   private void report(EClassifier type, EAnnotation unknown) {
     problems.add(
-        Diagnostic.warning(
-                "ocl.unsupported",
+        Diagnostic.of(
+                ConstraintRules.UNSUPPORTED,
                 "The annotation '%s' of %s is not understood and is ignored."
                     .formatted(unknown.getSource(), Names.of(type)),
                 places.apply(unknown))
+            .withSeverity(Severity.WARNING)
             .withHint("The source of constraints is http://www.eclipse.org/emf/2002/Ecore/OCL."));
   }
 
   private void report(EModelElement element, OclAnnotations.Text again) {
     problems.add(
-        Diagnostic.error(
-                "ocl.duplicate",
+        Diagnostic.of(
+                ExpressionRules.DUPLICATE,
                 "'%s' of %s is declared twice.".formatted(again.key(), Names.of(element)),
                 places.apply(again.entry()))
             .withHint("Give one of them another name, or leave one of them out."));
@@ -121,11 +125,12 @@ final class MetamodelRules {
     OclAnnotations.contradictions(element).forEach(text -> report(element, text));
     for (OclAnnotations.Text text : OclAnnotations.misunderstood(element)) {
       problems.add(
-          Diagnostic.warning(
-                  "ocl.unsupported",
+          Diagnostic.of(
+                  ConstraintRules.UNSUPPORTED,
                   "The annotation '%s' of %s is not understood and is ignored."
                       .formatted(text.key(), Names.of(element)),
                   places.apply(text.entry()))
+              .withSeverity(Severity.WARNING)
               .withHint(
                   element instanceof EOperation
                       ? "An operation has 'body', and conditions that begin with 'pre' or 'post'."

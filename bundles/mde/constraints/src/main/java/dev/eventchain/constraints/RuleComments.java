@@ -135,10 +135,11 @@ final class RuleComments {
               .ifPresent(
                   meant ->
                       problems.add(
-                          Diagnostic.warning(
-                                  "ocl.annotation",
+                          Diagnostic.of(
+                                  ConstraintRules.ANNOTATION,
                                   "The annotation '@" + keyword + "' is not known.",
                                   source.at(offset))
+                              .withSeverity(Severity.WARNING)
                               .withHint("Did you mean `@" + meant + "`?")));
     }
   }
@@ -150,8 +151,8 @@ final class RuleComments {
       case "info" -> severity = Severity.INFO;
       default ->
           problems.add(
-              Diagnostic.error(
-                      "ocl.annotation",
+              Diagnostic.of(
+                      ConstraintRules.ANNOTATION,
                       "'" + text.strip() + "' is not a severity.",
                       source.at(offset))
                   .withHint("Write error, warning or info."));

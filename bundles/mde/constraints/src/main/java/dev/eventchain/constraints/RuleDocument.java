@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.ocl.text.ExpressionRules;
 import dev.eventchain.ocl.text.Tokens;
 import java.util.ArrayList;
 import java.util.List;
@@ -95,7 +96,7 @@ final class RuleDocument {
     int comment = document.tokens.unclosedComment();
     if (comment >= 0) {
       problems.add(
-          Diagnostic.error("ocl.syntax", "This comment has no end.", source.at(comment))
+          Diagnostic.of(ExpressionRules.SYNTAX, "This comment has no end.", source.at(comment))
               .withHint("Close it with */; everything after it counts as comment."));
     }
     while (document.at < document.tokens.size()) {
@@ -387,12 +388,12 @@ final class RuleDocument {
   }
 
   private void error(int token, String message) {
-    problems.add(Diagnostic.error("ocl.syntax", message, location(token)));
+    problems.add(Diagnostic.of(ExpressionRules.SYNTAX, message, location(token)));
   }
 
   private void unsupported(int token, String message) {
     problems.add(
-        Diagnostic.error("ocl.unsupported", message, location(token))
+        Diagnostic.of(ConstraintRules.UNSUPPORTED, message, location(token))
             .withHint("Write 'context Class inv Name: ...' with 'self', or a 'def:'."));
   }
 }

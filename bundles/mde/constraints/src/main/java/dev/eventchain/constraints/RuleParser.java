@@ -12,6 +12,7 @@ import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.Scope;
 import dev.eventchain.ocl.metamodel.Names;
 import dev.eventchain.ocl.metamodel.OclAnnotations;
+import dev.eventchain.ocl.text.ExpressionRules;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -121,8 +122,8 @@ final class RuleParser {
 
   /** Returns the finding that some conditions are not checked. */
   static Diagnostic unchecked(int conditions, SourceLocation place) {
-    return Diagnostic.info(
-        "ocl.condition.unchecked",
+    return Diagnostic.of(
+        ConstraintRules.CONDITION_UNCHECKED,
         Coverage.counted(conditions, "condition")
             + " of operations and initial values not checked: no program runs here.",
         place);
@@ -131,8 +132,8 @@ final class RuleParser {
   /** Returns the finding for an empty document; reported unless all documents are empty. */
   private static Diagnostic empty(SourceText document) {
     boolean blank = document.text().isBlank();
-    return Diagnostic.error(
-            "ocl.document.empty",
+    return Diagnostic.of(
+            ConstraintRules.DOCUMENT_EMPTY,
             blank ? "The document is empty." : "The document contains only comments.",
             SourceLocation.of(document.name()))
         .withHint("Write invariants: context Class inv Name: ..., or leave it out.");
@@ -192,8 +193,8 @@ final class RuleParser {
     missing.ifPresent(
         feature ->
             problems.add(
-                Diagnostic.error(
-                        "ocl.java.missing",
+                Diagnostic.of(
+                        ConstraintRules.JAVA_MISSING,
                         "This reads '%s' of %s, which only Java code computes."
                             .formatted(feature.getName(), Names.of(feature.getEContainingClass())),
                         resolved.location())
@@ -220,8 +221,8 @@ final class RuleParser {
     } else {
       String context = resolved.context().getName();
       problems.add(
-          Diagnostic.error(
-                  "ocl.duplicate",
+          Diagnostic.of(
+                  ExpressionRules.DUPLICATE,
                   "The invariant '" + name + "' of " + context + " is declared twice.",
                   resolved.location())
               .withHint("Give one of them another name.")
@@ -240,8 +241,8 @@ final class RuleParser {
     }
     boolean collection = language.elementType(expression.type()).isPresent();
     problems.add(
-        Diagnostic.error(
-                "ocl.not-boolean",
+        Diagnostic.of(
+                ConstraintRules.NOT_BOOLEAN,
                 "The invariant '"
                     + name
                     + "' is of type "

@@ -10,8 +10,7 @@ import java.util.stream.Stream;
 /**
  * A finding: a problem, its location and a hint.
  *
- * @param id the stable dotted id, {@code ocl.violated}; each has a page in the rules folder of the
- *     bundle that reports it
+ * @param kind the kind of finding, a constant of the bundle that reports it
  * @param severity the severity
  * @param message the problem in one sentence that names the values involved
  * @param location the location of the problem
@@ -22,7 +21,7 @@ import java.util.stream.Stream;
  *     side of a contract
  */
 public record Diagnostic(
-    String id,
+    Rule kind,
     Severity severity,
     String message,
     SourceLocation location,
@@ -43,7 +42,7 @@ public record Diagnostic(
 
   /** Refuses nulls; unknown values are empty. */
   public Diagnostic {
-    Objects.requireNonNull(id);
+    Objects.requireNonNull(kind);
     Objects.requireNonNull(severity);
     Objects.requireNonNull(message);
     Objects.requireNonNull(location);
@@ -52,19 +51,19 @@ public record Diagnostic(
     related = List.copyOf(related);
   }
 
-  /** Returns a finding that makes a command fail. */
-  public static Diagnostic error(String id, String message, SourceLocation location) {
-    return new Diagnostic(id, Severity.ERROR, message, location, "", "", List.of());
+  /** Returns a finding with the severity of its kind. */
+  public static Diagnostic of(Rule kind, String message, SourceLocation location) {
+    return new Diagnostic(kind, kind.severity(), message, location, "", "", List.of());
   }
 
-  /** Returns a finding that needs attention. */
-  public static Diagnostic warning(String id, String message, SourceLocation location) {
-    return new Diagnostic(id, Severity.WARNING, message, location, "", "", List.of());
+  /** Returns the stable dotted id of its kind, {@code ocl.violated}. */
+  public String id() {
+    return kind.id();
   }
 
-  /** Returns an informational finding. */
-  public static Diagnostic info(String id, String message, SourceLocation location) {
-    return new Diagnostic(id, Severity.INFO, message, location, "", "", List.of());
+  /** Returns whether it is of a kind. */
+  public boolean is(Rule other) {
+    return kind.id().equals(other.id());
   }
 
   /** Returns whether any finding is an error. */
@@ -74,29 +73,29 @@ public record Diagnostic(
 
   /** Returns this finding with another severity. */
   public Diagnostic withSeverity(Severity newSeverity) {
-    return new Diagnostic(id, newSeverity, message, location, hint, rule, related);
+    return new Diagnostic(kind, newSeverity, message, location, hint, rule, related);
   }
 
   /** Returns this finding with another hint. */
   public Diagnostic withHint(String newHint) {
-    return new Diagnostic(id, severity, message, location, newHint, rule, related);
+    return new Diagnostic(kind, severity, message, location, newHint, rule, related);
   }
 
   /** Returns this finding with the user's rule that found it. */
   public Diagnostic withRule(String newRule) {
-    return new Diagnostic(id, severity, message, location, hint, newRule, related);
+    return new Diagnostic(kind, severity, message, location, hint, newRule, related);
   }
 
   /** Returns this finding at another location. */
   public Diagnostic withLocation(SourceLocation newLocation) {
-    return new Diagnostic(id, severity, message, newLocation, hint, rule, related);
+    return new Diagnostic(kind, severity, message, newLocation, hint, rule, related);
   }
 
   /** Returns this finding with other related locations, without {@code NONE}. */
   public Diagnostic withRelated(SourceLocation... places) {
     List<SourceLocation> known =
         Stream.of(places).filter(place -> !place.equals(SourceLocation.NONE)).toList();
-    return new Diagnostic(id, severity, message, location, hint, rule, known);
+    return new Diagnostic(kind, severity, message, location, hint, rule, known);
   }
 
   private static int compare(List<SourceLocation> first, List<SourceLocation> second) {

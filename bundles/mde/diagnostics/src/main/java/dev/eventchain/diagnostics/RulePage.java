@@ -30,6 +30,7 @@ public record RulePage(String id, String bundle, String text) {
 
   private static final String FOLDER = "META-INF/eventchain/rules/";
   private static final String SUFFIX = ".md";
+  private static final String UNSUPPRESSIBLE = "It cannot be suppressed.";
 
   /** Returns the page of an id, if a bundle on the class path has one. */
   public static Optional<RulePage> of(String id) {
@@ -94,6 +95,14 @@ public record RulePage(String id, String bundle, String text) {
     } catch (java.io.FileNotFoundException e) {
       return "";
     }
+  }
+
+  /**
+   * Returns whether findings may be suppressed, for readers of files who know only ids. The page
+   * tells users what {@link CommonTrait#UNSUPPRESSIBLE} tells the program.
+   */
+  public boolean mayBeSuppressed() {
+    return !text.strip().endsWith(UNSUPPRESSIBLE);
   }
 
   /** Returns the first sentence, which explains the finding. */

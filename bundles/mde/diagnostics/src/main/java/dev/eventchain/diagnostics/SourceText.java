@@ -87,7 +87,7 @@ public final class SourceText {
   private static DiagnosticException wrongEncoding(String message, SourceLocation place) {
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
-        Diagnostic.error("file.encoding", message, place).withHint("Save it as UTF-8."));
+        Diagnostic.of(FileRules.ENCODING, message, place).withHint("Save it as UTF-8."));
   }
 
   /**
@@ -107,21 +107,21 @@ public final class SourceText {
       }
       return Files.readAllBytes(file);
     } catch (NoSuchFileException e) {
-      throw unreadable("file.missing", "There is no such file.", file);
+      throw unreadable(FileRules.MISSING, "There is no such file.", file);
     } catch (IOException e) {
       String problem = Files.isDirectory(file) ? "this is a folder" : reason(e);
-      throw unreadable("file.unreadable", "The file cannot be read: " + problem + ".", file);
+      throw unreadable(FileRules.UNREADABLE, "The file cannot be read: " + problem + ".", file);
     }
   }
 
   /** Refuses devices and pipes, which never end, and files beyond the size limit. */
   private static void requireReadable(Path file) throws IOException {
     if (!Files.isRegularFile(file)) {
-      throw unreadable("file.unreadable", "This is not a regular file.", file);
+      throw unreadable(FileRules.UNREADABLE, "This is not a regular file.", file);
     }
     if (Files.size(file) > LARGEST) {
       throw unreadable(
-          "file.unreadable",
+          FileRules.UNREADABLE,
           "The file has " + Files.size(file) + " bytes; at most " + LARGEST + " are read.",
           file);
     }
@@ -177,9 +177,9 @@ public final class SourceText {
     return reason;
   }
 
-  private static DiagnosticException unreadable(String id, String message, Path file) {
+  private static DiagnosticException unreadable(Rule rule, String message, Path file) {
     return new DiagnosticException(
-        DiagnosticException.Reason.INPUT, Diagnostic.error(id, message, SourceLocation.of(file)));
+        DiagnosticException.Reason.INPUT, Diagnostic.of(rule, message, SourceLocation.of(file)));
   }
 
   /** Returns the line of the first byte that is not UTF-8. */

@@ -6,7 +6,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
@@ -19,16 +18,10 @@ public final class Suppressions {
   /** No suppressions. */
   public static final Suppressions NONE = new Suppressions(List.of(), LocalDate.EPOCH);
 
-  /** Ids that report missing checks or proofs; suppressed, they would pass for a proof. */
-  private static final Set<String> NEVER =
-      Set.of(
-          "eventchain.defect",
-          "ocl.limit",
-          "ocl.nothing-evaluated",
-          "ocl.type",
-          "ocl.not-boolean",
-          "project.model.missing",
-          "simulation.criterion.failed");
+  private static final Rule EXPIRED =
+      Rule.warning("suppression.expired", CommonTrait.UNSUPPRESSIBLE);
+
+  private static final Rule STALE = Rule.warning("suppression.stale", CommonTrait.UNSUPPRESSIBLE);
 
   private final List<Entry> entries;
   private final LocalDate today;
@@ -130,14 +123,6 @@ public final class Suppressions {
    */
   public record Parted(List<Diagnostic> remaining, List<Suppressed> suppressed) {}
 
-  /** Returns whether findings of this id may be suppressed. */
-  public static boolean mayBeSuppressed(String id) {
-    return !NEVER.contains(id)
-        && !id.endsWith(".syntax")
-        && !id.startsWith("suppression.")
-        && !id.startsWith("report.");
-  }
-
   /** Returns the entries that have not expired. */
   public List<Entry> inForce() {
     return entries.stream().filter(entry -> !isExpired(entry)).toList();
@@ -162,7 +147,7 @@ public final class Suppressions {
   }
 
   private Optional<Entry> entryFor(Diagnostic finding) {
-    if (!mayBeSuppressed(finding.id())) {
+    if (finding.kind().has(CommonTrait.UNSUPPRESSIBLE)) {
       return Optional.empty();
     }
     return entries.stream()
@@ -199,18 +184,16 @@ public final class Suppressions {
   }
 
   private static Diagnostic expired(Entry entry) {
-    return Diagnostic.warning(
-            "suppression.expired",
+    return Diagnostic.of(
+            EXPIRED,
             "The suppression of " + entry.id + " expired on " + entry.expires + ".",
             entry.location)
         .withHint("Fix what it suppressed, or review the decision and set a new date.");
   }
 
   private static Diagnostic stale(Entry entry) {
-    return Diagnostic.warning(
-            "suppression.stale",
-            "The suppression of " + entry.id + " matches no finding.",
-            entry.location)
+    return Diagnostic.of(
+            STALE, "The suppression of " + entry.id + " matches no finding.", entry.location)
         .withHint("Delete it: what it suppressed is fixed or has been renamed.");
   }
 }

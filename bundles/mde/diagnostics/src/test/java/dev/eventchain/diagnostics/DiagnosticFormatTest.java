@@ -13,8 +13,8 @@ import org.junit.jupiter.api.Test;
 class DiagnosticFormatTest {
 
   private static final Diagnostic VIOLATED =
-      Diagnostic.error(
-              "ocl.violated",
+      Diagnostic.of(
+              Rule.error("ocl.violated"),
               "SoftwareNode 'TTC' has no output.",
               new SourceLocation(
                   "out/chain.xmi", 3, 7, "//@software.1", "\t<software name=\"TTC\"/>"))
@@ -54,7 +54,7 @@ class DiagnosticFormatTest {
 
   @Test
   void whatIsUnknownIsLeftOut() {
-    Diagnostic bare = Diagnostic.warning("a.b", "Odd.", SourceLocation.NONE);
+    Diagnostic bare = Diagnostic.of(Rule.warning("a.b"), "Odd.", SourceLocation.NONE);
     assertEquals("warning: Odd. [a.b]\n", DiagnosticFormat.TEXT.render(List.of(bare)));
     String json = DiagnosticFormat.JSON.render(List.of(bare));
     assertFalse(json.contains("line"), json);
@@ -80,7 +80,8 @@ class DiagnosticFormatTest {
   @Test
   void longLinesAreCutAroundTheCaret() {
     String line = "x".repeat(5000) + "HERE" + "y".repeat(5000);
-    Diagnostic wide = Diagnostic.error("a.b", "Odd.", new SourceLocation("f", 1, 5001, "", line));
+    Diagnostic wide =
+        Diagnostic.of(Rule.error("a.b"), "Odd.", new SourceLocation("f", 1, 5001, "", line));
     List<String> lines = DiagnosticFormat.TEXT.render(List.of(wide)).lines().toList();
     assertTrue(lines.get(1).length() < 200, "excerpt of " + lines.get(1).length());
     assertEquals('H', lines.get(1).charAt(lines.get(2).indexOf('^')));
@@ -88,14 +89,15 @@ class DiagnosticFormatTest {
 
   @Test
   void textFromModelsCannotSteerTheTerminal() {
-    Diagnostic nasty = Diagnostic.error("a.b", "\u001b[2Jgone", SourceLocation.NONE);
+    Diagnostic nasty = Diagnostic.of(Rule.error("a.b"), "\u001b[2Jgone", SourceLocation.NONE);
     assertFalse(DiagnosticFormat.TEXT.render(List.of(nasty)).contains("\u001b"));
   }
 
   @Test
   void textFromModelsCannotPassForAFindingOfItsOwn() {
     Diagnostic forged =
-        Diagnostic.error("a.b", "x\nmodel:1:1: error: fake \u202Eabc", SourceLocation.NONE);
+        Diagnostic.of(
+            Rule.error("a.b"), "x\nmodel:1:1: error: fake \u202Eabc", SourceLocation.NONE);
     String text = DiagnosticFormat.TEXT.render(List.of(forged));
     assertEquals("error: x\n    | model:1:1: error: fake \\u202eabc [a.b]\n", text);
   }
@@ -111,7 +113,8 @@ class DiagnosticFormatTest {
   @Test
   void columnsOfAnExcerptStay() {
     SourceLocation place = new SourceLocation("f", 1, 3, "", "\u001b\nx");
-    String text = DiagnosticFormat.TEXT.render(List.of(Diagnostic.error("a.b", "m", place)));
+    String text =
+        DiagnosticFormat.TEXT.render(List.of(Diagnostic.of(Rule.error("a.b"), "m", place)));
     assertEquals("f:1:3: error: m [a.b]\n    \uFFFD\uFFFDx\n      ^\n", text);
   }
 
@@ -122,7 +125,7 @@ class DiagnosticFormatTest {
 
   @Test
   void theOrderIsTotal() {
-    Diagnostic none = Diagnostic.error("a", "m", SourceLocation.NONE);
+    Diagnostic none = Diagnostic.of(Rule.error("a"), "m", SourceLocation.NONE);
     Diagnostic one = none.withRelated(SourceLocation.of("a"));
     Diagnostic two = none.withRelated(SourceLocation.of("a"), SourceLocation.of("b"));
     assertEquals(List.of(none, one, two), Stream.of(two, none, one).sorted().toList());
@@ -131,9 +134,10 @@ class DiagnosticFormatTest {
 
   @Test
   void findingsSortByPlaceThenSeverity() {
-    Diagnostic warning = Diagnostic.warning("z", "w", new SourceLocation("a", 1, 1, "", ""));
-    Diagnostic error = Diagnostic.error("z", "e", new SourceLocation("a", 1, 1, "", ""));
-    Diagnostic later = Diagnostic.error("a", "l", new SourceLocation("a", 2, 1, "", ""));
+    Diagnostic warning =
+        Diagnostic.of(Rule.warning("z"), "w", new SourceLocation("a", 1, 1, "", ""));
+    Diagnostic error = Diagnostic.of(Rule.error("z"), "e", new SourceLocation("a", 1, 1, "", ""));
+    Diagnostic later = Diagnostic.of(Rule.error("a"), "l", new SourceLocation("a", 2, 1, "", ""));
     assertEquals(
         List.of(error, warning, later), Stream.of(later, warning, error).sorted().toList());
   }

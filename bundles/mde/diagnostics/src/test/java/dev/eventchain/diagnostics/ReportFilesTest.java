@@ -88,7 +88,7 @@ class ReportFilesTest {
       String file, String uri, String base) throws IOException {
     Path folder = Path.of("").toAbsolutePath();
     String name = file.replace("FOLDER", folder.toString());
-    Diagnostic finding = Diagnostic.error("a.b", "It is wrong.", SourceLocation.of(name));
+    Diagnostic finding = Diagnostic.of(Rule.error("a.b"), "It is wrong.", SourceLocation.of(name));
     Report report =
         new Report("", 1, new Coverage(List.of(name), 1, List.of()), List.of(finding), List.of());
     JsonNode run = json(DiagnosticFormat.SARIF.render(report)).at("/runs/0");
@@ -110,15 +110,15 @@ class ReportFilesTest {
   }
 
   private static JsonNode fingerprintIn(String file) throws IOException {
-    Diagnostic finding = Diagnostic.error("a.b", "It is wrong.", SourceLocation.of(file));
+    Diagnostic finding = Diagnostic.of(Rule.error("a.b"), "It is wrong.", SourceLocation.of(file));
     return json(DiagnosticFormat.SARIF.render(List.of(finding)))
         .at("/runs/0/results/0/partialFingerprints");
   }
 
   private static List<Report> all() {
     Diagnostic strange =
-        Diagnostic.error(
-                "a.b",
+        Diagnostic.of(
+                Rule.error("a.b"),
                 "\u0000 \uD800 \uFFFF ]]> <&\"'\n\t",
                 new SourceLocation("a\\b:c%", 1, 0, "\u0001", "\uDC00".repeat(300)))
             .withRule("a/b\u0002");

@@ -17,20 +17,23 @@ final class Reports {
   /** Returns a report with every kind of content. */
   static Report full() {
     Diagnostic violated =
-        Diagnostic.error("ocl.violated", "Node 'TTC' [see](http://x) has no output.", NODE)
+        Diagnostic.of(Rule.error("ocl.violated"), "Node 'TTC' [see](http://x) has no output.", NODE)
             .withHint("Give it an output.")
             .withRule("SoftwareNode::HasOutput")
             .withRelated(new SourceLocation("rules.ocl", 2, 5, "", "inv HasOutput: ..."));
     Diagnostic again = violated.withLocation(NODE.withElement("EventChain[a]/software[Brake]"));
     Diagnostic slow =
-        Diagnostic.warning("ocl.violated", "Node \u202E'TTC'\u0007 is slow.", NODE)
+        Diagnostic.of(Rule.warning("ocl.violated"), "Node \u202E'TTC'\u0007 is slow.", NODE)
             .withRule("SoftwareNode::Fast");
     Diagnostic topic =
-        Diagnostic.error(
-            "contract.topic.type", "Two types on /scan.", SourceLocation.of("/abs/ü.json"));
+        Diagnostic.of(
+            Rule.error("contract.topic.type"),
+            "Two types on /scan.",
+            SourceLocation.of("/abs/ü.json"));
     Diagnostic known = violated.withRule("SoftwareNode::Known");
-    Diagnostic info = Diagnostic.info("file.odd", "Odd.", SourceLocation.of("rules.ocl"));
-    Diagnostic nowhere = Diagnostic.error("python.unavailable", "No Python.", SourceLocation.NONE);
+    Diagnostic info = Diagnostic.of(Rule.info("file.odd"), "Odd.", SourceLocation.of("rules.ocl"));
+    Diagnostic nowhere =
+        Diagnostic.of(Rule.error("python.unavailable"), "No Python.", SourceLocation.NONE);
     Suppressions.Entry entry =
         new Suppressions.Entry(
             "ocl.violated",

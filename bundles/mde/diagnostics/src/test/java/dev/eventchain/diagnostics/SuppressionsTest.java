@@ -11,14 +11,13 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 class SuppressionsTest {
 
   private static final LocalDate LAST_DAY = LocalDate.of(2026, 12, 24);
   private static final Diagnostic FINDING =
-      Diagnostic.error(
-              "ocl.violated",
+      Diagnostic.of(
+              Rule.error("ocl.violated"),
               "'TTC' is 20.0 Hz.",
               new SourceLocation("a/model/chain.xmi", 3, 1, "EventChain[a]/software[TTC]", ""))
           .withRule("SoftwareNode::Fast");
@@ -99,18 +98,11 @@ class SuppressionsTest {
         .isEmpty();
   }
 
-  @ParameterizedTest
-  @ValueSource(
-      strings = {
-        "ocl.nothing-evaluated",
-        "ocl.limit",
-        "ocl.syntax",
-        "xmi.syntax",
-        "suppression.stale"
-      })
-  void whatSaysThatSomethingWasNotCheckedCannotBeSuppressed(String id) {
-    assertFalse(Suppressions.mayBeSuppressed(id));
-    Diagnostic finding = Diagnostic.error(id, "m", SourceLocation.NONE);
+  @Test
+  void whatSaysThatSomethingWasNotCheckedCannotBeSuppressed() {
+    String id = "a.b";
+    Rule rule = Rule.error(id, CommonTrait.UNSUPPRESSIBLE);
+    Diagnostic finding = Diagnostic.of(rule, "m", SourceLocation.NONE);
     Suppressions suppressions = new Suppressions(List.of(entry(id)), LAST_DAY);
     assertEquals(List.of(finding), suppressions.part(List.of(finding)).remaining());
   }

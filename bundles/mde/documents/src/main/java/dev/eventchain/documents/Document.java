@@ -24,15 +24,19 @@ public final class Document {
 
   private final SourceText source;
   private final DocumentFormat format;
-  private final FindingIds ids;
+  private final DocumentRules rules;
   private final TreeNotes notes;
   private final JsonNode root;
 
   private Document(
-      SourceText source, DocumentFormat format, FindingIds ids, TreeNotes notes, JsonNode root) {
+      SourceText source,
+      DocumentFormat format,
+      DocumentRules rules,
+      TreeNotes notes,
+      JsonNode root) {
     this.source = source;
     this.format = format;
-    this.ids = ids;
+    this.rules = rules;
     this.notes = notes;
     this.root = root;
   }
@@ -43,29 +47,39 @@ public final class Document {
    * reading continues.
    *
    * @param findings receives the problems of the document
-   * @throws DiagnosticException INPUT if the text is no such document ({@link FindingIds#syntax})
+   * @throws DiagnosticException INPUT if the text is no such document ({@link
+   *     DocumentRules#syntax})
    */
   public static Document parse(
-      SourceText source, DocumentFormat format, FindingIds ids, Consumer<Diagnostic> findings) {
-    Document document = parse(source, format, ids, false, findings);
+      SourceText source,
+      DocumentFormat format,
+      DocumentRules rules,
+      Consumer<Diagnostic> findings) {
+    Document document = parse(source, format, rules, false, findings);
     if (document.isEmpty()) {
-      throw syntax(ids, "The file is empty.", source.at(0));
+      throw syntax(rules, "The file is empty.", source.at(0));
     }
     return document;
   }
 
   /** As {@link #parse}, but empty if the text is empty or has only comments. */
   public static Optional<Document> parseIfAny(
-      SourceText source, DocumentFormat format, FindingIds ids, Consumer<Diagnostic> findings) {
-    return Optional.of(parse(source, format, ids, false, findings)).filter(d -> !d.isEmpty());
+      SourceText source,
+      DocumentFormat format,
+      DocumentRules rules,
+      Consumer<Diagnostic> findings) {
+    return Optional.of(parse(source, format, rules, false, findings)).filter(d -> !d.isEmpty());
   }
 
   /** As {@link #parse}, for documents that hold foreign texts, which may contain any characters. */
   public static Document parseWithAnyText(
-      SourceText source, DocumentFormat format, FindingIds ids, Consumer<Diagnostic> findings) {
-    Document document = parse(source, format, ids, true, findings);
+      SourceText source,
+      DocumentFormat format,
+      DocumentRules rules,
+      Consumer<Diagnostic> findings) {
+    Document document = parse(source, format, rules, true, findings);
     if (document.isEmpty()) {
-      throw syntax(ids, "The file is empty.", source.at(0));
+      throw syntax(rules, "The file is empty.", source.at(0));
     }
     return document;
   }
@@ -73,39 +87,40 @@ public final class Document {
   private static Document parse(
       SourceText source,
       DocumentFormat format,
-      FindingIds ids,
+      DocumentRules rules,
       boolean anyText,
       Consumer<Diagnostic> findings) {
     return DiagnosticException.at(
-        SourceLocation.of(source.name()), () -> read(source, format, ids, anyText, findings));
+        SourceLocation.of(source.name()), () -> read(source, format, rules, anyText, findings));
   }
 
   private static Document read(
       SourceText source,
       DocumentFormat format,
-      FindingIds ids,
+      DocumentRules rules,
       boolean anyText,
       Consumer<Diagnostic> findings) {
     String text = source.text();
     if (text.length() > LONGEST) {
       String message = "The file is longer than " + LONGEST + " characters.";
-      throw syntax(ids, message, SourceLocation.of(source.name()));
+      throw syntax(rules, message, SourceLocation.of(source.name()));
     }
-    TreeNotes notes = new TreeNotes(source, format, ids, anyText, findings);
+    TreeNotes notes = new TreeNotes(source, format, rules, anyText, findings);
     try {
       JsonNode root =
           format == DocumentFormat.JSON ? JsonTree.read(text, notes) : YamlTree.read(text, notes);
-      return new Document(source, format, ids, notes, root);
+      return new Document(source, format, rules, notes, root);
     } catch (MalformedException e) {
       SourceLocation place =
           e.offset() < 0 ? SourceLocation.of(source.name()) : source.at(e.offset());
-      throw syntax(ids, e.getMessage(), place);
+      throw syntax(rules, e.getMessage(), place);
     }
   }
 
-  private static DiagnosticException syntax(FindingIds ids, String message, SourceLocation place) {
+  private static DiagnosticException syntax(
+      DocumentRules rules, String message, SourceLocation place) {
     return new DiagnosticException(
-        DiagnosticException.Reason.INPUT, Diagnostic.error(ids.syntax(), message, place));
+        DiagnosticException.Reason.INPUT, Diagnostic.of(rules.syntax(), message, place));
   }
 
   private boolean isEmpty() {
@@ -128,7 +143,7 @@ public final class Document {
       return Optional.of(new ObjectReader(this, pointer, node, findings));
     }
     String message = "This must be " + format.object() + ", not " + kind(node) + ".";
-    findings.accept(Diagnostic.error(ids.type(), message, at(pointer)));
+    findings.accept(Diagnostic.of(rules.type(), message, at(pointer)));
     return Optional.empty();
   }
 
@@ -136,7 +151,7 @@ public final class Document {
   public List<ObjectReader> objects(Consumer<Diagnostic> findings) {
     if (!root.isArray()) {
       String message = "The file must hold " + format.array() + ", not " + kind(root) + ".";
-      findings.accept(Diagnostic.error(ids.type(), message, at("")));
+      findings.accept(Diagnostic.of(rules.type(), message, at("")));
     }
     return objects("", root, findings);
   }
@@ -177,8 +192,8 @@ public final class Document {
     return format;
   }
 
-  FindingIds ids() {
-    return ids;
+  DocumentRules rules() {
+    return rules;
   }
 
   /** Returns the pointer to a property or an element below a pointer. */

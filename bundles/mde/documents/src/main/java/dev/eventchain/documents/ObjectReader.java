@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.MissingNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -88,9 +89,9 @@ public final class ObjectReader {
   /** Reports that a key is missing, unless it has an invalid value, which was reported. */
   private void require(String name) {
     if (!object.has(name)) {
-      find(document.ids().missing(), "'" + name + "' is missing.", location());
+      find(document.rules().missing(), "'" + name + "' is missing.", location());
     } else if (object.get(name).isNull() && document.format() == DocumentFormat.JSON) {
-      find(document.ids().missing(), "'" + name + "' is empty.", at(name));
+      find(document.rules().missing(), "'" + name + "' is empty.", at(name));
     }
   }
 
@@ -99,7 +100,7 @@ public final class ObjectReader {
     Optional<String> value = text(name);
     require(name);
     if (value.isPresent() && value.get().isBlank()) {
-      find(document.ids().missing(), "'" + name + "' is empty.", at(name));
+      find(document.rules().missing(), "'" + name + "' is empty.", at(name));
     }
     return value.orElse("");
   }
@@ -162,7 +163,7 @@ public final class ObjectReader {
       String message =
           String.format(
               "'%s' must be %s, not %s.", name, range.words(), shortened(object.get(name)));
-      find(document.ids().range(), message, at(name));
+      find(document.rules().range(), message, at(name));
     }
     return range.holds(number);
   }
@@ -172,7 +173,7 @@ public final class ObjectReader {
     Optional<JsonNode> value = given(name, "true");
     if (value.isPresent() && !(value.get().isBoolean() && value.get().booleanValue())) {
       findings.accept(
-          Diagnostic.error(document.ids().type(), wrong(name, "true"), at(name))
+          Diagnostic.of(document.rules().type(), wrong(name, "true"), at(name))
               .withHint("Write true, or leave the " + document.format().key() + " out."));
     }
   }
@@ -188,8 +189,10 @@ public final class ObjectReader {
       } else {
         String message = "This must be a string, not " + shown(value) + ".";
         findings.accept(
-            Diagnostic.error(
-                    document.ids().type(), message, document.at(Document.below(pointerTo(name), i)))
+            Diagnostic.of(
+                    document.rules().type(),
+                    message,
+                    document.at(Document.below(pointerTo(name), i)))
                 .withHint(TypeHint.of("a string", value)));
       }
     }
@@ -241,15 +244,15 @@ public final class ObjectReader {
       if (!known.contains(name)) {
         String message = "There is no " + document.format().key() + " '" + name + "' here.";
         findings.accept(
-            Diagnostic.error(document.ids().unknown(), message, atKey(name))
+            Diagnostic.of(document.rules().unknown(), message, atKey(name))
                 .withHint(NearestName.hint(name, known)));
       }
     }
   }
 
   /** Reports another finding about the object. */
-  public void find(String id, String message, SourceLocation location) {
-    find(Diagnostic.error(id, message, location));
+  public void find(Rule rule, String message, SourceLocation location) {
+    find(Diagnostic.of(rule, message, location));
   }
 
   /** Reports another finding about the object. */
@@ -264,7 +267,7 @@ public final class ObjectReader {
    */
   public void refuseType(String name, String wanted) {
     findings.accept(
-        Diagnostic.error(document.ids().type(), wrong(name, wanted), at(name))
+        Diagnostic.of(document.rules().type(), wrong(name, wanted), at(name))
             .withHint(TypeHint.of(wanted, object.get(name))));
   }
 

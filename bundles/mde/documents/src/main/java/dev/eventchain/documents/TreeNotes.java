@@ -3,6 +3,7 @@ package dev.eventchain.documents;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.HashMap;
 import java.util.Map;
@@ -16,7 +17,7 @@ final class TreeNotes {
 
   private final SourceText source;
   private final DocumentFormat format;
-  private final FindingIds ids;
+  private final DocumentRules rules;
   private final boolean anyText;
   private final Consumer<Diagnostic> findings;
   private final Map<String, Integer> values = new HashMap<>();
@@ -25,12 +26,12 @@ final class TreeNotes {
   TreeNotes(
       SourceText source,
       DocumentFormat format,
-      FindingIds ids,
+      DocumentRules rules,
       boolean anyText,
       Consumer<Diagnostic> findings) {
     this.source = source;
     this.format = format;
-    this.ids = ids;
+    this.rules = rules;
     this.anyText = anyText;
     this.findings = findings;
   }
@@ -66,7 +67,7 @@ final class TreeNotes {
     check(name, pointer, offset);
     if (object.has(name)) {
       String message = "The " + format.key() + " '" + name + "' is duplicated.";
-      report(ids.duplicate(), message, TreeNotes.below(pointer, name), offset);
+      report(rules.duplicate(), message, TreeNotes.below(pointer, name), offset);
       return null;
     }
     String below = below(pointer, name);
@@ -86,7 +87,7 @@ final class TreeNotes {
     int found = anyText || pointer == null ? -1 : unprintable(text);
     if (found >= 0) {
       String message = String.format("This holds %s.", described(text.charAt(found)));
-      report(ids.type(), message, pointer, offset);
+      report(rules.type(), message, pointer, offset);
     }
     return text;
   }
@@ -116,14 +117,14 @@ final class TreeNotes {
     return kind + String.format("%04X", (int) c);
   }
 
-  void report(String id, String message, String pointer, int offset) {
-    findings.accept(Diagnostic.error(id, message, source.at(offset).withElement(pointer)));
+  void report(Rule rule, String message, String pointer, int offset) {
+    findings.accept(Diagnostic.of(rule, message, source.at(offset).withElement(pointer)));
   }
 
   /** Reports an invalid value, except in an ignored part of the document. */
   void reportType(String message, String pointer, int offset) {
     if (pointer != null) {
-      report(ids.type(), message, pointer, offset);
+      report(rules.type(), message, pointer, offset);
     }
   }
 }

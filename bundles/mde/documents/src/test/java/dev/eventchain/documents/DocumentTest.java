@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.List;
@@ -18,8 +19,14 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class DocumentTest {
 
-  private static final FindingIds IDS =
-      new FindingIds("a.syntax", "a.duplicate", "a.type", "a.missing", "a.unknown", "a.range");
+  private static final DocumentRules IDS =
+      new DocumentRules(
+          Rule.error("a.syntax"),
+          Rule.error("a.duplicate"),
+          Rule.error("a.type"),
+          Rule.error("a.missing"),
+          Rule.error("a.unknown"),
+          Rule.error("a.range"));
 
   private final List<Diagnostic> found = new ArrayList<>();
 

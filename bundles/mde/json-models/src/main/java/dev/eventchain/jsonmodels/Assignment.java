@@ -1,6 +1,7 @@
 package dev.eventchain.jsonmodels;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.List;
 import java.util.Optional;
@@ -46,7 +47,7 @@ final class Assignment {
   private Optional<Diagnostic> problem() {
     if (!reference.getEReferenceType().isInstance(target)) {
       return found(
-          "modeler.reference.type",
+          InstanceRules.REFERENCE_TYPE,
           "Feature '%s' takes objects of class %s, not %s."
               .formatted(
                   reference.getName(),
@@ -55,7 +56,7 @@ final class Assignment {
     }
     if (!reference.isMany() && source.eGet(reference) != null && source.eGet(reference) != target) {
       return found(
-          "modeler.multiplicity",
+          InstanceRules.MULTIPLICITY,
           "Feature '%s' takes one value and already has another.".formatted(reference.getName()));
     }
     if (reference.isContainment()) {
@@ -67,7 +68,7 @@ final class Assignment {
   private Optional<Diagnostic> containmentProblem(EObject container, EObject content) {
     if (EcoreUtil.isAncestor(content, container)) {
       return found(
-          "modeler.containment.cycle",
+          InstanceRules.CONTAINMENT_CYCLE,
           "The %s would contain itself.".formatted(content.eClass().getName()));
     }
     EReference feature = reference.isContainment() ? reference : reference.getEOpposite();
@@ -76,7 +77,7 @@ final class Assignment {
             && (content.eContainer() != container || content.eContainmentFeature() != feature);
     return elsewhere
         ? found(
-            "modeler.containment.several",
+            InstanceRules.CONTAINMENT_SEVERAL,
             "The %s is already in the feature '%s' of a %s."
                 .formatted(
                     content.eClass().getName(),
@@ -85,7 +86,7 @@ final class Assignment {
         : Optional.empty();
   }
 
-  private static Optional<Diagnostic> found(String id, String message) {
-    return Optional.of(Diagnostic.error(id, message, SourceLocation.NONE));
+  private static Optional<Diagnostic> found(Rule rule, String message) {
+    return Optional.of(Diagnostic.of(rule, message, SourceLocation.NONE));
   }
 }

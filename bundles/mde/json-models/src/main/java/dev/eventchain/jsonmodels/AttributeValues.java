@@ -3,6 +3,7 @@ package dev.eventchain.jsonmodels;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.documents.Document;
 import java.math.BigDecimal;
 import java.math.BigInteger;
@@ -81,7 +82,11 @@ final class AttributeValues {
   void set(EObject object, EAttribute attribute, JsonNode value, String pointer) {
     if (value.isNull()) {
       if (attribute.isRequired()) {
-        find("modeler.feature.missing", "'" + attribute.getName() + "' is missing.", pointer, "");
+        find(
+            InstanceRules.FEATURE_MISSING,
+            "'" + attribute.getName() + "' is missing.",
+            pointer,
+            "");
       }
       return;
     }
@@ -105,7 +110,7 @@ final class AttributeValues {
   private void add(List<Object> values, Object value, EAttribute attribute, String pointer) {
     if (attribute.isUnique() && values.contains(value)) {
       find(
-          "modeler.value.duplicate",
+          InstanceRules.VALUE_DUPLICATE,
           "'" + attribute.getName() + "' already holds this value.",
           pointer,
           "");
@@ -146,7 +151,7 @@ final class AttributeValues {
     if (found == null) {
       List<String> known = type.getELiterals().stream().map(EEnumLiteral::getName).toList();
       find(
-          "modeler.enum.unknown",
+          InstanceRules.ENUM_UNKNOWN,
           type.getName() + " has no literal '" + value.asText() + "'.",
           place,
           NearestName.hint(value.asText(), known));
@@ -201,7 +206,7 @@ final class AttributeValues {
       // Not a value of the type: reported below.
     }
     find(
-        "modeler.value.type",
+        InstanceRules.VALUE_TYPE,
         "'%s' is not a valid %s for '%s'."
             .formatted(value.asText(), type.getName(), attribute.getName()),
         pointer,
@@ -211,7 +216,7 @@ final class AttributeValues {
 
   private Optional<Object> outOfRange(EAttribute attribute, JsonNode value, String pointer) {
     find(
-        "modeler.value.range",
+        InstanceRules.VALUE_RANGE,
         "%s is out of the range of %s, the type of '%s'."
             .formatted(
                 shortened(value), attribute.getEAttributeType().getName(), attribute.getName()),
@@ -224,7 +229,7 @@ final class AttributeValues {
       EAttribute attribute, String wanted, JsonNode value, String pointer) {
     String shown = value.isValueNode() && !value.isNull() ? " " + shortened(value) : "";
     find(
-        "modeler.value.type",
+        InstanceRules.VALUE_TYPE,
         "'%s' must be %s, not %s%s."
             .formatted(attribute.getName(), wanted, text.kind(value), shown),
         pointer,
@@ -237,7 +242,7 @@ final class AttributeValues {
     return shown.length() > 60 ? shown.substring(0, 60) + "..." : shown;
   }
 
-  private void find(String id, String message, String pointer, String hint) {
-    findings.add(Diagnostic.error(id, message, text.at(pointer)).withHint(hint));
+  private void find(Rule rule, String message, String pointer, String hint) {
+    findings.add(Diagnostic.of(rule, message, text.at(pointer)).withHint(hint));
   }
 }

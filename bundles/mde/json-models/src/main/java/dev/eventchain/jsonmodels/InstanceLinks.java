@@ -2,6 +2,7 @@ package dev.eventchain.jsonmodels;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.documents.Document;
 import dev.eventchain.jsonmodels.InstanceObjects.Link;
 import java.util.ArrayList;
@@ -52,7 +53,7 @@ final class InstanceLinks {
     EObject target = objects.byId().get(link.id());
     if (target == null) {
       String message = "There is no object '" + shortened(link.id()) + "'.";
-      find(link, "modeler.reference.unresolved", message, hint(link));
+      find(link, InstanceRules.REFERENCE_UNRESOLVED, message, hint(link));
       return false;
     }
     List<EObject> before =
@@ -61,7 +62,7 @@ final class InstanceLinks {
     if (link.reference().isUnique() && before.contains(target)) {
       find(
           link,
-          "modeler.reference.duplicate",
+          InstanceRules.REFERENCE_DUPLICATE,
           "'" + link.id() + "' is already in '" + link.reference().getName() + "'.",
           "");
       return false;
@@ -95,7 +96,7 @@ final class InstanceLinks {
     if (!kept) {
       find(
           link,
-          "modeler.reference.contradiction",
+          InstanceRules.REFERENCE_CONTRADICTION,
           "'%s' is the opposite of '%s', whose value contradicts this."
               .formatted(link.reference().getName(), link.reference().getEOpposite().getName()),
           "Give only one of the two.");
@@ -117,7 +118,7 @@ final class InstanceLinks {
     }
   }
 
-  private void find(Link link, String id, String message, String hint) {
-    findings.add(Diagnostic.error(id, message, text.at(link.pointer())).withHint(hint));
+  private void find(Link link, Rule rule, String message, String hint) {
+    findings.add(Diagnostic.of(rule, message, text.at(link.pointer())).withHint(hint));
   }
 }

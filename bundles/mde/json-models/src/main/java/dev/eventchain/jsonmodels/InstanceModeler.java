@@ -51,8 +51,8 @@ public final class InstanceModeler {
     }
     if (objects.all().isEmpty() && findings.isEmpty()) {
       findings.add(
-          Diagnostic.error(
-              "modeler.instance.empty", "The document contains no object.", text.at("")));
+          Diagnostic.of(
+              InstanceRules.INSTANCE_EMPTY, "The document contains no object.", text.at("")));
     }
     return new Modeled<>(roots, origins, findings.stream().distinct().sorted().toList());
   }
@@ -76,15 +76,15 @@ public final class InstanceModeler {
                 ? "There can be only one " + rootClass.getName() + "."
                 : "Nothing contains this " + object.eClass().getName() + ".";
         findings.add(
-            Diagnostic.error("modeler.containment.missing", what, all.origins().locate(object))
+            Diagnostic.of(InstanceRules.CONTAINMENT_MISSING, what, all.origins().locate(object))
                 .withHint("Put it into a feature of the object that it belongs to."));
       }
     }
     if (root == null) {
       root = rootClass.getEPackage().getEFactoryInstance().create(rootClass);
       findings.add(
-          Diagnostic.error(
-              "modeler.instance.empty",
+          Diagnostic.of(
+              InstanceRules.INSTANCE_EMPTY,
               "There is no " + rootClass.getName() + " here.",
               instance.at(0)));
     }

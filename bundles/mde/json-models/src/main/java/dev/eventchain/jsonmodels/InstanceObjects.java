@@ -3,6 +3,7 @@ package dev.eventchain.jsonmodels;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.documents.Document;
 import dev.eventchain.xmi.Origins;
@@ -140,7 +141,7 @@ final class InstanceObjects {
       return Optional.of(implied);
     }
     find(
-        "modeler.class.missing",
+        InstanceRules.CLASS_MISSING,
         "The object does not name its class.",
         pointer,
         "Add the property 'eClass'. " + NearestName.hint("", classes.concreteNames()));
@@ -153,14 +154,18 @@ final class InstanceObjects {
       return Optional.of(found.get(0));
     }
     if (found.size() == 1) {
-      find("modeler.class.abstract", "Class '" + name + "' is abstract.", pointer, concrete(found));
+      find(
+          InstanceRules.CLASS_ABSTRACT,
+          "Class '" + name + "' is abstract.",
+          pointer,
+          concrete(found));
     } else if (found.isEmpty()) {
       String simple = name.substring(Math.max(name.lastIndexOf('.'), name.lastIndexOf(':')) + 1);
       String hint = NearestName.hint(simple, classes.concreteNames());
-      find("modeler.class.unknown", "There is no class '" + name + "'.", pointer, hint);
+      find(InstanceRules.CLASS_UNKNOWN, "There is no class '" + name + "'.", pointer, hint);
     } else {
       find(
-          "modeler.class.ambiguous",
+          InstanceRules.CLASS_AMBIGUOUS,
           "There are several classes '" + name + "'.",
           pointer,
           "Write the package too: '" + found.get(0).getEPackage().getName() + "." + name + "'.");
@@ -190,7 +195,7 @@ final class InstanceObjects {
     EObject earlier = byId.putIfAbsent(id.asText(), object);
     if (earlier != null) {
       find(
-          "modeler.id.duplicate",
+          InstanceRules.ID_DUPLICATE,
           "The id '%s' already belongs to the %s in line %d."
               .formatted(id.asText(), earlier.eClass().getName(), origins.locate(earlier).line()),
           Document.below(pointer, ID),
@@ -213,11 +218,11 @@ final class InstanceObjects {
               .toList();
       String message = "Class '" + object.eClass().getName() + "' has no feature '" + name + "'.";
       findings.add(
-          Diagnostic.error("modeler.feature.unknown", message, text.atKey(place))
+          Diagnostic.of(InstanceRules.FEATURE_UNKNOWN, message, text.atKey(place))
               .withHint(NearestName.hint(name, known)));
     } else if (!isWritable(feature)) {
       find(
-          "modeler.feature.derived",
+          InstanceRules.FEATURE_DERIVED,
           "Feature '" + name + "' is derived from others and cannot be set.",
           place,
           "Leave it out.");
@@ -276,10 +281,10 @@ final class InstanceObjects {
 
   private void type(String wanted, JsonNode value, String pointer) {
     String message = wanted + ", not " + text.kind(value) + ".";
-    find("modeler.value.type", message, pointer, "");
+    find(InstanceRules.VALUE_TYPE, message, pointer, "");
   }
 
-  private void find(String id, String message, String pointer, String hint) {
-    findings.add(Diagnostic.error(id, message, text.at(pointer)).withHint(hint));
+  private void find(Rule rule, String message, String pointer, String hint) {
+    findings.add(Diagnostic.of(rule, message, text.at(pointer)).withHint(hint));
   }
 }

@@ -5,21 +5,21 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.DocumentRules;
 import java.util.ArrayList;
 import java.util.List;
 
 /** Reads the JSON of instance models and of descriptions of chains and signals. */
 public final class JsonDocument {
 
-  private static final FindingIds IDS =
-      new FindingIds(
-          "modeler.json.syntax",
-          "modeler.json.syntax",
-          "modeler.value.type",
-          "modeler.feature.missing",
-          "modeler.feature.unknown",
-          "modeler.value.range");
+  private static final DocumentRules RULES =
+      new DocumentRules(
+          InstanceRules.JSON_SYNTAX,
+          InstanceRules.JSON_SYNTAX,
+          InstanceRules.VALUE_TYPE,
+          InstanceRules.FEATURE_MISSING,
+          InstanceRules.FEATURE_UNKNOWN,
+          InstanceRules.VALUE_RANGE);
 
   private JsonDocument() {}
 
@@ -32,7 +32,7 @@ public final class JsonDocument {
    */
   public static Document parse(SourceText source) {
     List<Diagnostic> findings = new ArrayList<>();
-    Document document = Document.parse(source, DocumentFormat.JSON, IDS, findings::add);
+    Document document = Document.parse(source, DocumentFormat.JSON, RULES, findings::add);
     if (!findings.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, findings);
     }

@@ -1,6 +1,7 @@
 package dev.eventchain.jsonmodels;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -45,7 +46,7 @@ public final class ModelComparison {
     if (expected.eClass() != actual.eClass()) {
       report(
           actual,
-          "class",
+          InstanceRules.COMPARISON_CLASS,
           "This is a %s, not a %s."
               .formatted(actual.eClass().getName(), expected.eClass().getName()));
       return;
@@ -72,7 +73,7 @@ public final class ModelComparison {
     if (!Objects.equals(wantedValue, thereValue)) {
       report(
           actual,
-          "value",
+          InstanceRules.COMPARISON_VALUE,
           "'%s' is %s, not %s."
               .formatted(attribute.getName(), shown(thereValue), shown(wantedValue)));
     }
@@ -95,7 +96,7 @@ public final class ModelComparison {
       if (partner == null) {
         report(
             actual,
-            "missing",
+            InstanceRules.COMPARISON_MISSING,
             "'%s' lacks the %s.".formatted(reference.getName(), ModelMatch.describe(child)));
       } else {
         partners.add(partner);
@@ -107,7 +108,7 @@ public final class ModelComparison {
       if (!matched.contains(child)) {
         report(
             child,
-            "additional",
+            InstanceRules.COMPARISON_ADDITIONAL,
             "'%s' has this %s in addition."
                 .formatted(reference.getName(), ModelMatch.describe(child)));
       }
@@ -132,7 +133,7 @@ public final class ModelComparison {
                   reference.getName(),
                   alike ? places(additional) : names(there),
                   alike ? places(missing) : names(wanted));
-      report(actual, "reference", message);
+      report(actual, InstanceRules.COMPARISON_REFERENCE, message);
     } else if (reference.isOrdered() && !wanted.equals(there)) {
       reportOrder(actual, reference, wanted);
     }
@@ -164,15 +165,15 @@ public final class ModelComparison {
 
   private void reportOrder(EObject actual, EReference reference, List<EObject> wanted) {
     differences.add(
-        Diagnostic.warning(
-            "modeler.comparison.order",
+        Diagnostic.of(
+            InstanceRules.COMPARISON_ORDER,
             "'%s' is in a different order; expected: %s."
                 .formatted(reference.getName(), names(wanted)),
             locator.apply(actual)));
   }
 
-  private void report(EObject actual, String kind, String message) {
-    differences.add(Diagnostic.error("modeler.comparison." + kind, message, locator.apply(actual)));
+  private void report(EObject actual, Rule rule, String message) {
+    differences.add(Diagnostic.of(rule, message, locator.apply(actual)));
   }
 
   private static String shown(Object value) {

@@ -1,6 +1,7 @@
 package dev.eventchain.jsonmodels;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
 import java.util.List;
 import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EObject;
@@ -26,7 +27,10 @@ final class MultiplicityCheck {
         checkCount(object, feature, ((List<?>) object.eGet(feature)).size());
       } else if (feature.isRequired() && isMissing(object, feature)) {
         report(
-            object, feature, "modeler.feature.missing", "'" + feature.getName() + "' is missing.");
+            object,
+            feature,
+            InstanceRules.FEATURE_MISSING,
+            "'" + feature.getName() + "' is missing.");
       }
     }
   }
@@ -46,18 +50,22 @@ final class MultiplicityCheck {
     boolean tooFew = count < feature.getLowerBound();
     boolean tooMany = upper >= 0 && count > upper;
     if (count == 0 && tooFew && !objects.isGiven(object, feature)) {
-      report(object, feature, "modeler.feature.missing", "'" + feature.getName() + "' is missing.");
+      report(
+          object,
+          feature,
+          InstanceRules.FEATURE_MISSING,
+          "'" + feature.getName() + "' is missing.");
     } else if (tooFew || tooMany) {
       String limit = tooFew ? "at least " + feature.getLowerBound() : "at most " + upper;
       report(
           object,
           feature,
-          "modeler.multiplicity",
+          InstanceRules.MULTIPLICITY,
           "'%s' takes %s values, not %d.".formatted(feature.getName(), limit, count));
     }
   }
 
-  private void report(EObject object, EStructuralFeature feature, String id, String message) {
-    findings.add(Diagnostic.error(id, message, objects.placeOf(object, feature)));
+  private void report(EObject object, EStructuralFeature feature, Rule rule, String message) {
+    findings.add(Diagnostic.of(rule, message, objects.placeOf(object, feature)));
   }
 }

@@ -5,7 +5,6 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.compile.Linker;
-import dev.eventchain.m2t.compile.Lints;
 import dev.eventchain.m2t.generation.GenerationContext;
 import dev.eventchain.m2t.generation.GenerationResult;
 import dev.eventchain.m2t.run.GenerationRun;
@@ -13,6 +12,7 @@ import dev.eventchain.m2t.services.Services;
 import dev.eventchain.m2t.syntax.ModuleLoader;
 import dev.eventchain.m2t.syntax.ModuleSources;
 import dev.eventchain.m2t.syntax.SourceFolders;
+import dev.eventchain.m2t.syntax.SyntaxTrait;
 import dev.eventchain.m2t.template.Callable;
 import dev.eventchain.m2t.template.Template;
 import dev.eventchain.ocl.evaluation.DeepStack;
@@ -143,7 +143,7 @@ public final class TemplateModule {
     List<Template> templates = Linker.link(modules, packages, new Services(services));
     if (Diagnostic.anyError(found)) {
       // Lint warnings are meaningless while there are errors.
-      found.removeIf(each -> each.id().startsWith(Lints.PREFIX));
+      found.removeIf(each -> each.kind().has(SyntaxTrait.LINT));
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT, found.stream().sorted().distinct().toList());
     }
@@ -206,8 +206,8 @@ public final class TemplateModule {
       Template main, Collection<? extends EObject> roots, GenerationRun run) {
     if (main.parameters().size() != 1) {
       run.report()
-          .error(
-              "m2t.main.parameters",
+          .find(
+              TemplateRules.MAIN_PARAMETERS,
               main.place().location(),
               "The main template '" + main.name() + "' needs exactly one parameter.",
               "Call it from a main template that has one.");
@@ -227,8 +227,8 @@ public final class TemplateModule {
   private void nothingGenerated(GenerationRun run) {
     boolean noMain = mains.isEmpty();
     run.report()
-        .error(
-            noMain ? "m2t.main.missing" : "m2t.nothing-generated",
+        .find(
+            noMain ? TemplateRules.MAIN_MISSING : TemplateRules.NOTHING_GENERATED,
             source.at(0),
             noMain
                 ? "The module has no main template, so nothing was generated."

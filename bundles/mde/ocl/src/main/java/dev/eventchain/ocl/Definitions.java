@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.ocl.metamodel.Names;
+import dev.eventchain.ocl.text.ExpressionRules;
 import dev.eventchain.ocl.text.Tokens;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -165,7 +166,8 @@ public final class Definitions {
     language.environment().addFailedName(nameOf(tokens));
     if (!Diagnostic.anyError(problems.subList(before, problems.size()))) {
       problems.add(
-          Diagnostic.error("ocl.syntax", "This definition cannot be read.", definition.location())
+          Diagnostic.of(
+                  ExpressionRules.SYNTAX, "This definition cannot be read.", definition.location())
               .withHint("Write def: name(parameter : Type) : Type = ..."));
     }
   }
@@ -176,21 +178,23 @@ public final class Definitions {
     SourceRange text = definition.text();
     if (equals == tokens.size()) {
       return Optional.of(
-          Diagnostic.error(
-                  "ocl.syntax",
+          Diagnostic.of(
+                  ExpressionRules.SYNTAX,
                   "A definition needs '=' and an expression.",
                   text.source().at(text.end()))
               .withHint("Write def: name : Type = ..."));
     } else if (untypedParameter(tokens, equals) >= 0) {
       int at = text.start() + tokens.start(untypedParameter(tokens, equals));
       return Optional.of(
-          Diagnostic.error("ocl.syntax", "A parameter needs a type.", text.source().at(at))
+          Diagnostic.of(ExpressionRules.SYNTAX, "A parameter needs a type.", text.source().at(at))
               .withHint("Write def: name(parameter : Type) : Type = ..."));
     } else if (typeColon(tokens, equals) < 0) {
       int at = text.start() + tokens.start(equals);
       return Optional.of(
-          Diagnostic.error(
-                  "ocl.syntax", "A definition needs a type before '='.", text.source().at(at))
+          Diagnostic.of(
+                  ExpressionRules.SYNTAX,
+                  "A definition needs a type before '='.",
+                  text.source().at(at))
               .withHint("Write def: name : Type = ..."));
     }
     return Optional.empty();
@@ -261,8 +265,8 @@ public final class Definitions {
       return false;
     } else if (!definition.repeats(first)) {
       problems.add(
-          Diagnostic.error(
-                  "ocl.duplicate",
+          Diagnostic.of(
+                  ExpressionRules.DUPLICATE,
                   "The definition '"
                       + nameOf(tokens)
                       + "' of "

@@ -17,6 +17,7 @@ import dev.eventchain.ocl.parse.OclEnvironmentFactory;
 import dev.eventchain.ocl.parse.ProblemCollector;
 import dev.eventchain.ocl.parse.StringLiterals;
 import dev.eventchain.ocl.parse.SyntaxTexts;
+import dev.eventchain.ocl.text.ExpressionRules;
 import dev.eventchain.ocl.text.Lexer;
 import dev.eventchain.ocl.tree.InvalidOrigin;
 import java.util.ArrayList;
@@ -116,8 +117,8 @@ public final class ExpressionLanguage implements TypeSystem {
   private Optional<OCLExpression<EClassifier>> parse(
       SourceRange range, String prefix, OclEnvironment environment, List<Diagnostic> problems) {
     if (range.text().isBlank()) {
-      problems.add(
-          Diagnostic.error("ocl.syntax", "An expression is missing here.", range.location()));
+      String missing = "An expression is missing here.";
+      problems.add(Diagnostic.of(ExpressionRules.SYNTAX, missing, range.location()));
       return Optional.empty();
     }
     StringLiterals.check(range, problems);
@@ -228,8 +229,8 @@ public final class ExpressionLanguage implements TypeSystem {
       first = Lexer.end(text, first, range.end());
     }
     problems.add(
-        Diagnostic.error(
-            "ocl.type",
+        Diagnostic.of(
+            ExpressionRules.TYPE,
             "'"
                 + Names.of(feature)
                 + "' is declared as "
@@ -264,7 +265,7 @@ public final class ExpressionLanguage implements TypeSystem {
       body.eAdapters().add(new InvalidOrigin.Source(range.source()));
       return collector.failed() ? Optional.empty() : Optional.of(body);
     } catch (RuntimeException | StackOverflowError e) {
-      collector.add("ocl.syntax", true, "The expression " + SyntaxTexts.unread(e), "", 0);
+      collector.add(ExpressionRules.SYNTAX, true, "The expression " + SyntaxTexts.unread(e), "", 0);
       return Optional.empty();
     } finally {
       root.clean();

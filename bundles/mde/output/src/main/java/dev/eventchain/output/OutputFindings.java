@@ -45,8 +45,8 @@ final class OutputFindings {
   }
 
   private Diagnostic edited(String path, String what) {
-    return Diagnostic.warning(
-        "eventchain.file.edited",
+    return Diagnostic.of(
+        OutputRules.EVENTCHAIN_FILE_EDITED,
         "The file '" + path + "' " + what,
         SourceLocation.of(storage.shown(path)));
   }
@@ -57,8 +57,8 @@ final class OutputFindings {
   }
 
   Diagnostic linkRefused(String name, IOException e) {
-    return Diagnostic.error(
-            "output.path.refused",
+    return Diagnostic.of(
+            OutputRules.OUTPUT_PATH_REFUSED,
             "The file '" + OutputPath.shown(name) + "' was not written: " + e.getMessage() + ".",
             SourceLocation.of(storage.shown(name)))
         .withHint("Replace the link with a folder.");
@@ -66,8 +66,8 @@ final class OutputFindings {
 
   static DiagnosticException unwritable(String place, IOException e) {
     return failure(
-        Diagnostic.error(
-                "output.unwritable",
+        Diagnostic.of(
+                OutputRules.OUTPUT_UNWRITABLE,
                 "The output cannot be written: " + SourceText.reason(e) + ".",
                 SourceLocation.of(place.replace('\\', '/')))
             .withHint("Check permissions and free space, or choose another folder with -o."));
@@ -78,8 +78,8 @@ final class OutputFindings {
   }
 
   Diagnostic damaged() {
-    return Diagnostic.warning(
-            "output.records.damaged",
+    return Diagnostic.of(
+            OutputRules.OUTPUT_RECORDS_DAMAGED,
             "The records of the files written earlier cannot be read.",
             SourceLocation.of(storage.shown(OutputPath.RESERVED + "/files.json")))
         .withHint(

@@ -88,8 +88,8 @@ public final class OutputFolder implements AutoCloseable {
       return new OutputFolder(storage, new FileRecords(storage));
     } catch (FolderLock.HeldException e) {
       throw OutputFindings.failure(
-          Diagnostic.error(
-                  "output.locked",
+          Diagnostic.of(
+                  OutputRules.OUTPUT_LOCKED,
                   "The output folder is in use by " + e.getMessage() + ".",
                   SourceLocation.of(base))
               .withHint("Wait for the other run to end, or choose another folder with -o."));

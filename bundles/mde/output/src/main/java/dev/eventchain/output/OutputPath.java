@@ -74,8 +74,8 @@ public record OutputPath(String value, String problem) {
    * @param name the original name
    */
   public Diagnostic refusal(String name) {
-    return Diagnostic.error(
-            "output.path.refused",
+    return Diagnostic.of(
+            OutputRules.OUTPUT_PATH_REFUSED,
             "The file name '" + shown(name) + "' " + problem + ".",
             SourceLocation.NONE)
         .withHint("Files are named relative to the output folder and stay below it.");

@@ -3,7 +3,7 @@ package dev.eventchain.xmi;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -28,28 +28,28 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
  */
 public final class EcoreChecks {
 
-  private static final List<String> IDS =
+  private static final List<Rule> RULES =
       List.of(
-          "ecore.required",
-          "ecore.bound",
-          "ecore.opposite",
-          "ecore.unique",
-          "ecore.value",
-          "ecore.key",
-          "ecore.map");
+          EcoreRules.REQUIRED,
+          EcoreRules.BOUND,
+          EcoreRules.OPPOSITE,
+          EcoreRules.UNIQUE,
+          EcoreRules.VALUE,
+          EcoreRules.KEY,
+          EcoreRules.MAP);
 
   private static final Duration TIME_LIMIT = Duration.ofSeconds(30);
 
   private final Function<EObject, SourceLocation> locator;
   private final Map<EClass, EcorePlan> plans = new HashMap<>();
-  private final Map<String, Long> evaluations = new LinkedHashMap<>();
+  private final Map<Rule, Long> evaluations = new LinkedHashMap<>();
   private final List<Diagnostic> found = new ArrayList<>();
   private final ValueChecks values;
 
   private EcoreChecks(Function<EObject, SourceLocation> locator, Duration timeLimit) {
     this.locator = locator;
     this.values = new ValueChecks(locator, timeLimit);
-    IDS.forEach(id -> evaluations.put(id, 0L));
+    RULES.forEach(rule -> evaluations.put(rule, 0L));
   }
 
   /** As {@link #of(List, Duration)} with 30 seconds for each type. */
@@ -93,7 +93,7 @@ public final class EcoreChecks {
 
   private EcoreChecks end() {
     found.addAll(values.findings());
-    count("ecore.value", values.evaluations());
+    count(EcoreRules.VALUE, values.evaluations());
     found.sort(null);
     return this;
   }
@@ -107,13 +107,13 @@ public final class EcoreChecks {
   public Coverage coverage() {
     List<Coverage.Check> checks = new ArrayList<>();
     evaluations.forEach(
-        (id, times) ->
+        (rule, times) ->
             checks.add(
                 new Coverage.Check(
                     Coverage.Kind.METAMODEL,
-                    id,
+                    rule.id(),
                     "",
-                    Severity.ERROR,
+                    rule.severity(),
                     SourceLocation.NONE,
                     "",
                     times)));
@@ -132,26 +132,26 @@ public final class EcoreChecks {
     plan.values().forEach(attribute -> values.check(element, attribute));
     plan.keyed().forEach(reference -> checkKeys(element, reference));
     plan.maps().forEach(reference -> checkMap(element, reference));
-    count("ecore.unique", plan.unique().size());
-    count("ecore.opposite", plan.paired().size());
+    count(EcoreRules.UNIQUE, plan.unique().size());
+    count(EcoreRules.OPPOSITE, plan.paired().size());
   }
 
-  private void count(String id, long times) {
-    evaluations.merge(id, times, Long::sum);
+  private void count(Rule rule, long times) {
+    evaluations.merge(rule, times, Long::sum);
   }
 
-  private void report(String id, EObject element, String message, String hint) {
-    found.add(Diagnostic.error(id, message, locator.apply(element)).withHint(hint));
+  private void report(Rule rule, EObject element, String message, String hint) {
+    found.add(Diagnostic.of(rule, message, locator.apply(element)).withHint(hint));
   }
 
   /** Checks a feature as EMF does: a default is a value unless the feature is unsettable. */
   private void checkRequired(EObject element, EStructuralFeature feature) {
-    count("ecore.required", 1);
+    count(EcoreRules.REQUIRED, 1);
     if (feature.isMany()) {
       int size = ((List<?>) element.eGet(feature, false)).size();
       if (size < feature.getLowerBound()) {
         report(
-            "ecore.required",
+            EcoreRules.REQUIRED,
             element,
             "`%s` has %s, but needs %d."
                 .formatted(
@@ -162,7 +162,7 @@ public final class EcoreChecks {
         ? !element.eIsSet(feature)
         : element.eGet(feature, false) == null) {
       report(
-          "ecore.required",
+          EcoreRules.REQUIRED,
           element,
           isContainer(feature)
               ? "The element is not part of a `%s`, but must be."
@@ -177,11 +177,11 @@ public final class EcoreChecks {
   }
 
   private void checkBound(EObject element, EStructuralFeature feature) {
-    count("ecore.bound", 1);
+    count(EcoreRules.BOUND, 1);
     int size = ((List<?>) element.eGet(feature, false)).size();
     if (size > feature.getUpperBound()) {
       report(
-          "ecore.bound",
+          EcoreRules.BOUND,
           element,
           "`%s` has %s, but holds at most %d."
               .formatted(
@@ -196,12 +196,12 @@ public final class EcoreChecks {
       EObject target = (EObject) value;
       List<Object> key = new ArrayList<>();
       reference.getEKeys().forEach(attribute -> key.add(target.eGet(attribute)));
-      count("ecore.key", 1);
+      count(EcoreRules.KEY, 1);
       EObject first = known.putIfAbsent(key, target);
       if (first != null && first != target) {
         found.add(
-            Diagnostic.error(
-                    "ecore.key",
+            Diagnostic.of(
+                    EcoreRules.KEY,
                     "Two elements of `%s` have the same key %s."
                         .formatted(reference.getName(), key),
                     locator.apply(target))
@@ -216,12 +216,12 @@ public final class EcoreChecks {
     for (Object value : (List<?>) element.eGet(reference, true)) {
       EObject entry = (EObject) value;
       Object key = entry.eGet(entry.eClass().getEStructuralFeature("key"));
-      count("ecore.map", 1);
+      count(EcoreRules.MAP, 1);
       EObject first = known.putIfAbsent(key, entry);
       if (first != null) {
         found.add(
-            Diagnostic.error(
-                    "ecore.map",
+            Diagnostic.of(
+                    EcoreRules.MAP,
                     "The map `%s` has the key `%s` twice.".formatted(reference.getName(), key),
                     locator.apply(entry))
                 .withRelated(locator.apply(first))

@@ -78,7 +78,7 @@ final class Faults {
                     ModelPath.of(link.to),
                     opposite.getName());
         found.add(
-            Diagnostic.error("ecore.opposite", message, place(file, end.tag(), end.feature()))
+            Diagnostic.of(EcoreRules.OPPOSITE, message, place(file, end.tag(), end.feature()))
                 .withRelated(resources.origins().locate(link.to))
                 .withHint(
                     "Write both ends, or neither: which of them a reader keeps depends on the order"
@@ -166,8 +166,8 @@ final class Faults {
   /** Returns the finding for a duplicate in a unique feature. */
   static Diagnostic duplicate(
       XmiResource file, EObject element, int tag, EStructuralFeature feature, String value) {
-    return Diagnostic.error(
-            "ecore.unique",
+    return Diagnostic.of(
+            EcoreRules.UNIQUE,
             "`%s` of %s holds %s twice, but its values must be unique."
                 .formatted(feature.getName(), ModelPath.of(element), value),
             place(file, tag, feature))

@@ -80,8 +80,8 @@ final class MetamodelChecks {
     EReference back = opposite.getEOpposite();
     if (back != reference) {
       found.add(
-          Diagnostic.error(
-                  "xmi.metamodel.unsound",
+          Diagnostic.of(
+                  XmiRules.METAMODEL_UNSOUND,
                   "%s names %s as its opposite, which names %s."
                       .formatted(
                           shown(reference), shown(opposite), back == null ? "none" : shown(back)),
@@ -108,8 +108,8 @@ final class MetamodelChecks {
 
   private void refuseType(ENamedElement element, String javaClass) {
     found.add(
-        Diagnostic.error(
-                "xmi.datatype.refused",
+        Diagnostic.of(
+                XmiRules.DATATYPE_REFUSED,
                 "Values of `%s` would run code of a Java class: its base type is one of `%s`."
                     .formatted(element.getName(), javaClass),
                 origins.locate(element))
@@ -148,6 +148,6 @@ final class MetamodelChecks {
   }
 
   private void report(EObject element, String message) {
-    found.add(Diagnostic.error("xmi.metamodel.unsound", message, origins.locate(element)));
+    found.add(Diagnostic.of(XmiRules.METAMODEL_UNSOUND, message, origins.locate(element)));
   }
 }

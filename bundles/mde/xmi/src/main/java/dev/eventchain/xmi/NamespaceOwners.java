@@ -24,8 +24,8 @@ final class NamespaceOwners {
       EPackage owner = owners.putIfAbsent(ePackage.getNsURI(), ePackage);
       if (owner != null && ePackage.getNsURI() != null) {
         found.add(
-            Diagnostic.error(
-                    "xmi.namespace.duplicate",
+            Diagnostic.of(
+                    XmiRules.NAMESPACE_DUPLICATE,
                     "The packages `%s` and `%s` have the same nsURI `%s`."
                         .formatted(owner.getName(), ePackage.getName(), ePackage.getNsURI()),
                     origins.locate(ePackage))

@@ -94,7 +94,7 @@ final class References {
   private void refuseSecondContainer(XmiResource file, InternalEObject proxy, EObject target) {
     file.problems()
         .add(
-            "xmi.containment.twice",
+            XmiRules.CONTAINMENT_TWICE,
             "`%s` is already part of %s."
                 .formatted(shown(file, proxy), ModelPath.of(target.eContainer())),
             file.offsetOfProxy(proxy),
@@ -186,7 +186,7 @@ final class References {
     }
     file.problems()
         .add(
-            "xmi.reference.unresolved",
+            XmiRules.REFERENCE_UNRESOLVED,
             "`%s` %s.".formatted(shown(file, proxy), problem),
             file.offsetOfProxy(proxy),
             "");
@@ -205,6 +205,6 @@ final class References {
                 target.eClass().getName(), reference.getName(), reference.getEType().getName());
     file.problems()
         .found()
-        .add(Diagnostic.error("xmi.value.illegal", message, resources.origins().locate(element)));
+        .add(Diagnostic.of(XmiRules.VALUE_ILLEGAL, message, resources.origins().locate(element)));
   }
 }

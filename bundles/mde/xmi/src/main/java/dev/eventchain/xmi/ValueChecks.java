@@ -59,8 +59,8 @@ final class ValueChecks {
   }
 
   private Diagnostic limit(EDataType type, Unchecked left) {
-    return Diagnostic.error(
-            "ecore.limit",
+    return Diagnostic.of(
+            EcoreRules.LIMIT,
             "The check of the type `%s` was abandoned at this `%s`: %s. It left %s unchecked."
                 .formatted(
                     type.getName(),
@@ -114,8 +114,8 @@ final class ValueChecks {
     String text = String.valueOf(value);
     String shown = text.length() > LONGEST_SHOWN ? text.substring(0, LONGEST_SHOWN) + "..." : text;
     found.add(
-        Diagnostic.error(
-                "ecore.value",
+        Diagnostic.of(
+                EcoreRules.VALUE,
                 "`%s` of `%s` %s.".formatted(shown, attribute.getName(), fault),
                 locator.apply(element))
             .withHint(

@@ -126,7 +126,7 @@ final class XmiHandler extends SAXXMIHandler {
     String mapped = file.files().mapped(file.getURI(), reference);
     Optional<String> refusal = file.files().refusal(file.getURI(), mapped);
     if (refusal.isPresent()) {
-      file.problems().add("xmi.href.refused", refusal.get(), place, MappedUris.hint(reference));
+      file.problems().add(XmiRules.HREF_REFUSED, refusal.get(), place, MappedUris.hint(reference));
       return;
     }
     super.handleProxy(proxy, mapped);

@@ -2,6 +2,7 @@ package dev.eventchain.xmi;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -44,8 +45,8 @@ final class XmiProblems {
     return text;
   }
 
-  void add(String id, String message, int offset, String hint) {
-    found.add(Diagnostic.error(id, message, text.at(offset)).withHint(hint));
+  void add(Rule rule, String message, int offset, String hint) {
+    found.add(Diagnostic.of(rule, message, text.at(offset)).withHint(hint));
   }
 
   /** Adds a problem that EMF reports for the element whose start tag is at an offset. */
@@ -60,31 +61,31 @@ final class XmiProblems {
       addIllegalValue(value, tag);
     } else if (problem instanceof UnresolvedReferenceException reference) {
       add(
-          "xmi.reference.unresolved",
+          XmiRules.REFERENCE_UNRESOLVED,
           "`" + reference.getReference() + "` names no element of this file.",
           valueIn(attributeIn(tag, reference.getFeature().getName()), reference.getReference()),
           "");
     } else {
-      add("xmi.syntax", message(problem), tag, "");
+      add(XmiRules.SYNTAX, message(problem), tag, "");
     }
   }
 
   /** Adds the exception that stopped the parser. */
   void add(IOException stopped) {
     if (!(stopped.getCause() instanceof SAXParseException syntax)) {
-      add("xmi.syntax", "The file is not valid XMI: " + stopped.getMessage(), 0, "");
+      add(XmiRules.SYNTAX, "The file is not valid XMI: " + stopped.getMessage(), 0, "");
       return;
     }
     int end = text.offset(syntax.getLineNumber(), syntax.getColumnNumber());
     int doctype = text.text().indexOf("<!DOCTYPE");
     if (doctype >= 0 && doctype <= end) {
       add(
-          "xmi.doctype",
+          XmiRules.DOCTYPE,
           "The file has a document type declaration, which could pull in other files.",
           doctype,
           "Remove the declaration and write the text in place of its entities.");
     } else {
-      add("xmi.syntax", String.valueOf(syntax.getMessage()), end, "");
+      add(XmiRules.SYNTAX, String.valueOf(syntax.getMessage()), end, "");
     }
   }
 
@@ -97,7 +98,7 @@ final class XmiProblems {
   /** Adds that the type of a feature must not be created from text. */
   void refuseType(EStructuralFeature feature, int tag) {
     add(
-        "xmi.datatype.refused",
+        XmiRules.DATATYPE_REFUSED,
         "Values of `%s` would run code of the Java class `%s`."
             .formatted(feature.getName(), ((EDataType) feature.getEType()).getInstanceClassName()),
         attributeIn(tag, feature.getName()),
@@ -107,7 +108,7 @@ final class XmiProblems {
   /** Adds that a text is not a finite number. */
   void refuseNumber(EStructuralFeature feature, String value, int tag) {
     add(
-        "xmi.number.nonfinite",
+        XmiRules.NUMBER_NONFINITE,
         "`%s` is not a finite number, which feature `%s` needs."
             .formatted(value, feature.getName()),
         attributeIn(tag, feature.getName()),
@@ -117,7 +118,7 @@ final class XmiProblems {
   /** Adds that a file sets a computed feature. */
   void refuseComputed(EStructuralFeature feature, int tag) {
     add(
-        "xmi.feature.computed",
+        XmiRules.FEATURE_COMPUTED,
         "Feature `%s` is volatile: its value is computed and cannot be set."
             .formatted(feature.getName()),
         attributeIn(tag, feature.getName()),
@@ -127,7 +128,7 @@ final class XmiProblems {
   /** Adds that the element at an offset sets a single-valued feature again. */
   void addSecondValue(EStructuralFeature feature, int tag) {
     add(
-        "xmi.value.twice",
+        XmiRules.VALUE_TWICE,
         "Feature `%s` holds one value, but the file gives it another one here."
             .formatted(feature.getName()),
         attributeIn(tag, feature.getName()),
@@ -136,8 +137,8 @@ final class XmiProblems {
 
   /** Returns the finding that two elements have the same id; the model can still be checked. */
   Diagnostic duplicate(String id, int tag, int first) {
-    return Diagnostic.error(
-            "xmi.id.duplicate",
+    return Diagnostic.of(
+            XmiRules.ID_DUPLICATE,
             "The id `" + id + "` belongs to two elements.",
             text.at(valueIn(tag, "\"" + id + "\"")))
         .withRelated(text.at(first))
@@ -147,7 +148,7 @@ final class XmiProblems {
   /** Adds that a reference would make an element contain itself. */
   void addCircle(int offset) {
     add(
-        "xmi.containment.circle",
+        XmiRules.CONTAINMENT_CIRCLE,
         "With this reference an element would contain itself.",
         offset,
         "Remove the reference.");
@@ -155,13 +156,13 @@ final class XmiProblems {
 
   private void addUnknownFeature(FeatureNotFoundException problem, int tag) {
     if (problem.getObject() == null) {
-      add("xmi.feature.unknown", "There is an element where only text is allowed.", tag, "");
+      add(XmiRules.FEATURE_UNKNOWN, "There is an element where only text is allowed.", tag, "");
       return;
     }
     EClass type = problem.getObject().eClass();
     List<String> known = type.getEAllStructuralFeatures().stream().map(f -> f.getName()).toList();
     add(
-        "xmi.feature.unknown",
+        XmiRules.FEATURE_UNKNOWN,
         "Class `" + type.getName() + "` has no feature `" + problem.getName() + "`.",
         attributeIn(tag, problem.getName()),
         NearestName.hint(problem.getName(), known));
@@ -182,10 +183,14 @@ final class XmiProblems {
     if (meant.size() > 1) {
       addAmbiguousClass(name, meant, place);
     } else if (isAbstract || ePackage.getEClassifier(problem.getName()) instanceof EClass) {
-      add("xmi.class.abstract", "Class " + name + " is abstract.", place, "Use a concrete class.");
+      add(
+          XmiRules.CLASS_ABSTRACT,
+          "Class " + name + " is abstract.",
+          place,
+          "Use a concrete class.");
     } else {
       add(
-          "xmi.class.unknown",
+          XmiRules.CLASS_UNKNOWN,
           "Metamodel `" + ePackage.getName() + "` has no class " + name + ".",
           place,
           NearestName.hint(problem.getName(), concreteClasses(ePackage)));
@@ -202,7 +207,7 @@ final class XmiProblems {
   private void addAmbiguousClass(String name, List<EClass> meant, int place) {
     List<String> owners = meant.stream().map(each -> each.getEPackage().getNsURI()).toList();
     add(
-        "xmi.class.unknown",
+        XmiRules.CLASS_UNKNOWN,
         "Several packages without nsURI have a class " + name + ".",
         place,
         "Write its namespace: one of `%s`.".formatted(String.join("`, `", owners)));
@@ -210,11 +215,11 @@ final class XmiProblems {
 
   private void addUnknownPackage(PackageNotFoundException problem, int tag) {
     if (problem.uri() == null || problem.uri().isEmpty()) {
-      add("xmi.package.unknown", "The element belongs to no namespace.", tag, "");
+      add(XmiRules.PACKAGE_UNKNOWN, "The element belongs to no namespace.", tag, "");
       return;
     }
     add(
-        "xmi.package.unknown",
+        XmiRules.PACKAGE_UNKNOWN,
         "No metamodel with the namespace `" + problem.uri() + "` is loaded.",
         tag,
         Namespaces.hint(problem.uri(), registry.keySet()));
@@ -231,7 +236,7 @@ final class XmiProblems {
             ? eEnum.getELiterals().stream().map(EEnumLiteral::getLiteral).toList()
             : List.of();
     add(
-        "xmi.value.illegal",
+        XmiRules.VALUE_ILLEGAL,
         shown
             + " is not a valid value for feature `"
             + feature.getName()

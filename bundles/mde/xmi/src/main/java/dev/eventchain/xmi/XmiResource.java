@@ -157,7 +157,7 @@ final class XmiResource extends XMIResourceImpl {
       load(new InputSource(new StringReader(problems.text().text())), Map.of());
       refuseCircles();
       if (getContents().isEmpty() && problems.found().isEmpty()) {
-        problems.add("xmi.empty", "The file contains no model element.", 0, "");
+        problems.add(XmiRules.EMPTY, "The file contains no model element.", 0, "");
       }
     } catch (DiagnosticException e) {
       problems.found().addAll(e.diagnostics());
@@ -165,7 +165,7 @@ final class XmiResource extends XMIResourceImpl {
       problems.add(e);
     } catch (RuntimeException e) {
       // EMF's reader trusts its input; its failures are faults of the file.
-      problems.add("xmi.syntax", "The file is not valid XMI: " + reason(e), 0, "");
+      problems.add(XmiRules.SYNTAX, "The file is not valid XMI: " + reason(e), 0, "");
     }
   }
 

@@ -103,7 +103,7 @@ public final class XmiStore {
       if (metamodels.getResources().indexOf(each) >= before) {
         DiagnosticException.runAt(each.place(), () -> complete(own, each, problems));
         each.statements().faults().stream()
-            .filter(fault -> fault.id().equals("xmi.id.duplicate"))
+            .filter(fault -> fault.is(XmiRules.ID_DUPLICATE))
             .forEach(problems::add);
       }
       packages.addAll(own);
@@ -112,8 +112,8 @@ public final class XmiStore {
     List<EPackage> top = packages.stream().filter(p -> p.eResource() == file).toList();
     if (top.isEmpty()) {
       problems.add(
-          Diagnostic.error(
-              "xmi.metamodel.unsound",
+          Diagnostic.of(
+              XmiRules.METAMODEL_UNSOUND,
               "The file contains no EPackage.",
               metamodels.origins().locate(file.getContents().get(0))));
     }

@@ -62,8 +62,8 @@ final class XmiWriter {
       Throwable cause = e.getCause() == null ? e : e.getCause();
       throw new DiagnosticException(
           DiagnosticException.Reason.FINDINGS,
-          Diagnostic.error(
-                  "xmi.unwritable",
+          Diagnostic.of(
+                  XmiRules.UNWRITABLE,
                   "The model cannot be written as XMI: " + cause.getMessage(),
                   SourceLocation.NONE.withElement(ModelPath.of(resource.getContents().get(0))))
               .withHint(

@@ -2,6 +2,7 @@ package dev.eventchain.xmi;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
@@ -94,7 +95,7 @@ final class XmlText {
   private static DiagnosticException wrongEncoding(String message, String name) {
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
-        Diagnostic.error("file.encoding", message, SourceLocation.of(name))
+        Diagnostic.of(FileRules.ENCODING, message, SourceLocation.of(name))
             .withHint("Save it as UTF-8."));
   }
 }

@@ -5,6 +5,7 @@ import com.sun.jna.Native;
 import com.sun.jna.NativeLibrary;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.io.IOException;
 import java.lang.reflect.Method;
@@ -18,7 +19,7 @@ import java.util.Optional;
 /** The C library of Eclipse Cyclone DDS, loaded at most once per process and never unloaded. */
 public final class DdsLibrary {
 
-  private static final String ID = "dds.unavailable";
+  private static final Rule UNAVAILABLE = Rule.error("dds.unavailable");
   private static final String SETTING = "EVENTCHAIN_LIBDDSC";
   private static final String HINT =
       "Set " + SETTING + " to a libddsc of Cyclone DDS 11.0.1, or unset it.";
@@ -72,14 +73,14 @@ public final class DdsLibrary {
   private static DiagnosticException missing() {
     return new DiagnosticException(
         DiagnosticException.Reason.UNAVAILABLE,
-        Diagnostic.error(ID, "No Cyclone DDS library was found.", SourceLocation.NONE)
+        Diagnostic.of(UNAVAILABLE, "No Cyclone DDS library was found.", SourceLocation.NONE)
             .withHint(HINT));
   }
 
   private static DiagnosticException unavailable(Path path, String message) {
     return new DiagnosticException(
         DiagnosticException.Reason.UNAVAILABLE,
-        Diagnostic.error(ID, message, SourceLocation.of(path)).withHint(HINT));
+        Diagnostic.of(UNAVAILABLE, message, SourceLocation.of(path)).withHint(HINT));
   }
 
   private static Path real(Path path) {

@@ -248,7 +248,7 @@ final class IdlParser {
     }
     if (!names.add(member)) {
       throw tokens.refusal(
-          "message.name.duplicate", "'" + member + "' is defined twice.", word.offset(), "");
+          MessageRules.NAME_DUPLICATE, "'" + member + "' is defined twice.", word.offset(), "");
     }
     Optional<Diagnostic> keyword = MemberNames.problemOfKeyword(member, source.at(word.offset()));
     if (keyword.isPresent()) {
@@ -265,7 +265,7 @@ final class IdlParser {
     try {
       return Literals.parse(type, value, false);
     } catch (IllegalArgumentException e) {
-      throw tokens.refusal("message.value", String.valueOf(e.getMessage()), offset, "");
+      throw tokens.refusal(MessageRules.VALUE, String.valueOf(e.getMessage()), offset, "");
     }
   }
 }

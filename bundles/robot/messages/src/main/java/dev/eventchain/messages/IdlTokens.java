@@ -2,6 +2,7 @@ package dev.eventchain.messages;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.List;
@@ -153,11 +154,11 @@ final class IdlTokens {
 
   /** Returns a finding at an offset. */
   DiagnosticException refusal(String message, int offset) {
-    return refusal("message.syntax", message, offset, HINT);
+    return refusal(MessageRules.SYNTAX, message, offset, HINT);
   }
 
-  DiagnosticException refusal(String id, String message, int offset, String hint) {
-    Diagnostic problem = Diagnostic.error(id, message, source.at(offset));
+  DiagnosticException refusal(Rule rule, String message, int offset, String hint) {
+    Diagnostic problem = Diagnostic.of(rule, message, source.at(offset));
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
         List.of(hint.isEmpty() ? problem : problem.withHint(hint)));

@@ -95,6 +95,6 @@ public final class MemberNames {
   }
 
   private static Diagnostic problem(String message, SourceLocation place) {
-    return Diagnostic.error("message.name", message, place);
+    return Diagnostic.of(MessageRules.NAME, message, place);
   }
 }

@@ -2,6 +2,7 @@ package dev.eventchain.messages;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
@@ -115,8 +116,8 @@ public final class MessageCatalog {
   private static DiagnosticException unreadable(Path folder, String reason) {
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
-        Diagnostic.error(
-            "file.unreadable",
+        Diagnostic.of(
+            FileRules.UNREADABLE,
             "The folder of message definitions cannot be read: " + reason + ".",
             SourceLocation.of(folder)));
   }
@@ -151,8 +152,8 @@ public final class MessageCatalog {
     Set<Diagnostic> found = new TreeSet<>();
     for (Path file : misplaced) {
       found.add(
-          Diagnostic.warning(
-                  "message.place",
+          Diagnostic.of(
+                  MessageRules.PLACE,
                   "This is not read: no message type has this file.",
                   SourceLocation.of(file))
               .withHint(
@@ -251,8 +252,8 @@ public final class MessageCatalog {
     if (beside != null && !definition.saysTheSameAs(definition(name, beside))) {
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT,
-          Diagnostic.error(
-                  "message.conflict",
+          Diagnostic.of(
+                  MessageRules.CONFLICT,
                   file.getFileName() + " next to this file defines " + name + " differently.",
                   SourceLocation.of(beside))
               .withHint("Remove one of them, or regenerate it from the other."));
@@ -303,13 +304,15 @@ public final class MessageCatalog {
     }
     if (users.contains(base)) {
       String message = "'" + field.name() + "' makes " + base + " contain itself.";
-      problems.add(Diagnostic.error("message.cycle", message, field.place()));
+      problems.add(Diagnostic.of(MessageRules.CYCLE, message, field.place()));
       return Optional.empty();
     }
     if (!standard.containsKey(base) && !files.containsKey(base)) {
       problems.add(
-          Diagnostic.error(
-                  "message.type.unknown", "There is no message type " + base + ".", field.place())
+          Diagnostic.of(
+                  MessageRules.TYPE_UNKNOWN,
+                  "There is no message type " + base + ".",
+                  field.place())
               .withHint(
                   "Put its definition into PACKAGE/msg/NAME.msg, or .idl, next to the others."));
       return Optional.empty();

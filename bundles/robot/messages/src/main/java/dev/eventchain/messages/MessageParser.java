@@ -112,7 +112,7 @@ final class MessageParser {
     SourceLocation place = source.at(offset);
     if (!names.add(member)) {
       String message = "'" + member + "' is defined twice.";
-      problems.add(Diagnostic.error("message.name.duplicate", message, place));
+      problems.add(Diagnostic.of(MessageRules.NAME_DUPLICATE, message, place));
       return;
     }
     Object value = null;
@@ -122,7 +122,7 @@ final class MessageParser {
         value = Literals.parse(typed.type(), text, isConstant);
       } catch (IllegalArgumentException e) {
         SourceLocation ofValue = source.at(offset + Math.max(0, found.start("value")));
-        problems.add(Diagnostic.error("message.value", String.valueOf(e.getMessage()), ofValue));
+        problems.add(Diagnostic.of(MessageRules.VALUE, String.valueOf(e.getMessage()), ofValue));
         return;
       }
     }
@@ -135,7 +135,7 @@ final class MessageParser {
   }
 
   private static Diagnostic wide(SourceLocation place) {
-    return Diagnostic.error("message.syntax", "wstring is not supported.", place)
+    return Diagnostic.of(MessageRules.SYNTAX, "wstring is not supported.", place)
         .withHint("Use string: implementations of DDS encode wstring unequally.");
   }
 
@@ -190,7 +190,7 @@ final class MessageParser {
   }
 
   private void syntaxProblem(String message, int offset) {
-    Diagnostic problem = Diagnostic.error("message.syntax", message, source.at(offset));
+    Diagnostic problem = Diagnostic.of(MessageRules.SYNTAX, message, source.at(offset));
     problems.add(problem.withHint(GRAMMAR));
   }
 }

@@ -26,8 +26,8 @@ final class CacheFolder {
   static DiagnosticException unwritable(Path folder, IOException problem) {
     return new DiagnosticException(
         DiagnosticException.Reason.UNAVAILABLE,
-        Diagnostic.error(
-                "python.unavailable",
+        Diagnostic.of(
+                PythonRules.PYTHON_UNAVAILABLE,
                 "The cache folder cannot be written: " + SourceText.reason(problem) + ".",
                 SourceLocation.of(folder))
             .withHint("Make it writable, or set XDG_CACHE_HOME to a folder that is."));

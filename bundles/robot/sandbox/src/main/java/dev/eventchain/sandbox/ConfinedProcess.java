@@ -280,8 +280,8 @@ public final class ConfinedProcess implements AutoCloseable {
       } catch (IOException e) {
         throw new DiagnosticException(
             DiagnosticException.Reason.UNAVAILABLE,
-            Diagnostic.error(
-                "python.unavailable",
+            Diagnostic.of(
+                PythonRules.PYTHON_UNAVAILABLE,
                 "A confined Python cannot be started: " + SourceText.reason(e) + ".",
                 SourceLocation.of(Path.of(command.line().get(0)))));
       }

@@ -90,8 +90,8 @@ public enum Confinement {
     }
     throw new DiagnosticException(
         DiagnosticException.Reason.UNAVAILABLE,
-        Diagnostic.error(
-                "python.confinement.unavailable",
+        Diagnostic.of(
+                PythonRules.PYTHON_CONFINEMENT_UNAVAILABLE,
                 VARIABLE + " demands bubblewrap, which does not work here.",
                 SourceLocation.NONE)
             .withHint(
@@ -103,8 +103,8 @@ public enum Confinement {
   private static DiagnosticException unknown(String wanted) {
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
-        Diagnostic.error(
-                "python.confinement.unknown",
+        Diagnostic.of(
+                PythonRules.PYTHON_CONFINEMENT_UNKNOWN,
                 VARIABLE
                     + " is '"
                     + wanted

@@ -2,6 +2,7 @@ package dev.eventchain.sandbox;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
@@ -32,8 +33,8 @@ final class EnvironmentFinder {
   private static final List<String> PLAIN = List.of(SCRIPT, "requirements.txt");
   private static final List<String> WITH_CYCLONEDDS =
       List.of(SCRIPT, "requirements.txt", "requirements-cyclonedds.txt");
-  private static final Map<Integer, String> IDS =
-      Map.of(4, "dds.unavailable", 5, "python.wheels.missing");
+  private static final Map<Integer, Rule> RULES =
+      Map.of(4, PythonRules.DDS_UNAVAILABLE, 5, PythonRules.PYTHON_WHEELS_MISSING);
   private static final List<String> NAMES =
       List.of("python3", "python3.13", "python3.12", "python3.11", "python3.10", "python3.14");
   private static final String CHECK = "Name a Python that can be started in EVENTCHAIN_PYTHON.";
@@ -224,8 +225,8 @@ final class EnvironmentFinder {
           SourceLocation.of(python), "Creating the Python environment was interrupted.", "");
     }
     if (exitCode != 0) {
-      String id = IDS.getOrDefault(exitCode, "python.unavailable");
-      throw unavailable(id, SourceLocation.of(python), answer.problem(exitCode), answer.hint);
+      Rule rule = RULES.getOrDefault(exitCode, PythonRules.PYTHON_UNAVAILABLE);
+      throw unavailable(rule, SourceLocation.of(python), answer.problem(exitCode), answer.hint);
     }
     return answer.last;
   }
@@ -258,13 +259,12 @@ final class EnvironmentFinder {
 
   private static DiagnosticException unavailable(
       SourceLocation place, String message, String hint) {
-    return unavailable("python.unavailable", place, message, hint);
+    return unavailable(PythonRules.PYTHON_UNAVAILABLE, place, message, hint);
   }
 
   private static DiagnosticException unavailable(
-      String id, SourceLocation place, String message, String hint) {
+      Rule rule, SourceLocation place, String message, String hint) {
     return new DiagnosticException(
-        DiagnosticException.Reason.UNAVAILABLE,
-        Diagnostic.error(id, message, place).withHint(hint));
+        DiagnosticException.Reason.UNAVAILABLE, Diagnostic.of(rule, message, place).withHint(hint));
   }
 }

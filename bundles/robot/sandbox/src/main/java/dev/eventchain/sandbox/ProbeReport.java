@@ -75,7 +75,7 @@ record ProbeReport(String output, ConfinedProcess.Termination end, String errors
 
   /** Returns a key under which calls that fail alike at the same place are one finding. */
   private static String kind(Diagnostic finding) {
-    boolean ofCall = finding.id().equals("component.raised") || finding.id().contains(".result.");
+    boolean ofCall = finding.kind().has(ComponentRules.Trait.OF_CALL);
     return finding.id() + finding.location() + (ofCall ? "" : finding.message());
   }
 
@@ -88,8 +88,8 @@ record ProbeReport(String output, ConfinedProcess.Termination end, String errors
   }
 
   static Diagnostic diagnostic(JsonNode finding, SourceText source) {
-    return Diagnostic.error(
-            finding.path("id").asText(),
+    return Diagnostic.of(
+            ComponentRules.of(finding.path("id").asText()),
             Printable.line(finding.path("message").asText()),
             source.at(finding.path("line").asInt(1), Math.max(1, finding.path("column").asInt(1))))
         .withHint(finding.path("hint").asText());
@@ -107,7 +107,7 @@ record ProbeReport(String output, ConfinedProcess.Termination end, String errors
 
   private Diagnostic ended(String message, SourceText source) {
     String last = errors.substring(Math.max(0, errors.length() - LAST_LINES)).strip();
-    return Diagnostic.error("component.ended", message, source.at(1, 1))
+    return Diagnostic.of(ComponentRules.ENDED, message, source.at(1, 1))
         .withHint(last.isEmpty() ? "It gave no reason." : "Its last output:\n" + last);
   }
 }

@@ -95,7 +95,7 @@ public final class WorkFolder implements AutoCloseable {
     String message = "The temporary folder cannot be used: " + reason(problem) + ".";
     return new DiagnosticException(
         DiagnosticException.Reason.UNAVAILABLE,
-        Diagnostic.error("temporary.unwritable", message, SourceLocation.of(place))
+        Diagnostic.of(PythonRules.TEMPORARY_UNWRITABLE, message, SourceLocation.of(place))
             .withHint(
                 "Free some space in it, or name another folder: TMPDIR=/other/folder eventchain."));
   }

@@ -3,11 +3,13 @@ package dev.eventchain.simulation;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Printable;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.simulation.chain.SimulatedChain;
 import dev.eventchain.simulation.fault.Fault;
 import dev.eventchain.simulation.formula.RootLocale;
+import dev.eventchain.simulation.host.HostRules;
 import dev.eventchain.simulation.host.RunLog.Activation;
 import dev.eventchain.simulation.judge.AttachedFindings;
 import dev.eventchain.simulation.judge.FaultJudge;
@@ -170,8 +172,8 @@ final class ResultBuilder {
         .limit(1)
         .map(
             run ->
-                Diagnostic.error(
-                        "simulation.command.ignored",
+                Diagnostic.of(
+                        SimulationRules.SIMULATION_COMMAND_IGNORED,
                         "Scenario %s: the software commanded %s, which the simulated vehicle does not support."
                             .formatted(run.scenario().name(), run.trace().ignored()),
                         SourceLocation.NONE.withElement(onlyCommander()))
@@ -196,8 +198,8 @@ final class ResultBuilder {
   }
 
   private static Diagnostic fromBehind(ScenarioRun run, Contact contact) {
-    return Diagnostic.warning(
-            "simulation.ego.hit-from-behind",
+    return Diagnostic.of(
+            SimulationRules.SIMULATION_EGO_HIT_FROM_BEHIND,
             RootLocale.format(
                 "Scenario %s: %s at %.1f km/h after %.2f s.",
                 run.scenario().name(),
@@ -226,9 +228,10 @@ final class ResultBuilder {
     for (ScenarioRun run : runs) {
       for (JsonNode warning : run.ready().path("warnings")) {
         String id = warning.path("id").asText();
+        Rule rule = HostRules.find(id).orElseGet(() -> Rule.warning(id));
         String message = Printable.line(warning.path("message").asText());
         SourceLocation topic = SourceLocation.NONE.withElement(warning.path("topic").asText());
-        warnings.putIfAbsent(id + message, Diagnostic.warning(id, message, topic));
+        warnings.putIfAbsent(id + message, Diagnostic.of(rule, message, topic));
       }
     }
     return Stream.concat(chain.leftOut().stream(), warnings.values().stream()).toList();

@@ -165,8 +165,8 @@ public final class Simulation {
   }
 
   private static Diagnostic inRealTime(Fault fault) {
-    return Diagnostic.error(
-            "fault.driver",
+    return Diagnostic.of(
+            SimulationRules.FAULT_DRIVER,
             "The fault '" + fault.name() + "' cannot be injected in real time.",
             fault.location())
         .withHint("Leave out --real-time and --attach: in simulated time, all faults can.");

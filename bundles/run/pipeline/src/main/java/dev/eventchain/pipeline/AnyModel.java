@@ -9,6 +9,7 @@ import dev.eventchain.m2t.TemplateModule;
 import dev.eventchain.m2t.generation.GenerationContext;
 import dev.eventchain.m2t.generation.GenerationContext.Trait;
 import dev.eventchain.m2t.generation.GenerationResult;
+import dev.eventchain.m2t.generation.GenerationRules;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.output.OutputFolder.OnEdit;
 import dev.eventchain.pipeline.files.WrittenFiles;
@@ -174,8 +175,8 @@ public final class AnyModel {
   }
 
   private static Diagnostic traceTaken() {
-    return Diagnostic.error(
-            "m2t.file.duplicate",
+    return Diagnostic.of(
+            GenerationRules.FILE_DUPLICATE,
             "A template writes the file '" + TraceFile.NAME + "', which is the name of the trace.",
             SourceLocation.of(TraceFile.NAME))
         .withHint("Give the file another name, or leave out --trace.");

@@ -24,8 +24,8 @@ final class FilesFinding {
 
   private static Diagnostic finding(IOException refused) {
     boolean named = refused instanceof FileSystemException file && file.getFile() != null;
-    return Diagnostic.error(
-            "eventchain.files",
+    return Diagnostic.of(
+            PipelineRules.EVENTCHAIN_FILES,
             "A file cannot be used: " + SourceText.reason(refused) + ".",
             named
                 ? SourceLocation.of(((FileSystemException) refused).getFile())

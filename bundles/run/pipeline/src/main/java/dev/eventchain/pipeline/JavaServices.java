@@ -2,6 +2,8 @@ package dev.eventchain.pipeline;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileRules;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -41,7 +43,7 @@ final class JavaServices implements AutoCloseable {
 
   private static URL url(Path place) {
     if (!Files.exists(place)) {
-      throw refused("file.missing", "There is no such JAR or folder.", place);
+      throw refused(FileRules.MISSING, "There is no such JAR or folder.", place);
     }
     try {
       if (!Files.isDirectory(place)) {
@@ -51,13 +53,13 @@ final class JavaServices implements AutoCloseable {
     } catch (MalformedURLException e) {
       throw new UncheckedIOException(e);
     } catch (IOException e) {
-      throw refused("file.unreadable", "The file cannot be read as a JAR.", place);
+      throw refused(FileRules.UNREADABLE, "The file cannot be read as a JAR.", place);
     }
   }
 
-  private static DiagnosticException refused(String id, String message, Path place) {
+  private static DiagnosticException refused(Rule rule, String message, Path place) {
     return new DiagnosticException(
-        DiagnosticException.Reason.INPUT, Diagnostic.error(id, message, SourceLocation.of(place)));
+        DiagnosticException.Reason.INPUT, Diagnostic.of(rule, message, SourceLocation.of(place)));
   }
 
   /** Returns the class loader; empty if there are no places. */

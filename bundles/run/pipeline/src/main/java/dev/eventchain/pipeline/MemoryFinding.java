@@ -22,8 +22,8 @@ final class MemoryFinding {
   }
 
   private static Diagnostic finding() {
-    return Diagnostic.error(
-            "eventchain.memory",
+    return Diagnostic.of(
+            PipelineRules.EVENTCHAIN_MEMORY,
             "The input needs more memory than the %d MiB that are allowed."
                 .formatted(Runtime.getRuntime().maxMemory() / MEBIBYTE),
             SourceLocation.NONE)

@@ -85,8 +85,8 @@ public record Outcome(
   private static Diagnostic defect(Throwable failure) {
     StackTraceElement[] stack = failure.getStackTrace();
     String place = stack.length == 0 ? "" : " at " + stack[0];
-    return Diagnostic.error(
-            "eventchain.defect",
+    return Diagnostic.of(
+            PipelineRules.EVENTCHAIN_DEFECT,
             "This is a defect in eventchain: " + failure + place,
             DiagnosticException.placeOf(failure))
         .withHint("Report it with the command and the input that led to it.");

@@ -2,6 +2,8 @@ package dev.eventchain.pipeline;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileRules;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
@@ -29,7 +31,8 @@ final class PropertyFiles {
     Map<String, Map<String, String>> all = new LinkedHashMap<>();
     for (Path file : files) {
       if (all.put(file.getFileName().toString(), read(file)) != null) {
-        throw refused("properties.duplicate", "Another properties file has this name.", file);
+        throw refused(
+            PipelineRules.PROPERTIES_DUPLICATE, "Another properties file has this name.", file);
       }
     }
     return all;
@@ -37,24 +40,24 @@ final class PropertyFiles {
 
   private static Map<String, String> read(Path file) {
     if (!Files.exists(file)) {
-      throw refused("file.missing", "There is no such properties file.", file);
+      throw refused(FileRules.MISSING, "There is no such properties file.", file);
     }
     Properties properties = new Properties();
     try (InputStream stream = Files.newInputStream(file)) {
       properties.load(stream);
     } catch (IOException e) {
       throw refused(
-          "file.unreadable", "The file cannot be read: " + SourceText.reason(e) + ".", file);
+          FileRules.UNREADABLE, "The file cannot be read: " + SourceText.reason(e) + ".", file);
     } catch (IllegalArgumentException e) {
-      throw refused("file.unreadable", "The file has a broken escape: " + e.getMessage(), file);
+      throw refused(FileRules.UNREADABLE, "The file has a broken escape: " + e.getMessage(), file);
     }
     Map<String, String> sorted = new TreeMap<>();
     properties.stringPropertyNames().forEach(key -> sorted.put(key, properties.getProperty(key)));
     return sorted;
   }
 
-  private static DiagnosticException refused(String id, String message, Path file) {
+  private static DiagnosticException refused(Rule rule, String message, Path file) {
     return new DiagnosticException(
-        DiagnosticException.Reason.INPUT, Diagnostic.error(id, message, SourceLocation.of(file)));
+        DiagnosticException.Reason.INPUT, Diagnostic.of(rule, message, SourceLocation.of(file)));
   }
 }

@@ -39,8 +39,8 @@ public final class ReportFile {
       return Optional.empty();
     } catch (IOException e) {
       return Optional.of(
-          Diagnostic.error(
-                  "report.unwritable",
+          Diagnostic.of(
+                  PipelineRules.REPORT_UNWRITABLE,
                   "The report cannot be written: " + SourceText.reason(e) + ".",
                   SourceLocation.of(file))
               .withHint("Name another file with --report " + format + "=FILE."));

@@ -1,6 +1,7 @@
 package dev.eventchain.eclipse;
 
 import dev.eventchain.check.ChainChecks;
+import dev.eventchain.constraints.ConstraintRules;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.eventchain.EventChain;
@@ -31,6 +32,11 @@ public record ChainFindings(List<Found> found, long evaluations) {
    */
   public record Found(
       Optional<EObject> element, Optional<EStructuralFeature> feature, Diagnostic diagnostic) {}
+
+  /** Returns the error about a chain that was not checked. */
+  public static Diagnostic nothingChecked(String message) {
+    return Diagnostic.of(ConstraintRules.NOTHING_EVALUATED, message, SourceLocation.NONE);
+  }
 
   /** Locations of elements, since a chain in memory has neither file nor lines. */
   private static final class Places {

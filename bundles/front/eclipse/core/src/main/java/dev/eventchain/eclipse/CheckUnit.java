@@ -49,8 +49,8 @@ interface CheckUnit {
 
   /** Returns the finding about a failed check. */
   static Diagnostic failed(Throwable failure) {
-    return Diagnostic.error(
-            "eclipse.check.failed",
+    return Diagnostic.of(
+            EclipseRules.CHECK_FAILED,
             "This was not checked, because the check itself failed: " + failure,
             DiagnosticException.placeOf(failure))
         .withHint("'eventchain validate' on the command line may say more; please report it.");
@@ -65,8 +65,8 @@ interface CheckUnit {
     List<Diagnostic> all = new ArrayList<>(found);
     Diagnostic first = found.get(0);
     all.add(
-        Diagnostic.error(
-                "eclipse.unchecked",
+        Diagnostic.of(
+                EclipseRules.UNCHECKED,
                 "This was not checked: " + first.message(),
                 SourceLocation.of(file))
             .withRelated(first.location()));

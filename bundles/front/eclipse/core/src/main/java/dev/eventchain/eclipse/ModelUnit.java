@@ -6,7 +6,9 @@ import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.eclipse.content.ChainDescriber;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.xmi.XmiRules;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -23,11 +25,6 @@ import org.eclipse.core.resources.IResource;
  */
 record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
     implements CheckUnit {
-
-  /**
-   * Common prefix of the event chain namespaces: a model of another version is also an event chain.
-   */
-  private static final String OURS = "http://eventchain.dev/";
 
   private static final Set<String> RELEVANT = Set.of("xmi", "eventchain", "ecore", "ocl");
 
@@ -82,15 +79,15 @@ record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
         ecores, Map.of(), documents, List.of(path), List.of(), Preferences.timeLimit());
   }
 
-  private static boolean isOfAnotherMetamodel(DiagnosticException e) {
-    return e.diagnostics().stream()
-        .allMatch(
-            each -> each.id().equals("xmi.package.unknown") && !each.message().contains(OURS));
+  /** An event chain of another version is an event chain, although its namespace is unknown. */
+  private boolean isOfAnotherMetamodel(DiagnosticException e) {
+    return e.diagnostics().stream().allMatch(each -> each.is(XmiRules.PACKAGE_UNKNOWN))
+        && !ChainDescriber.isOfAnyVersion(path);
   }
 
   private Diagnostic unchecked() {
-    return Diagnostic.info(
-            "eclipse.model.unchecked",
+    return Diagnostic.of(
+            EclipseRules.MODEL_UNCHECKED,
             "The model was not checked: it is not an event chain, and its metamodel was not found.",
             SourceLocation.of(path))
         .withHint("Put the metamodel, an .ecore file, into the same project.");

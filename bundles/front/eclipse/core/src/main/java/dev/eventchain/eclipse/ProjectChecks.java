@@ -191,7 +191,7 @@ public final class ProjectChecks {
     String more = Coverage.counted(found.size() - MOST_MARKERS, "finding");
     shown.add(
         new Diagnostic(
-            "eclipse.findings.more",
+            EclipseRules.FINDINGS_MORE,
             next.severity(),
             "Not shown as markers: " + more + " more.",
             SourceLocation.of(next.location().file()),

@@ -62,7 +62,10 @@ record ProjectUnit(IContainer folder, Path path, ProjectValidation validation)
     Suppressions suppressions =
         project
             .suppressions()
-            .map(file -> SuppressionFile.read(file, LocalDate.now(ZoneId.systemDefault())))
+            .map(
+                file ->
+                    SuppressionFile.read(
+                        file, LocalDate.now(ZoneId.systemDefault()), RulePages::page))
             .orElse(Suppressions.NONE);
     Validation all = validation.validate();
     if (all.coverage().equals(Coverage.NONE)) {

@@ -1,5 +1,6 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.diagnostics.RulePage;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.URL;
@@ -38,6 +39,11 @@ public final class RulePages {
 
   private static boolean isOurs(Bundle bundle) {
     return String.valueOf(bundle.getSymbolicName()).startsWith("dev.eventchain.");
+  }
+
+  /** As {@link #of}, with its id. */
+  static Optional<RulePage> page(String id) {
+    return of(id).map(text -> new RulePage(id, "", text));
   }
 
   private static Optional<String> read(URL page) {

@@ -53,8 +53,8 @@ record RulesUnit(IFile file, Path path, List<Path> metamodels) implements CheckU
     List<Diagnostic> found = new ArrayList<>(rules.diagnostics());
     if (rules.constraints().isEmpty() && found.isEmpty()) {
       found.add(
-          Diagnostic.warning(
-                  "eclipse.rules.none",
+          Diagnostic.of(
+                  EclipseRules.RULES_NONE,
                   "The document contains no invariant, so it checks nothing.",
                   SourceLocation.of(path))
               .withHint("Write one: context SoftwareNode inv HasName: name <> ''"));

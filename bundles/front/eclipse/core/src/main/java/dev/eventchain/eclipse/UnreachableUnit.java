@@ -19,8 +19,8 @@ record UnreachableUnit(IResource subject) implements CheckUnit {
   @Override
   public Validation check() {
     Diagnostic unchecked =
-        Diagnostic.error(
-                "eclipse.unchecked",
+        Diagnostic.of(
+                EclipseRules.UNCHECKED,
                 "This was not checked: it is not on a disk of this machine.",
                 SourceLocation.NONE)
             .withHint("Put the project into a folder on this machine.");

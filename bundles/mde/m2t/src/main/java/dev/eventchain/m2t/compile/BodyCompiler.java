@@ -5,6 +5,7 @@ import dev.eventchain.m2t.files.FileMode;
 import dev.eventchain.m2t.syntax.Place;
 import dev.eventchain.m2t.syntax.Syntax;
 import dev.eventchain.m2t.syntax.Syntax.Node;
+import dev.eventchain.m2t.syntax.SyntaxRules;
 import dev.eventchain.m2t.template.CallLibrary;
 import dev.eventchain.m2t.template.Step;
 import dev.eventchain.m2t.template.Steps;
@@ -59,8 +60,8 @@ final class BodyCompiler {
     if (template.overridden().isEmpty()) {
       expressions
           .problems()
-          .error(
-              "m2t.super",
+          .add(
+              CompilerRules.SUPER,
               start,
               "[super/] is used in a template that overrides none.",
               "Write [template ... overrides name] in a module that extends another one.");
@@ -69,8 +70,8 @@ final class BodyCompiler {
     if (template.overridden().size() > 1) {
       expressions
           .problems()
-          .error(
-              "m2t.super",
+          .add(
+              CompilerRules.SUPER,
               start,
               "[super/] may mean each of the "
                   + template.overridden().size()
@@ -87,8 +88,8 @@ final class BodyCompiler {
     if (output.decoration().guard().isPresent() || !output.decoration().variables().isEmpty()) {
       expressions
           .problems()
-          .error(
-              "m2t.unsupported",
+          .add(
+              SyntaxRules.UNSUPPORTED,
               output.start(),
               "A call cannot have a guard or variables.",
               "Put the call into [if] or [let].");

@@ -1,5 +1,6 @@
 package dev.eventchain.m2t.compile;
 
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.m2t.syntax.Problems;
 import dev.eventchain.m2t.syntax.Syntax;
 import dev.eventchain.m2t.template.Callable;
@@ -14,7 +15,7 @@ import org.eclipse.emf.ecore.EClassifier;
 /** Check for callables of a module that no call can distinguish. */
 record Duplicates(Problems problems) {
 
-  private static final String ID = "m2t.name.duplicate";
+  private static final Rule ID = CompilerRules.NAME_DUPLICATE;
 
   /**
    * Reports duplicates.
@@ -44,7 +45,7 @@ record Duplicates(Problems problems) {
   }
 
   private void refuse(Callable query) {
-    problems.error(
+    problems.add(
         ID,
         query.place().offset(),
         "There are two queries '" + query.name() + "' with the same parameters.",
@@ -52,7 +53,7 @@ record Duplicates(Problems problems) {
   }
 
   private void warn(Syntax.Template template) {
-    problems.warning(
+    problems.warn(
         ID,
         template.name().start(),
         "This template is never called: an earlier one is also called '"

@@ -1,8 +1,10 @@
 package dev.eventchain.m2t.compile;
 
 import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.m2t.generation.GenerationRules;
 import dev.eventchain.m2t.library.ServiceLibrary;
 import dev.eventchain.m2t.syntax.Problems;
+import dev.eventchain.m2t.syntax.SyntaxRules;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.Scope;
@@ -68,8 +70,11 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
       parsed.ifPresent(expression -> note(expression, inside.start()));
       return parsed;
     } catch (StackOverflowError e) {
-      problems.error(
-          "m2t.nesting", inside.start(), "The expression is nested too deeply.", "Use [let].");
+      problems.add(
+          SyntaxRules.NESTING,
+          inside.start(),
+          "The expression is nested too deeply.",
+          "Use [let].");
       return Optional.empty();
     }
   }
@@ -85,8 +90,8 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
                     call.implementation() instanceof ServiceLibrary.Call service
                         && !service.services().exist());
     if (withoutServices) {
-      problems.error(
-          "m2t.service",
+      problems.add(
+          GenerationRules.SERVICE,
           start,
           "The template calls a Java service, and no services were given.",
           "Name them: --services JAR or --services FOLDER.");
@@ -99,8 +104,8 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
     if (parsed.isPresent()
         && !language.conforms(parsed.get().type(), language.type("Boolean"))
         && !(parsed.get().type() instanceof AnyType)) {
-      problems.error(
-          "m2t.condition",
+      problems.add(
+          GenerationRules.CONDITION,
           span.strip().start(),
           "The condition is of type '" + parsed.get().type().getName() + "', not 'Boolean'.",
           "Compare it with something, or use ->notEmpty().");

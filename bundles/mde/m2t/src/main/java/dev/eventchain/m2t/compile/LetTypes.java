@@ -79,8 +79,8 @@ record LetTypes(ExpressionCompiler expressions) {
   private void never(SourceRange declared, EClassifier type, EClassifier valueType) {
     expressions
         .problems()
-        .warning(
-            "m2t.let.never",
+        .add(
+            CompilerRules.LET_NEVER,
             declared.strip().start(),
             "The block is never entered: the value is of type '"
                 + valueType.getName()

@@ -104,8 +104,8 @@ public final class Linker {
           () ->
               loaded
                   .problems()
-                  .error(
-                      "m2t.metamodel.unknown",
+                  .add(
+                      CompilerRules.METAMODEL_UNKNOWN,
                       span.start(),
                       "There is no metamodel '" + bare + "'.",
                       known()));
@@ -246,8 +246,8 @@ public final class Linker {
     if (other.isEmpty()) {
       unit.loaded()
           .problems()
-          .error(
-              "m2t.super",
+          .add(
+              CompilerRules.SUPER,
               name.start(),
               "No extended module has a template '"
                   + name.text()
@@ -256,8 +256,8 @@ public final class Linker {
     } else if (other.get().overrides(template)) {
       unit.loaded()
           .problems()
-          .error(
-              "m2t.super",
+          .add(
+              CompilerRules.SUPER,
               name.start(),
               "The template '" + name.text() + "' already overrides this one.",
               "Let only one of two modules override templates of the other.");
@@ -293,8 +293,8 @@ public final class Linker {
     if (!service && !new Signatures(language).mayFit(value.get().type(), query.resultType())) {
       unit.loaded()
           .problems()
-          .warning(
-              "m2t.query.type",
+          .add(
+              CompilerRules.QUERY_TYPE,
               syntax.value().start(),
               "The query is of type '"
                   + value.get().type().getName()

@@ -26,9 +26,6 @@ import org.eclipse.ocl.types.SetType;
 
 /** Lint warnings about valid modules whose output may be unintended. */
 public final class Lints {
-  /** Prefix of the ids of these warnings. */
-  public static final String PREFIX = "m2t.lint.";
-
   /**
    * A template or query.
    *
@@ -81,8 +78,8 @@ public final class Lints {
   /** Warns of features whose values are computed by Java code that is not loaded. */
   static void computedInJava(Expression expression, Problems problems, int start) {
     for (EStructuralFeature feature : expression.computedInJava()) {
-      problems.warning(
-          "m2t.feature.java",
+      problems.add(
+          CompilerRules.FEATURE_JAVA,
           start,
           "This reads '%s' of %s, which only Java code computes: it always has its default."
               .formatted(feature.getName(), Names.of(feature.getEContainingClass())),
@@ -103,8 +100,8 @@ public final class Lints {
   }
 
   private static void order(EClassifier type, String what, Problems problems, int start) {
-    problems.warning(
-        "m2t.lint.unordered",
+    problems.add(
+        CompilerRules.LINT_UNORDERED,
         start,
         what + " outputs a " + type.getName() + ", which is unordered.",
         "Order it: ->sortedBy(...), or ->asSequence() where any order will do.");
@@ -157,8 +154,8 @@ public final class Lints {
   private void neverCalled(Subject subject) {
     subject
         .problems()
-        .warning(
-            "m2t.lint.unused",
+        .add(
+            CompilerRules.LINT_UNUSED,
             subject.callable().place().offset(),
             "The "
                 + (subject.isQuery() ? "query" : "template")
@@ -183,8 +180,8 @@ public final class Lints {
       if (!receiver && !used.contains(parameter.name())) {
         subject
             .problems()
-            .warning(
-                "m2t.lint.parameter",
+            .add(
+                CompilerRules.LINT_PARAMETER,
                 subject.parameters().get(i).name().start(),
                 "The parameter '"
                     + parameter.name()

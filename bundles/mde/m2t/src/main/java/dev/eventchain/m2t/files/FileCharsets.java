@@ -1,7 +1,9 @@
 package dev.eventchain.m2t.files;
 
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.m2t.report.RunReport;
+import dev.eventchain.m2t.syntax.SyntaxRules;
 import dev.eventchain.output.ProtectedAreas;
 import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
@@ -15,7 +17,7 @@ import java.util.Optional;
 
 /** Conversion between texts and bytes of files, with findings about charsets. */
 final class FileCharsets {
-  static final String ID = "m2t.charset";
+  static final Rule ID = SyntaxRules.CHARSET;
 
   private FileCharsets() {}
 
@@ -80,7 +82,7 @@ final class FileCharsets {
 
   private static void reportLacking(GeneratedFile file, SourceLocation place, RunReport report) {
     Charset charset = file.charset();
-    report.error(
+    report.find(
         ID,
         place,
         "The text of '"

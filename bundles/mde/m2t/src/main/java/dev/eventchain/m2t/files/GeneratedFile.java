@@ -2,8 +2,9 @@ package dev.eventchain.m2t.files;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.m2t.generation.GenerationResult;
+import dev.eventchain.m2t.generation.GenerationRules;
 import dev.eventchain.m2t.report.RunReport;
+import dev.eventchain.m2t.syntax.SyntaxRules;
 import dev.eventchain.m2t.text.OriginMarks;
 import dev.eventchain.m2t.text.OutputBuffer;
 import dev.eventchain.m2t.text.RunWriter;
@@ -209,8 +210,8 @@ final class GeneratedFile {
   }
 
   static void refuse(String id, String problem, SourceLocation place, RunReport report) {
-    report.error(
-        "m2t.protected.id",
+    report.find(
+        SyntaxRules.PROTECTED_ID,
         place,
         "The protected area '" + OutputPath.shown(id) + "' " + problem + ".",
         "Give each area of a file its own id.");
@@ -246,8 +247,8 @@ final class GeneratedFile {
     for (Earlier area : earlier) {
       if (!area.taken) {
         area.loss =
-            report.warning(
-                GenerationResult.LOST_AREA,
+            report.finding(
+                GenerationRules.PROTECTED_LOST,
                 SourceLocation.of(path),
                 "The protected area '"
                     + OutputPath.shown(area.id())

@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.m2t.generation.GenerationContext;
 import dev.eventchain.m2t.generation.GenerationContext.Trait;
 import dev.eventchain.m2t.generation.GenerationResult.Printed;
+import dev.eventchain.m2t.generation.GenerationRules;
 import dev.eventchain.m2t.report.RunReport;
 import dev.eventchain.m2t.text.OriginMarks;
 import dev.eventchain.m2t.text.OutputBuffer;
@@ -141,7 +142,7 @@ public final class GeneratedFiles {
     OutputPath path = pathOf(tag.name());
     if (path.refused()) {
       var refused = path.refusal(tag.name());
-      report.error(refused.id(), tag.place(), refused.message(), refused.hint());
+      report.find(refused.kind(), tag.place(), refused.message(), refused.hint());
       return;
     }
     GeneratedFile known = known(path.value(), tag);
@@ -174,11 +175,10 @@ public final class GeneratedFiles {
 
   /** Reports a file without an output folder; blocks inside it may still print. */
   private void refuse(Tag tag, Runnable body) {
-    report.error(
-        "m2t.file.no-folder",
-        tag.place(),
-        "The file '" + OutputPath.shown(tag.name()) + "' is not written: there is no folder.",
-        "Name an output folder, or print the text: [file ('stdout', false)].");
+    String file = "The file '" + OutputPath.shown(tag.name()) + "'";
+    String message = file + " is not written: there is no folder.";
+    String hint = "Name an output folder, or print the text: [file ('stdout', false)].";
+    report.find(GenerationRules.FILE_NO_FOLDER, tag.place(), message, hint);
     textOutsideOfFiles(tag, body);
   }
 
@@ -194,7 +194,7 @@ public final class GeneratedFiles {
       return known;
     }
     String message = writtenBefore(known) + " That output is lost.";
-    report.warn("m2t.file.duplicate", tag.place(), message, OWN_NAMES);
+    report.warn(GenerationRules.FILE_DUPLICATE, tag.place(), message, OWN_NAMES);
     files.remove(path);
     writer.forget(path);
     return null;
@@ -215,14 +215,14 @@ public final class GeneratedFiles {
   /** Returns whether another block may continue an existing file. */
   private boolean goesOn(GeneratedFile known, Optional<Charset> charset, Tag tag) {
     if (tag.mode() == FileMode.OVERWRITE) {
-      report.error("m2t.file.duplicate", tag.place(), writtenBefore(known), OWN_NAMES);
+      report.find(GenerationRules.FILE_DUPLICATE, tag.place(), writtenBefore(known), OWN_NAMES);
       return false;
     }
     if (tag.mode() == FileMode.CREATE || known.isLeft()) {
       return false;
     }
     if (charset.isPresent() && !charset.get().equals(known.charset())) {
-      report.error(
+      report.find(
           FileCharsets.ID,
           tag.charsetPlace(),
           "The file '"
@@ -257,8 +257,8 @@ public final class GeneratedFiles {
       }
     }
     if (!problem.isEmpty()) {
-      report.error(
-          "m2t.file.duplicate", tag.place(), problem, "Give files and folders different names.");
+      String hint = "Give files and folders different names.";
+      report.find(GenerationRules.FILE_DUPLICATE, tag.place(), problem, hint);
     }
     return problem.isEmpty();
   }
@@ -269,7 +269,7 @@ public final class GeneratedFiles {
     boolean unreadable = before.isPresent() && text.isEmpty() && ProtectedAreas.anyIn(before.get());
     boolean stays = before.isPresent() && tag.mode() == FileMode.CREATE;
     if (unreadable && !stays) {
-      report.error(
+      report.find(
           FileCharsets.ID,
           tag.charsetPlace(),
           "The earlier file '"
@@ -360,7 +360,7 @@ public final class GeneratedFiles {
     if (block != null
         && block.area == null
         && !FileCharsets.agreesWithAscii(block.file.charset())) {
-      report.error(
+      report.find(
           FileCharsets.ID,
           block.tag.charsetPlace(),
           "Protected areas cannot be found again in "

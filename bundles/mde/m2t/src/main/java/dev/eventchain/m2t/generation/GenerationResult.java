@@ -6,7 +6,6 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.output.OutputFolder;
 import java.util.Collections;
 import java.util.List;
-import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
@@ -30,12 +29,6 @@ public record GenerationResult(
   /** Text printed by a block, with the location of the block. */
   public record Printed(SourceLocation block, String text) {}
 
-  /** Id of the warning that a protected area of an earlier file is in no block. */
-  public static final String LOST_AREA = "m2t.protected.lost";
-
-  /** Ids of the findings about undefined values in templates and Java services. */
-  private static final Set<String> UNDEFINED = Set.of("m2t.undefined", "m2t.service");
-
   /** Copies the collections. */
   public GenerationResult {
     SortedMap<String, byte[]> ordered = new TreeMap<>(OutputFolder.WRITING_ORDER);
@@ -53,12 +46,14 @@ public record GenerationResult(
   /** Returns whether the files are complete: there are no errors except undefined values. */
   public boolean isWhole() {
     return diagnostics.stream()
-        .noneMatch(found -> found.severity() == Severity.ERROR && !UNDEFINED.contains(found.id()));
+        .noneMatch(
+            found ->
+                found.severity() == Severity.ERROR && !found.kind().has(GenerationTrait.UNDEFINED));
   }
 
   /** Returns the findings for a caller that writes no files, so that no lost area is saved. */
   public List<Diagnostic> diagnosticsIfUnwritten() {
-    return diagnostics.stream().filter(found -> !found.id().equals(LOST_AREA)).toList();
+    return diagnostics.stream().filter(found -> !found.is(GenerationRules.PROTECTED_LOST)).toList();
   }
 
   /** Returns this result with warnings instead of errors for undefined values. */
@@ -67,7 +62,8 @@ public record GenerationResult(
         diagnostics.stream()
             .map(
                 found ->
-                    found.severity() == Severity.ERROR && UNDEFINED.contains(found.id())
+                    found.severity() == Severity.ERROR
+                            && found.kind().has(GenerationTrait.UNDEFINED)
                         ? found.withSeverity(Severity.WARNING)
                         : found)
             .toList();

@@ -1,6 +1,8 @@
 package dev.eventchain.m2t.report;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -11,13 +13,13 @@ import java.util.Map;
 final class Findings {
   private static final int KEPT = 20;
 
-  private record Kind(String id, SourceLocation place) {}
+  private record Kind(Rule rule, SourceLocation place) {}
 
   private final List<Diagnostic> found = new ArrayList<>();
   private final Map<Kind, Integer> counts = new LinkedHashMap<>();
 
   void add(Diagnostic diagnostic) {
-    Kind kind = new Kind(diagnostic.id(), diagnostic.location().withElement(""));
+    Kind kind = new Kind(diagnostic.kind(), diagnostic.location().withElement(""));
     if (counts.merge(kind, 1, Integer::sum) <= KEPT && !found.contains(diagnostic)) {
       found.add(diagnostic);
     }
@@ -29,7 +31,7 @@ final class Findings {
         (kind, count) -> {
           if (count > KEPT) {
             String message = (count - KEPT) + " more findings at this place are not listed.";
-            all.add(Diagnostic.info(kind.id(), message, kind.place()));
+            all.add(Diagnostic.of(kind.rule(), message, kind.place()).withSeverity(Severity.INFO));
           }
         });
     return all;

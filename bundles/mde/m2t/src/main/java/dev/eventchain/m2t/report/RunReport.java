@@ -1,7 +1,10 @@
 package dev.eventchain.m2t.report;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.m2t.generation.GenerationRules;
 import dev.eventchain.m2t.services.ServiceException;
 import dev.eventchain.m2t.text.Texts;
 import dev.eventchain.m2t.text.Undefined;
@@ -30,17 +33,19 @@ public final class RunReport {
     findings.add(finding);
   }
 
-  /** Returns a warning for the current element, which may be added later. */
-  public Diagnostic warning(String id, SourceLocation location, String message, String hint) {
-    return Diagnostic.warning(id, message, inModel(location)).withHint(withCalls(hint));
+  /** Returns a finding about the current element, which may be added later. */
+  public Diagnostic finding(Rule rule, SourceLocation location, String message, String hint) {
+    return Diagnostic.of(rule, message, inModel(location)).withHint(withCalls(hint));
   }
 
-  public void warn(String id, SourceLocation location, String message, String hint) {
-    add(warning(id, location, message, hint));
+  /** Adds a finding as a warning, although others of its rule are errors. */
+  public void warn(Rule rule, SourceLocation location, String message, String hint) {
+    add(finding(rule, location, message, hint).withSeverity(Severity.WARNING));
   }
 
-  public void error(String id, SourceLocation location, String message, String hint) {
-    add(Diagnostic.error(id, message, inModel(location)).withHint(withCalls(hint)));
+  /** Adds a finding about the current element. */
+  public void find(Rule rule, SourceLocation location, String message, String hint) {
+    add(finding(rule, location, message, hint));
   }
 
   /**
@@ -51,8 +56,8 @@ public final class RunReport {
   public void undefined(Expression expression, Invalid invalid, Undefined use) {
     boolean placed = invalid.location().line() > 0;
     boolean service = invalid.cause() instanceof ServiceException;
-    error(
-        service ? "m2t.service" : "m2t.undefined",
+    find(
+        service ? GenerationRules.SERVICE : GenerationRules.UNDEFINED,
         placed ? invalid.location() : expression.location(),
         "The value is undefined" + element() + ": " + invalid.reason() + ". " + use.consequence(),
         service

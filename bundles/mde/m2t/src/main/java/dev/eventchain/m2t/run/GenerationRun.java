@@ -1,11 +1,13 @@
 package dev.eventchain.m2t.run;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.m2t.files.GeneratedFiles;
 import dev.eventchain.m2t.generation.GenerationContext;
 import dev.eventchain.m2t.generation.GenerationContext.Trait;
 import dev.eventchain.m2t.generation.GenerationResult;
+import dev.eventchain.m2t.generation.GenerationRules;
 import dev.eventchain.m2t.generation.GenerationTrace;
 import dev.eventchain.m2t.report.CallStack;
 import dev.eventchain.m2t.report.Called;
@@ -221,8 +223,8 @@ public final class GenerationRun {
     if (value == null || value instanceof Boolean || value instanceof Invalid) {
       return value;
     }
-    report.error(
-        "m2t.condition",
+    report.find(
+        GenerationRules.CONDITION,
         condition.location(),
         "The condition is '" + Texts.of(value) + "', neither true nor false; it counts as false.",
         "Compare it with something, or use ->notEmpty().");
@@ -266,7 +268,7 @@ public final class GenerationRun {
     }
     return invalid.kind() == Invalid.Kind.COST
         ? stop(
-            "ocl.limit",
+            Invalid.ABANDONED,
             invalid.reason(),
             invalid.location(),
             "Ask for less at once, or for the same in several steps.")
@@ -290,13 +292,14 @@ public final class GenerationRun {
   }
 
   private StoppedException stopRecursion(String reason, SourceLocation location) {
-    return stop("m2t.recursion", reason, location, "End the recursion, for example by a guard.");
+    return stop(
+        GenerationRules.RECURSION, reason, location, "End the recursion, for example by a guard.");
   }
 
-  private StoppedException stop(String id, String reason, SourceLocation location, String hint) {
+  private StoppedException stop(Rule rule, String reason, SourceLocation location, String hint) {
     if (!stopped) {
       stopped = true;
-      report.error(id, location, "Generation was stopped: " + reason + ".", hint);
+      report.find(rule, location, "Generation was stopped: " + reason + ".", hint);
     }
     return new StoppedException();
   }

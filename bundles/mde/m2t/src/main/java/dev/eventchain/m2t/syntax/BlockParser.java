@@ -98,8 +98,8 @@ final class BlockParser {
           case "file" -> fileBlock(token);
           case "protected" -> protectedBlock(token);
           default -> {
-            problems.error(
-                "m2t.unsupported",
+            problems.add(
+                SyntaxRules.UNSUPPORTED,
                 token.start(),
                 "[" + token.keyword() + "] is not supported.",
                 "Remove the tags [" + token.keyword() + "] and [/" + token.keyword() + "].");
@@ -284,8 +284,8 @@ final class BlockParser {
     }
     reader.expectEnd("startTagPrefix(), endTagPrefix() or the end of the tag");
     if (inArea) {
-      problems.error(
-          "m2t.protected.id",
+      problems.add(
+          SyntaxRules.PROTECTED_ID,
           token.start(),
           "This protected area is inside another one.",
           "End the outer area before it, or make the inner one plain text.");
@@ -303,8 +303,8 @@ final class BlockParser {
     String area = problems.source().text().substring(open.end(), close.start());
     // Text apart from the id, such as the end of a comment, is known to be no part of it.
     if (area.indexOf('\n') < 0 || TEXT.matcher(area).lookingAt()) {
-      problems.warning(
-          "m2t.protected.id",
+      problems.warn(
+          SyntaxRules.PROTECTED_ID,
           open.start(),
           "The text on the line of the opening tag belongs to the area's id, which an edit changes.",
           "Put the text of the area, and the closing tag, on lines of their own.");

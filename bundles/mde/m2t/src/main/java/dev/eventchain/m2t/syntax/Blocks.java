@@ -34,8 +34,8 @@ final class Blocks {
     for (Token token : tokens) {
       if (blocks.open.size() >= DEEPEST && token.kind() == Kind.OPEN) {
         if (!tooDeep) {
-          problems.error(
-              "m2t.nesting",
+          problems.add(
+              SyntaxRules.NESTING,
               token.start(),
               "Blocks are nested more than " + DEEPEST + " deep.",
               "Move inner blocks into templates of their own.");

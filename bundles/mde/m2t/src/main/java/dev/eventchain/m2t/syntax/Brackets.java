@@ -57,8 +57,8 @@ public final class Brackets {
     Optional<Integer> place = place();
     if (!unknown && place.isPresent()) {
       boolean closes = open.isEmpty() || !closeWithoutOpen.isEmpty();
-      problems.warning(
-          "m2t.lint.bracket",
+      problems.add(
+          SyntaxRules.LINT_BRACKET,
           place.get(),
           "The text has a '"
               + (closes ? ']' : '[')

@@ -2,6 +2,8 @@ package dev.eventchain.m2t.syntax;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileRules;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
@@ -70,18 +72,18 @@ public final class ModuleLoader {
     try {
       return SourceText.of(place.file(), Files.readString(file, Charset.forName(name)));
     } catch (IllegalCharsetNameException | UnsupportedCharsetException e) {
-      throw refused("m2t.charset", "There is no charset '" + name + "'.", place);
+      throw refused(SyntaxRules.CHARSET, "There is no charset '" + name + "'.", place);
     } catch (CharacterCodingException e) {
-      throw refused("file.encoding", "The file is not " + name + " text.", place);
+      throw refused(FileRules.ENCODING, "The file is not " + name + " text.", place);
     } catch (IOException e) {
       String message = "The file cannot be read: " + SourceText.reason(e) + ".";
-      throw refused("file.unreadable", message, place);
+      throw refused(FileRules.UNREADABLE, message, place);
     }
   }
 
-  private static DiagnosticException refused(String id, String message, SourceLocation place) {
+  private static DiagnosticException refused(Rule rule, String message, SourceLocation place) {
     return new DiagnosticException(
-        DiagnosticException.Reason.INPUT, Diagnostic.error(id, message, place));
+        DiagnosticException.Reason.INPUT, Diagnostic.of(rule, message, place));
   }
 
   /** Returns the encoding declared in a file; empty if there is none or the file is unreadable. */
@@ -136,8 +138,8 @@ public final class ModuleLoader {
                 + name.text().replace("::", "/")
                 + ".mtl: --source FOLDER"
             : "";
-    problems.error(
-        "m2t.module.missing",
+    problems.add(
+        SyntaxRules.MODULE_MISSING,
         name.start(),
         "There is no module '" + name.text() + "'.",
         "Put " + last + ".mtl next to this file" + root + ".");

@@ -57,8 +57,8 @@ final class ModuleParser {
     }
     for (int i = text.indexOf('\n'); i >= 0; i = text.indexOf('\n', i + 1)) {
       if (i == 0 || text.charAt(i - 1) != '\r') {
-        problems.warning(
-            "m2t.line-ends",
+        problems.add(
+            SyntaxRules.LINE_ENDS,
             i,
             "The file mixes line endings (CRLF and LF), and so will its output.",
             "Convert the file to one kind of line ending.");
@@ -174,8 +174,8 @@ final class ModuleParser {
     Token token = tokens.get(open);
     int close = blocks.closing(open);
     if (!token.keyword().equals("template")) {
-      problems.error(
-          "m2t.unsupported",
+      problems.add(
+          SyntaxRules.UNSUPPORTED,
           token.start(),
           "[" + token.keyword() + "] is not supported.",
           "Write a template instead.");

@@ -1,13 +1,15 @@
 package dev.eventchain.m2t.syntax;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.AbstractList;
 import java.util.List;
 
 /** Collector of the findings about one compilation unit. */
 public record Problems(SourceText source, List<Diagnostic> found) {
-  static final String SYNTAX = "m2t.syntax";
+  static final Rule SYNTAX = SyntaxRules.SYNTAX;
 
   /** Greatest number of problems; a file with more is not a template. */
   private static final int MOST = 1000;
@@ -33,15 +35,15 @@ public record Problems(SourceText source, List<Diagnostic> found) {
   }
 
   public void syntax(int offset, String message, String hint) {
-    error(SYNTAX, offset, message, hint);
+    add(SYNTAX, offset, message, hint);
   }
 
-  public void error(String id, int offset, String message, String hint) {
-    if (found.size() < MOST) {
-      found.add(Diagnostic.error(id, message, source.at(offset)).withHint(hint));
+  public void add(Rule rule, int offset, String message, String hint) {
+    if (rule.severity() != Severity.ERROR || found.size() < MOST) {
+      found.add(Diagnostic.of(rule, message, source.at(offset)).withHint(hint));
     } else if (found.size() == MOST) {
       String more = "There are more than " + MOST + " problems; the others are not listed.";
-      found.add(Diagnostic.error(SYNTAX, more, source.at(offset)));
+      found.add(Diagnostic.of(SYNTAX, more, source.at(offset)));
     }
   }
 
@@ -50,7 +52,11 @@ public record Problems(SourceText source, List<Diagnostic> found) {
     return found.size() > MOST;
   }
 
-  public void warning(String id, int offset, String message, String hint) {
-    found.add(Diagnostic.warning(id, message, source.at(offset)).withHint(hint));
+  /** Adds a finding as a warning, although others of its rule are errors. */
+  public void warn(Rule rule, int offset, String message, String hint) {
+    found.add(
+        Diagnostic.of(rule, message, source.at(offset))
+            .withSeverity(Severity.WARNING)
+            .withHint(hint));
   }
 }

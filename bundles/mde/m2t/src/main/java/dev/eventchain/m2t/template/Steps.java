@@ -3,6 +3,7 @@ package dev.eventchain.m2t.template;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.m2t.files.FileMode;
 import dev.eventchain.m2t.files.GeneratedFiles;
+import dev.eventchain.m2t.generation.GenerationRules;
 import dev.eventchain.m2t.run.Elements;
 import dev.eventchain.m2t.run.GenerationRun;
 import dev.eventchain.m2t.syntax.Place;
@@ -177,8 +178,8 @@ public final class Steps {
       if (item != null && !accepts.test(item)) {
         run.calls().skipItem();
         run.report()
-            .warn(
-                "m2t.for.type",
+            .find(
+                GenerationRules.FOR_TYPE,
                 items.location(),
                 "The loop skips "
                     + (item instanceof org.eclipse.emf.ecore.EObject object

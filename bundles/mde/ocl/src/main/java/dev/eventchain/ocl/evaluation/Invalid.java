@@ -1,5 +1,7 @@
 package dev.eventchain.ocl.evaluation;
 
+import dev.eventchain.diagnostics.CommonTrait;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 
 /**
@@ -12,6 +14,9 @@ import dev.eventchain.diagnostics.SourceLocation;
  * @param cause its exception, such as one of an {@code OperationLibrary}; {@code null} if none
  */
 public record Invalid(String reason, SourceLocation location, Kind kind, RuntimeException cause) {
+
+  /** Rule of the findings about an evaluation that was stopped, see {@link #limit}. */
+  public static final Rule ABANDONED = Rule.error("ocl.limit", CommonTrait.UNSUPPRESSIBLE);
 
   /** Kinds of failures. */
   public enum Kind {

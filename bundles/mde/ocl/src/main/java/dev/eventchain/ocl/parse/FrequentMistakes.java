@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.ocl.text.ExpressionRules;
 import dev.eventchain.ocl.text.Tokens;
 import java.util.ArrayList;
 import java.util.List;
@@ -88,7 +89,7 @@ public final class FrequentMistakes {
     int comment = mistakes.tokens.unclosedComment();
     if (comment >= 0) {
       SourceLocation place = range.source().at(range.start() + comment);
-      mistakes.found.add(Diagnostic.error("ocl.syntax", "This comment has no end.", place));
+      mistakes.found.add(Diagnostic.of(ExpressionRules.SYNTAX, "This comment has no end.", place));
     }
     while (mistakes.at < mistakes.tokens.size()) {
       mistakes.look();
@@ -256,7 +257,7 @@ public final class FrequentMistakes {
 
   private void add(int token, Mistake mistake) {
     found.add(
-        Diagnostic.error("ocl.syntax", mistake.message(), location(token))
+        Diagnostic.of(ExpressionRules.SYNTAX, mistake.message(), location(token))
             .withHint(mistake.hint()));
   }
 

@@ -1,5 +1,6 @@
 package dev.eventchain.ocl.parse;
 
+import dev.eventchain.ocl.text.ExpressionRules;
 import dev.eventchain.ocl.tree.BigLiterals;
 import java.util.List;
 import org.eclipse.emf.ecore.EClass;
@@ -230,7 +231,7 @@ public final class OclAnalyzer extends OCLAnalyzer {
               problem ->
                   collector()
                       .add(
-                          "ocl.duplicate",
+                          ExpressionRules.DUPLICATE,
                           true,
                           problem.message(),
                           problem.hint(),
@@ -256,11 +257,11 @@ public final class OclAnalyzer extends OCLAnalyzer {
   }
 
   private void report(ProblemTexts.Problem problem, int offset) {
-    collector().add("ocl.type", true, problem.message(), problem.hint(), offset);
+    collector().add(ExpressionRules.TYPE, true, problem.message(), problem.hint(), offset);
   }
 
   private void warn(ProblemTexts.Problem problem, int offset) {
-    collector().add("ocl.type", false, problem.message(), problem.hint(), offset);
+    collector().add(ExpressionRules.TYPE, false, problem.message(), problem.hint(), offset);
   }
 
   private ProblemCollector collector() {

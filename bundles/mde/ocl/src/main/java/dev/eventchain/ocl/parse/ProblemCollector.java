@@ -1,8 +1,10 @@
 package dev.eventchain.ocl.parse;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.ocl.text.ExpressionRules;
 import java.util.List;
 import java.util.function.Predicate;
 import java.util.regex.Matcher;
@@ -71,7 +73,7 @@ public final class ProblemCollector extends AbstractProblemHandler {
     if (phase.equals(Phase.LEXER) || phase.equals(Phase.PARSER)) {
       addSyntaxProblem(error, message, startOffset);
     } else {
-      add("ocl.type", error, message, "", startOffset);
+      add(ExpressionRules.TYPE, error, message, "", startOffset);
     }
   }
 
@@ -81,18 +83,22 @@ public final class ProblemCollector extends AbstractProblemHandler {
     if (!syntaxErrorFound && !message.startsWith("Usage of non-standard quoted")) {
       syntaxErrorFound = error;
       String words = SyntaxTexts.message(message);
-      add("ocl.syntax", error, words, SyntaxTexts.hint(words), startOffset);
+      add(ExpressionRules.SYNTAX, error, words, SyntaxTexts.hint(words), startOffset);
     }
   }
 
-  public void add(String id, boolean error, String message, String hint, int startOffset) {
+  public void add(Rule rule, boolean error, String message, String hint, int startOffset) {
     Matcher nonStatic = NON_STATIC.matcher(message);
     if (nonStatic.matches() && isStatic.test(nonStatic.group(1))) {
       return;
     }
     SourceLocation location = range.source().at(offset(startOffset));
     Diagnostic problem =
-        error ? Diagnostic.error(id, message, location) : Diagnostic.warning(id, message, location);
+        Diagnostic.of(rule, message, location)
+            .withSeverity(
+                error
+                    ? dev.eventchain.diagnostics.Severity.ERROR
+                    : dev.eventchain.diagnostics.Severity.WARNING);
     failed |= error;
     if (!problems.contains(problem.withHint(hint))) {
       problems.add(problem.withHint(hint));

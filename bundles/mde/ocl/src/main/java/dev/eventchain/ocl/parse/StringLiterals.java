@@ -2,6 +2,7 @@ package dev.eventchain.ocl.parse;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.ocl.text.ExpressionRules;
 import dev.eventchain.ocl.text.Lexer;
 import java.util.List;
 
@@ -20,8 +21,8 @@ public final class StringLiterals {
       boolean literal = text.charAt(i) == '\'' && next - i > 1;
       if (literal && next < end && text.charAt(next) == '\'') {
         problems.add(
-            Diagnostic.warning(
-                    "ocl.string.quote",
+            Diagnostic.of(
+                    ExpressionRules.STRING_QUOTE,
                     "Two quotes do not make a quote: the two strings are joined.",
                     range.source().at(next - 1))
                 .withHint("Write \\' for a quote inside a string."));

@@ -1,6 +1,7 @@
 package dev.eventchain.simulation.bench;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.RosNames;
 import dev.eventchain.messages.Unit;
@@ -74,7 +75,7 @@ final class BenchCheck {
               .filter(it -> it.direction() == Direction.PROVIDED)
               .isPresent();
       find(
-          "bench.topic.unconnected",
+          BenchRules.BENCH_TOPIC_UNCONNECTED,
           "%s reads %s, which %s."
               .formatted(
                   names(topic.subscribers()),
@@ -109,7 +110,7 @@ final class BenchCheck {
     boolean set = provided.paths().anyMatch(it -> RosNames.overlap(it, path));
     if (!set) {
       find(
-          "bench.field.unset",
+          BenchRules.BENCH_FIELD_UNSET,
           "'%s' of %s is read, but the bench leaves it at its default."
               .formatted(path, provided.topic()),
           data,
@@ -122,7 +123,7 @@ final class BenchCheck {
     Optional<Unit> other = Optional.ofNullable(data.getUnit()).flatMap(Unit::parse);
     if (other.isPresent() && other.get().relationTo(unit) != Unit.Relation.SAME) {
       find(
-          "bench.unit",
+          BenchRules.BENCH_UNIT,
           "'%s' of %s is in %s here, but in another unit in the bench."
               .formatted(data.getFieldName(), topic, data.getUnit()),
           data,
@@ -134,7 +135,7 @@ final class BenchCheck {
     String other = data.getMessageType();
     if (other != null && !RosNames.fullMessageType(other).equals(type)) {
       find(
-          "bench.type",
+          BenchRules.BENCH_TYPE,
           "The messages of %s are %s here, but %s in the bench.".formatted(topic, other, type),
           data,
           "Write the same type in both.");
@@ -172,7 +173,7 @@ final class BenchCheck {
             .isPresent();
     if (forVehicle && !topic.publishers().isEmpty()) {
       find(
-          "bench.topic.unconnected",
+          BenchRules.BENCH_TOPIC_UNCONNECTED,
           "%s writes %s to the vehicle, but the bench does not take it."
               .formatted(names(topic.publishers()), topic.name()),
           topic.publishers().get(0).data().get(0),
@@ -195,8 +196,8 @@ final class BenchCheck {
     for (Effect effect : consumed.fields()) {
       if (effect.required() && !isWritten(consumed, effect)) {
         found.add(
-            Diagnostic.error(
-                    "bench.field.unwritten",
+            Diagnostic.of(
+                    BenchRules.BENCH_FIELD_UNWRITTEN,
                     "No component writes '%s' of %s, which the bench requires."
                         .formatted(effect.path(), consumed.topic()),
                     effect.location())
@@ -213,8 +214,8 @@ final class BenchCheck {
                 topic -> bench.isOwn(topic.topic()) || topics.find(topic.topic()).isPresent());
     if (!expected && found.isEmpty()) {
       found.add(
-          Diagnostic.error(
-                  "bench.topic.unconnected",
+          Diagnostic.of(
+                  BenchRules.BENCH_TOPIC_UNCONNECTED,
                   "Nothing that the chain writes reaches the vehicle.",
                   bench.location())
               .withHint("Say under `consumes` of bench.yaml what the vehicle takes."));
@@ -252,8 +253,8 @@ final class BenchCheck {
 
   private void find(Consumed consumed, Effect effect, String other) {
     found.add(
-        Diagnostic.error(
-                "bench.actuator.conflict",
+        Diagnostic.of(
+                BenchRules.BENCH_ACTUATOR_CONFLICT,
                 "'%s' of %s drives %s, and so does %s: the vehicle can follow only one of them."
                     .formatted(
                         effect.path(), consumed.topic(), effect.actuator().get().id(), other),
@@ -261,8 +262,8 @@ final class BenchCheck {
             .withHint("Mark one of them as `observed`."));
   }
 
-  private void find(String id, String message, Data place, String hint) {
-    found.add(Diagnostic.error(id, message, locator.apply(place)).withHint(hint));
+  private void find(Rule rule, String message, Data place, String hint) {
+    found.add(Diagnostic.of(rule, message, locator.apply(place)).withHint(hint));
   }
 
   private static String names(List<Endpoint> endpoints) {

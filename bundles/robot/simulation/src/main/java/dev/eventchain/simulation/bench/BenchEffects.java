@@ -33,7 +33,7 @@ final class BenchEffects {
     Optional<FieldType> type = BenchFields.type(part, path, message);
     Optional<JsonNode> value = part.value(path);
     if (value.isEmpty()) {
-      part.find("bench.value.range", BenchFields.NO_VALUE, part.at(path));
+      part.find(BenchRules.BENCH_VALUE_RANGE, BenchFields.NO_VALUE, part.at(path));
     }
     if (value.isEmpty() || (message.isPresent() && type.isEmpty())) {
       return Optional.empty();
@@ -84,8 +84,10 @@ final class BenchEffects {
       List<String> known = new ArrayList<>(Actuator.ids());
       known.add(OBSERVED);
       section.find(
-          Diagnostic.error(
-                  "bench.actuator.unknown", "The vehicle takes no '" + name + "'.", section.at(key))
+          Diagnostic.of(
+                  BenchRules.BENCH_ACTUATOR_UNKNOWN,
+                  "The vehicle takes no '" + name + "'.",
+                  section.at(key))
               .withHint(NearestName.hint(name, known)));
       return Optional.empty();
     }
@@ -95,7 +97,7 @@ final class BenchEffects {
     if (type.isPresent() && !BenchFields.takes(type.get(), actuator.get().truth())) {
       String wanted = actuator.get().truth() ? "true or false" : "a number";
       section.find(
-          "bench.value.type",
+          BenchRules.BENCH_VALUE_TYPE,
           "'" + name + "' is " + wanted + ", but the field is " + type.get() + ".",
           section.at(key));
       return Optional.empty();
@@ -113,7 +115,7 @@ final class BenchEffects {
     if (!fits) {
       String found = unitText.map(text -> "in " + text).orElse("without a unit");
       section.find(
-          "bench.unit",
+          BenchRules.BENCH_UNIT,
           "'%s' is in %s, but the field %s.".formatted(actuator.id(), actuator.unitText(), found),
           section.at(key));
     }

@@ -77,7 +77,7 @@ final class BenchFields {
     Optional<FieldType> type = type(part, path, message);
     JsonNode value = part.value(path).orElse(null);
     if (value == null) {
-      part.find("bench.value.range", NO_VALUE, part.at(path));
+      part.find(BenchRules.BENCH_VALUE_RANGE, NO_VALUE, part.at(path));
     }
     if (value == null || (message.isPresent() && type.isEmpty())) {
       return Optional.empty();
@@ -104,7 +104,7 @@ final class BenchFields {
     MessageType.Resolution found = message.get().resolve(path);
     if (found.type().isEmpty()) {
       part.find(
-          Diagnostic.error("message.field.missing", found.problem(), part.atKey(path))
+          Diagnostic.of(BenchRules.MESSAGE_FIELD_MISSING, found.problem(), part.atKey(path))
               .withHint(found.hint()));
     }
     return found.type();
@@ -114,7 +114,7 @@ final class BenchFields {
       ObjectReader section, String topic, String path, Optional<FieldType> type) {
     if (section.has(VALUE) == section.has(CONSTANT)) {
       String message = "A field has either '" + VALUE + "' or '" + CONSTANT + "'.";
-      section.find("bench.key.missing", message, section.location());
+      section.find(BenchRules.BENCH_KEY_MISSING, message, section.location());
     }
     double absent = section.number("absent", NumberRange.of(-1e12, 1e12)).orElse(0.0);
     Optional<String> unitText = section.text(UNIT);
@@ -135,7 +135,8 @@ final class BenchFields {
                             type));
     section.refuseOthers();
     if (noise > 0.0 && found.isPresent() && !(found.get() instanceof Bench.Quantity)) {
-      section.find("bench.value.range", "Only a quantity can have noise.", section.at(NOISE));
+      section.find(
+          BenchRules.BENCH_VALUE_RANGE, "Only a quantity can have noise.", section.at(NOISE));
     }
     return found.map(source -> source instanceof Bench.Quantity it ? it.withNoise(noise) : source);
   }
@@ -143,7 +144,7 @@ final class BenchFields {
   private static Optional<Source> constant(ObjectReader section) {
     Optional<JsonNode> constant = section.value(CONSTANT);
     if (constant.isEmpty()) {
-      section.find("bench.value.range", NO_VALUE, section.at(CONSTANT));
+      section.find(BenchRules.BENCH_VALUE_RANGE, NO_VALUE, section.at(CONSTANT));
     }
     section.value(VALUE);
     return constant.map(BenchFields::constant);
@@ -180,7 +181,7 @@ final class BenchFields {
   private static boolean fits(
       ObjectReader part, String path, Source source, Optional<MessageType> message) {
     if (source instanceof Bench.Constant constant && !isPlain(constant.value())) {
-      part.find("bench.value.range", NO_VALUE, part.at(path));
+      part.find(BenchRules.BENCH_VALUE_RANGE, NO_VALUE, part.at(path));
       return false;
     }
     if (message.isPresent() && source instanceof Bench.Constant constant) {
@@ -190,7 +191,7 @@ final class BenchFields {
           throw new IllegalArgumentException(constant.value() + " is out of the range of float32.");
         }
       } catch (IllegalArgumentException e) {
-        part.find("bench.value.type", e.getMessage(), part.at(path));
+        part.find(BenchRules.BENCH_VALUE_TYPE, e.getMessage(), part.at(path));
         return false;
       }
     }
@@ -218,8 +219,8 @@ final class BenchFields {
                 != Unit.Relation.SAME;
     if (differs) {
       section.find(
-          Diagnostic.error(
-                  "bench.unit",
+          Diagnostic.of(
+                  BenchRules.BENCH_UNIT,
                   "'%s' of %s is in %s here, but in %s in signals.json."
                       .formatted(path, topic, written.get(), known.get()),
                   section.at(UNIT))
@@ -234,8 +235,8 @@ final class BenchFields {
    */
   private static Diagnostic notUnderstood(
       SourceLocation place, String topic, String path, String unit) {
-    return Diagnostic.error(
-            "bench.unit",
+    return Diagnostic.of(
+            BenchRules.BENCH_UNIT,
             "signals.json gives '%s' of %s the unit '%s', which is not understood."
                 .formatted(path, topic, unit),
             place)
@@ -262,8 +263,8 @@ final class BenchFields {
     if (type.isPresent() && !takes(type.get(), truth)) {
       boolean isTruth = type.get().kind() == FieldType.Kind.BOOL;
       section.find(
-          Diagnostic.error(
-                  "bench.value.type",
+          Diagnostic.of(
+                  BenchRules.BENCH_VALUE_TYPE,
                   "'%s' is %s, but the field is %s."
                       .formatted(text, truth ? "true or false" : "a quantity", type.get()),
                   place)
@@ -301,7 +302,8 @@ final class BenchFields {
           && BenchInputs.fits(term, Unit.parse("1").orElseThrow())) {
         return Optional.of(term);
       }
-      section.find("bench.unit", "'" + text.get() + "' is not a fraction, such as 5 %.", place);
+      section.find(
+          BenchRules.BENCH_UNIT, "'" + text.get() + "' is not a fraction, such as 5 %.", place);
     } catch (DiagnosticException e) {
       e.diagnostics().forEach(section::find);
     }
@@ -320,15 +322,19 @@ final class BenchFields {
     boolean needsNone = term.dimension().relationTo(plain) == Unit.Relation.SAME;
     if (unit.isEmpty() && !needsNone) {
       section.find(
-          Diagnostic.error(
-                  "bench.unit", "Nothing says in which unit '" + text + "' is sent.", place)
+          Diagnostic.of(
+                  BenchRules.BENCH_UNIT,
+                  "Nothing says in which unit '" + text + "' is sent.",
+                  place)
               .withHint("Write the field's unit into signals.json, or {value: ..., unit: m/s}."));
       return Optional.empty();
     }
     if (unit.isPresent() && !BenchInputs.fits(term, unit.get())) {
       section.find(
-          Diagnostic.error(
-              "bench.unit", "'%s' cannot be sent in %s.".formatted(text, unitText.get()), place));
+          Diagnostic.of(
+              BenchRules.BENCH_UNIT,
+              "'%s' cannot be sent in %s.".formatted(text, unitText.get()),
+              place));
       return Optional.empty();
     }
     return Optional.of(new Bench.Quantity(text, term, unit.orElse(plain), absent, 0.0));

@@ -91,8 +91,8 @@ final class BenchInputs implements Signal.Source {
     if (reading.size() > DEEPEST) {
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT,
-          Diagnostic.error(
-              "bench.value.range",
+          Diagnostic.of(
+              BenchRules.BENCH_VALUE_RANGE,
               "More than " + DEEPEST + " inputs are computed from one another.",
               section.atKey(name)));
     }
@@ -108,8 +108,8 @@ final class BenchInputs implements Signal.Source {
     String message = "The input '%s' is computed from itself: %s needs %s.";
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
-        Diagnostic.error(
-                "bench.input.cycle",
+        Diagnostic.of(
+                BenchRules.BENCH_INPUT_CYCLE,
                 message.formatted(name, String.join(" needs ", names), name),
                 section.atKey(name))
             .withHint("Give one of them a value."));
@@ -121,7 +121,7 @@ final class BenchInputs implements Signal.Source {
     Optional<Unit> unit = unit(input, unitText);
     if (input.has(FORMULA) == input.has(VALUE)) {
       String message = "An input has either '" + VALUE + "' or '" + FORMULA + "'.";
-      input.find("bench.key.missing", message, input.location());
+      input.find(BenchRules.BENCH_KEY_MISSING, message, input.location());
     }
     double value = input.number(VALUE, ANY).orElse(0.0);
     boolean computed = input.has(FORMULA);
@@ -138,10 +138,10 @@ final class BenchInputs implements Signal.Source {
   private void checkName(String name) {
     if (WORLD.find(name).isPresent()) {
       String message = "The world already has a '" + name + "'.";
-      section.find("bench.value.range", message, section.atKey(name));
+      section.find(BenchRules.BENCH_VALUE_RANGE, message, section.atKey(name));
     } else if (!FormulaTokens.isName(name)) {
       String message = "No formula can name an input '" + name + "'.";
-      section.find("bench.value.range", message, section.atKey(name));
+      section.find(BenchRules.BENCH_VALUE_RANGE, message, section.atKey(name));
     }
   }
 
@@ -149,7 +149,7 @@ final class BenchInputs implements Signal.Source {
   static Optional<Unit> unit(ObjectReader section, String text) {
     Optional<Unit> unit = Unit.parse(text);
     if (unit.isEmpty()) {
-      section.find("bench.unit", "There is no unit '" + text + "'.", section.at(UNIT));
+      section.find(BenchRules.BENCH_UNIT, "There is no unit '" + text + "'.", section.at(UNIT));
     }
     return unit;
   }
@@ -161,7 +161,7 @@ final class BenchInputs implements Signal.Source {
       return Optional.of(term);
     }
     String message = "'" + text + "' is not a quantity in " + input.text(UNIT).orElse("1") + ".";
-    input.find("bench.unit", message, input.at(FORMULA));
+    input.find(BenchRules.BENCH_UNIT, message, input.at(FORMULA));
     return Optional.empty();
   }
 

@@ -7,7 +7,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.RosNames;
@@ -34,14 +34,14 @@ public final class BenchReader {
 
   private static final String RESOURCES = "/dev/eventchain/simulation/";
 
-  private static final FindingIds IDS =
-      new FindingIds(
-          "bench.syntax",
-          "bench.key.duplicate",
-          "bench.value.type",
-          "bench.key.missing",
-          "bench.key.unknown",
-          "bench.value.range");
+  private static final DocumentRules RULES =
+      new DocumentRules(
+          BenchRules.BENCH_SYNTAX,
+          BenchRules.BENCH_KEY_DUPLICATE,
+          BenchRules.BENCH_VALUE_TYPE,
+          BenchRules.BENCH_KEY_MISSING,
+          BenchRules.BENCH_KEY_UNKNOWN,
+          BenchRules.BENCH_VALUE_RANGE);
   private static final String CARLA = "carla";
 
   private final DeclaredSignals declared;
@@ -101,7 +101,7 @@ public final class BenchReader {
 
   private void carla() {
     SourceText text = SourceText.of("carla.yaml", resource("carla.yaml"));
-    Document document = Document.parse(text, DocumentFormat.YAML, IDS, problems::add);
+    Document document = Document.parse(text, DocumentFormat.YAML, RULES, problems::add);
     ObjectReader section = document.object("", problems::add).orElseThrow();
     // Projects without CARLA's topics need not have its message types.
     new BenchTopics(declared, Optional.empty(), inputs.values(), new YamlText(text))
@@ -118,7 +118,7 @@ public final class BenchReader {
   }
 
   private void project(SourceText text) {
-    Document document = Document.parse(text, DocumentFormat.YAML, IDS, problems::add);
+    Document document = Document.parse(text, DocumentFormat.YAML, RULES, problems::add);
     YamlText source = new YamlText(text);
     document.object("", problems::add).ifPresent(section -> project(section, source));
   }
@@ -127,8 +127,8 @@ public final class BenchReader {
     Optional<String> base = section.text("extends");
     if (base.isPresent() && !base.get().equals(CARLA)) {
       section.find(
-          Diagnostic.error(
-                  "bench.value.range",
+          Diagnostic.of(
+                  BenchRules.BENCH_VALUE_RANGE,
                   "There is no bench '" + base.get() + "' to extend.",
                   section.at("extends"))
               .withHint("Write `extends: carla`, or leave it out."));
@@ -160,8 +160,8 @@ public final class BenchReader {
       return;
     }
     problems.add(
-        Diagnostic.error(
-                "bench.topic.unknown",
+        Diagnostic.of(
+                BenchRules.BENCH_TOPIC_UNKNOWN,
                 "signals.json has no " + wanted + " signal " + topic + ".",
                 place)
             .withHint(NearestName.hint(topic, declared.names(direction))));

@@ -84,10 +84,10 @@ final class BenchTopics {
       String name = BenchReader.fullName(written);
       if (!RosNames.isTopic(written) || RosNames.isPrivate(written)) {
         String message = "'" + written + "' is not the name of a topic.";
-        part.find("bench.value.range", message, part.atKey(written));
+        part.find(BenchRules.BENCH_VALUE_RANGE, message, part.atKey(written));
       } else if (!read.add(name)) {
         String message = "The topic " + name + " is duplicated.";
-        part.find("bench.key.duplicate", message, part.atKey(written));
+        part.find(BenchRules.BENCH_KEY_DUPLICATE, message, part.atKey(written));
       } else {
         place = part.atKey(written);
         topic.ifPresent(section -> reader.accept(name, section));
@@ -114,7 +114,9 @@ final class BenchTopics {
         new Bench.Transfer(Math.round(latency * 1e6), fields.part(section, "lost"));
     if (isEmpty(section) && !section.has(SENSOR) && !section.has(OBJECTS)) {
       section.find(
-          "bench.key.missing", "No field of " + topic + " has a source.", section.location());
+          BenchRules.BENCH_KEY_MISSING,
+          "No field of " + topic + " has a source.",
+          section.location());
     }
     section.refuseOthers();
     return new Provided(topic, type, rate, lidar, objects, read, transfer, place);
@@ -128,8 +130,8 @@ final class BenchTopics {
     Optional<String> sensor = section.text(SENSOR);
     if (sensor.isPresent() && !sensor.get().equals(LIDAR)) {
       section.find(
-          Diagnostic.error(
-                  "bench.value.range",
+          Diagnostic.of(
+                  BenchRules.BENCH_VALUE_RANGE,
                   "There is no sensor '" + sensor.get() + "'.",
                   section.at(SENSOR))
               .withHint("The sensors are: " + LIDAR + ". Others are built from quantities."));
@@ -144,7 +146,7 @@ final class BenchTopics {
         declared.find(topic).map(signal -> RosNames.fullMessageType(signal.messageType()));
     if (written.isEmpty() && known.isEmpty() && usual.isEmpty()) {
       section.find(
-          "bench.key.missing",
+          BenchRules.BENCH_KEY_MISSING,
           "'type' is missing, and signals.json says nothing about " + topic + ".",
           section.location());
       return "";
@@ -153,8 +155,8 @@ final class BenchTopics {
     String expected = known.orElse(usual.isEmpty() ? type : usual);
     if (!type.equals(expected) || (!usual.isEmpty() && !type.equals(usual))) {
       section.find(
-          Diagnostic.error(
-                  "bench.type",
+          Diagnostic.of(
+                  BenchRules.BENCH_TYPE,
                   "The messages of "
                       + topic
                       + " are "
@@ -177,8 +179,8 @@ final class BenchTopics {
       Optional<MessageType> found = catalog.get().find(type);
       if (found.isEmpty()) {
         section.find(
-            Diagnostic.error(
-                    "message.unknown",
+            Diagnostic.of(
+                    BenchRules.MESSAGE_UNKNOWN,
                     "There is no message type " + type + ".",
                     section.has("type") ? section.at("type") : section.location())
                 .withHint(NearestName.hint(type, catalog.get().names())));
@@ -208,8 +210,8 @@ final class BenchTopics {
     section.requireTrue("observed");
     if (isEmpty(section) && !observed) {
       section.find(
-          Diagnostic.error(
-                  "bench.key.missing",
+          Diagnostic.of(
+                  BenchRules.BENCH_KEY_MISSING,
                   "No field of " + topic + " does anything.",
                   section.location())
               .withHint("Write `observed: true` if the vehicle only receives it."));
@@ -227,8 +229,8 @@ final class BenchTopics {
     for (Map.Entry<Actuator, Effect> other : driven.entrySet()) {
       if (actuator.excludes(other.getKey())) {
         part.find(
-            Diagnostic.error(
-                    "bench.actuator.conflict",
+            Diagnostic.of(
+                    BenchRules.BENCH_ACTUATOR_CONFLICT,
                     "'%s' drives %s, but '%s' at %s drives %s already."
                         .formatted(
                             effect.path(),

@@ -48,7 +48,7 @@ final class ObjectsReader {
         .ifPresent(
             part -> part.names().forEach(path -> column(part, path).ifPresent(columns::add)));
     if (section.has("fields") && section.value("fields").map(JsonNode::isEmpty).orElse(false)) {
-      section.find("bench.key.missing", "No field gets a value.", section.at("fields"));
+      section.find(BenchRules.BENCH_KEY_MISSING, "No field gets a value.", section.at("fields"));
     }
     section.refuseOthers();
     return new ObjectSensor(range, StrictMath.toRadians(view / 2), missed / 100, columns);
@@ -81,7 +81,8 @@ final class ObjectsReader {
     Optional<Property> property = Property.find(name);
     if (property.isEmpty()) {
       part.find(
-          Diagnostic.error("bench.value.range", "An object has no '" + name + "'.", part.at(path))
+          Diagnostic.of(
+                  BenchRules.BENCH_VALUE_RANGE, "An object has no '" + name + "'.", part.at(path))
               .withHint(
                   NearestName.of(name, Property.ids())
                       .map(near -> "Did you mean '" + near + "'?")
@@ -103,7 +104,7 @@ final class ObjectsReader {
             .isPresent();
     if (!fits) {
       part.find(
-          "bench.unit",
+          BenchRules.BENCH_UNIT,
           "'%s' cannot be sent in %s.".formatted(property.id(), text.orElse("")),
           part.at(path));
     }
@@ -118,7 +119,7 @@ final class ObjectsReader {
     MessageType.Resolution found = message.get().resolve(path);
     if (found.type().isEmpty()) {
       part.find(
-          Diagnostic.error("message.field.missing", found.problem(), part.atKey(path))
+          Diagnostic.of(BenchRules.MESSAGE_FIELD_MISSING, found.problem(), part.atKey(path))
               .withHint(found.hint()));
       return false;
     }
@@ -127,8 +128,8 @@ final class ObjectsReader {
         type.shape() == FieldType.Shape.SEQUENCE && type.size() == 0 && isFloat(type) != isId;
     if (!numbers) {
       part.find(
-          Diagnostic.error(
-                  "bench.value.type",
+          Diagnostic.of(
+                  BenchRules.BENCH_VALUE_TYPE,
                   "'%s' is %s, but here it has to be %s."
                       .formatted(path, type, isId ? "uint32[]" : "float32[] or float64[]"),
                   part.atKey(path))

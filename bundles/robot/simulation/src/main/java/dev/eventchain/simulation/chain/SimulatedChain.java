@@ -89,8 +89,8 @@ public final class SimulatedChain {
         .filter(node -> !nodes.contains(node))
         .map(
             node ->
-                Diagnostic.warning(
-                        "simulation.node.left-out",
+                Diagnostic.of(
+                        ChainRules.NODE_LEFT_OUT,
                         "The component '"
                             + node.getName()
                             + "' is a node itself, so it is not simulated.",

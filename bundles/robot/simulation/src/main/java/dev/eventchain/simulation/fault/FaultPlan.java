@@ -80,8 +80,8 @@ public final class FaultPlan {
         .findFirst()
         .map(
             first ->
-                Diagnostic.warning(
-                        "simulation.fault.left-out",
+                Diagnostic.of(
+                        FaultRules.SIMULATION_FAULT_LEFT_OUT,
                         "%d of %d runs with faults are left out, as their scenarios are: the first is '%s' in %s."
                             .formatted(
                                 others.size(),

@@ -8,7 +8,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.simulation.bench.Bench;
@@ -29,14 +29,14 @@ import java.util.OptionalDouble;
 /** Reads a file with faults. */
 final class FaultsReader {
 
-  private static final FindingIds IDS =
-      new FindingIds(
-          "fault.syntax",
-          "fault.key.duplicate",
-          "fault.value.type",
-          "fault.key.missing",
-          "fault.key.unknown",
-          "fault.value.range");
+  private static final DocumentRules RULES =
+      new DocumentRules(
+          FaultRules.FAULT_SYNTAX,
+          FaultRules.FAULT_KEY_DUPLICATE,
+          FaultRules.FAULT_VALUE_TYPE,
+          FaultRules.FAULT_KEY_MISSING,
+          FaultRules.FAULT_KEY_UNKNOWN,
+          FaultRules.FAULT_VALUE_RANGE);
   private static final NumberRange SECONDS = NumberRange.of(0, 600);
   private static final NumberRange LENGTH = NumberRange.of(0.001, 600);
   private static final double ALL = 100;
@@ -62,7 +62,7 @@ final class FaultsReader {
   }
 
   FaultPlan read() {
-    Document document = Document.parse(text, DocumentFormat.YAML, IDS, problems::add);
+    Document document = Document.parse(text, DocumentFormat.YAML, RULES, problems::add);
     List<Fault> faults = new ArrayList<>();
     document
         .object("", problems::add)
@@ -73,7 +73,7 @@ final class FaultsReader {
               section.refuseOthers();
               if (problems.isEmpty() && parts.isEmpty()) {
                 String message = "There is no fault in this list.";
-                section.find("fault.none", message, section.atKey("faults"));
+                section.find(FaultRules.FAULT_NONE, message, section.atKey("faults"));
               }
             });
     if (!problems.isEmpty()) {
@@ -118,13 +118,13 @@ final class FaultsReader {
     String name = section.requiredText("name");
     if (!name.isBlank() && !name.matches("[a-z0-9]+(-[a-z0-9]+)*")) {
       String message = "A name consists of lower-case letters, digits and hyphens.";
-      section.find("fault.value.range", message, section.at("name"));
+      section.find(FaultRules.FAULT_VALUE_RANGE, message, section.at("name"));
     }
     SourceLocation earlier = names.putIfAbsent(name, section.at("name"));
     if (earlier != null && !name.isBlank()) {
       section.find(
-          Diagnostic.error(
-                  "fault.name.duplicate",
+          Diagnostic.of(
+                  FaultRules.FAULT_NAME_DUPLICATE,
                   "The name " + name + " is taken by the fault in line " + earlier.line() + ".",
                   section.at("name"))
               .withHint("Give each fault its own name; reports use it."));
@@ -138,7 +138,7 @@ final class FaultsReader {
     List<String> wanted =
         list ? section.texts("scenario") : List.of(section.requiredText("scenario"));
     if (list && wanted.isEmpty()) {
-      section.find("fault.key.missing", "'scenario' names none.", section.at("scenario"));
+      section.find(FaultRules.FAULT_KEY_MISSING, "'scenario' names none.", section.at("scenario"));
     }
     List<Scenario> found = new ArrayList<>();
     List<String> known = scenarios.stream().map(Scenario::name).toList();
@@ -154,8 +154,10 @@ final class FaultsReader {
   private static void unknown(
       ObjectReader section, String key, String what, String name, Collection<String> known) {
     section.find(
-        Diagnostic.error(
-                "fault.unknown", "There is no " + what + " '" + name + "'.", section.at(key))
+        Diagnostic.of(
+                FaultRules.FAULT_UNKNOWN,
+                "There is no " + what + " '" + name + "'.",
+                section.at(key))
             .withHint(NearestName.hint(name, known)));
   }
 
@@ -180,7 +182,7 @@ final class FaultsReader {
                 + kinds.get(1).key()
                 + ".";
     section.find(
-        Diagnostic.error("fault.kind", message, place)
+        Diagnostic.of(FaultRules.FAULT_KIND, message, place)
             .withHint("Write one of these: " + all + "."));
     return Optional.empty();
   }
@@ -190,7 +192,7 @@ final class FaultsReader {
       double jump = section.requiredNumber(kind.key(), kind.range());
       if (jump == 0) {
         String message = "A jump of 0 ms is not a jump.";
-        section.find("fault.value.range", message, section.at(kind.key()));
+        section.find(FaultRules.FAULT_VALUE_RANGE, message, section.at(kind.key()));
       }
       return new What(kind, "", amount(kind, jump));
     }
@@ -246,13 +248,13 @@ final class FaultsReader {
     for (Scenario scenario : where) {
       if (start >= scenario.duration()) {
         String message = "The scenario " + scenario.name() + " ends before this.";
-        section.find("fault.value.range", message, section.at("at_s"));
+        section.find(FaultRules.FAULT_VALUE_RANGE, message, section.at("at_s"));
       }
     }
     if (length.isPresent() && what.filter(it -> it.kind() == FaultKind.KILL).isPresent()) {
       section.find(
-          Diagnostic.error(
-                  "fault.kind",
+          Diagnostic.of(
+                  FaultRules.FAULT_KIND,
                   "A process that was killed does not come back.",
                   section.atKey("for_s"))
               .withHint("Leave for_s out, or write stop instead of kill."));
@@ -262,7 +264,7 @@ final class FaultsReader {
         .ifPresent(
             it -> {
               String message = "The clock would show a time before the start of the scenario.";
-              section.find("fault.value.range", message, section.at(it.kind().key()));
+              section.find(FaultRules.FAULT_VALUE_RANGE, message, section.at(it.kind().key()));
             });
     long end = length.isPresent() ? from + World.nanoseconds(length.getAsDouble()) : RunLog.NEVER;
     return new Window(from, end);
@@ -285,7 +287,7 @@ final class FaultsReader {
     part.refuseOthers();
     if (criteria.isEmpty() && !detection && problems.isEmpty()) {
       String message = "Nothing is expected: write a criterion of scenarios, or detected: true.";
-      part.find("fault.key.missing", message, part.location());
+      part.find(FaultRules.FAULT_KEY_MISSING, message, part.location());
     }
     return criteria;
   }

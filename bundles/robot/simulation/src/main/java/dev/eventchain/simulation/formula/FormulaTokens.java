@@ -2,6 +2,7 @@ package dev.eventchain.simulation.formula;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
@@ -56,15 +57,26 @@ public final class FormulaTokens {
   /** A token with its offsets in the text. */
   record Token(Kind kind, String text, int start, int end) {}
 
-  /** Places of formulas, the prefixes of the ids of their problems. */
+  /** Places of formulas, with the rules of their problems. */
+  @SuppressWarnings("ImmutableEnumChecker") // rules are immutable
   enum Place {
-    SCENARIO("scenario.formula."),
-    BENCH("bench.formula.");
+    SCENARIO(
+        FormulaRules.SCENARIO_FORMULA_SYNTAX,
+        FormulaRules.SCENARIO_FORMULA_UNIT,
+        FormulaRules.SCENARIO_FORMULA_SIGNAL),
+    BENCH(
+        FormulaRules.BENCH_FORMULA_SYNTAX,
+        FormulaRules.BENCH_FORMULA_UNIT,
+        FormulaRules.BENCH_FORMULA_SIGNAL);
 
-    private final String prefix;
+    private final Rule syntax;
+    private final Rule unit;
+    private final Rule signal;
 
-    Place(String prefix) {
-      this.prefix = prefix;
+    Place(Rule syntax, Rule unit, Rule signal) {
+      this.syntax = syntax;
+      this.unit = unit;
+      this.signal = signal;
     }
   }
 
@@ -193,21 +205,20 @@ public final class FormulaTokens {
   }
 
   DiagnosticException syntax(Token token, String message, String hint) {
-    return problem("syntax", token, message, hint);
+    return problem(place.syntax, token, message, hint);
   }
 
   DiagnosticException unitProblem(Token token, String message, String hint) {
-    return problem("unit", token, message, hint);
+    return problem(place.unit, token, message, hint);
   }
 
   DiagnosticException unknownSignal(Token token, String message, String hint) {
-    return problem("signal", token, message, hint);
+    return problem(place.signal, token, message, hint);
   }
 
-  private DiagnosticException problem(String kind, Token token, String message, String hint) {
-    String id = place.prefix + kind;
+  private DiagnosticException problem(Rule rule, Token token, String message, String hint) {
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
-        Diagnostic.error(id, message, source.at(token.start())).withHint(hint));
+        Diagnostic.of(rule, message, source.at(token.start())).withHint(hint));
   }
 }

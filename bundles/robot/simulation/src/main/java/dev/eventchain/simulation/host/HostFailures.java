@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Printable;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.sandbox.ConfinedProcess;
 import java.util.List;
@@ -53,7 +54,8 @@ public record HostFailures(String who, Supplier<LastWords> lastWords, UserFiles 
             node,
             failure.path("excerpt").asText(""));
     String text = node.isEmpty() ? message : "Node " + node + ": " + message;
-    return Diagnostic.error(failure.path("id").asText("node.failed"), text, location)
+    String id = failure.path("id").asText(HostRules.NODE_FAILED.id());
+    return Diagnostic.of(HostRules.find(id).orElseGet(() -> Rule.error(id)), text, location)
         .withHint(failure.path("hint").asText(""));
   }
 
@@ -67,27 +69,28 @@ public record HostFailures(String who, Supplier<LastWords> lastWords, UserFiles 
     if (!usedUp.isEmpty()) {
       String message = "The nodes did not answer within " + usedUp + " and were ended.";
       return finding(
-          Diagnostic.error("simulation.step.timeout", message, files.folder())
+          Diagnostic.of(HostRules.SIMULATION_STEP_TIMEOUT, message, files.folder())
               .withHint("Look for an endless loop or a wait in a node."));
     }
     return switch (last.cause()) {
       case OUTPUT ->
-          ended("simulation.limit", "The nodes write to standard error endlessly.", last);
+          ended(HostRules.SIMULATION_LIMIT, "The nodes write to standard error endlessly.", last);
       case WALL_TIME, CPU_TIME ->
-          ended("simulation.run.timeout", "The simulation took longer than allowed.", last);
-      default -> ended("simulation.process.ended", who + " ended before the scenario did.", last);
+          ended(HostRules.SIMULATION_RUN_TIMEOUT, "The simulation took longer than allowed.", last);
+      default ->
+          ended(HostRules.SIMULATION_PROCESS_ENDED, who + " ended before the scenario did.", last);
     };
   }
 
-  private DiagnosticException ended(String id, String message, LastWords last) {
-    return finding(Diagnostic.error(id, message, files.folder()).withHint(text(last)));
+  private DiagnosticException ended(Rule rule, String message, LastWords last) {
+    return finding(Diagnostic.of(rule, message, files.folder()).withHint(text(last)));
   }
 
   /** Creates the exception for a violation of the protocol. */
   public DiagnosticException garbage(String what) {
     String message = who + " sent " + what + ".";
     return finding(
-        Diagnostic.error("simulation.protocol", message, files.folder())
+        Diagnostic.of(HostRules.SIMULATION_PROTOCOL, message, files.folder())
             .withHint(text(lastWords.get())));
   }
 

@@ -3,6 +3,7 @@ package dev.eventchain.simulation.judge;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.simulation.chain.SimulatedChain;
+import dev.eventchain.simulation.measure.MeasureRules;
 import dev.eventchain.simulation.run.ScenarioRun;
 import java.util.ArrayList;
 import java.util.List;
@@ -46,8 +47,8 @@ public final class AttachedFindings {
   }
 
   private static Diagnostic silent(String message, String element) {
-    return Diagnostic.error(
-            "simulation.node.silent", message, SourceLocation.NONE.withElement(element))
+    return Diagnostic.of(
+            MeasureRules.NODE_SILENT, message, SourceLocation.NONE.withElement(element))
         .withHint("Do the nodes get their inputs, and do they follow /clock?");
   }
 
@@ -62,8 +63,8 @@ public final class AttachedFindings {
     found.add(unseen(runs, chain, driver));
     if (runs.size() > 1) {
       found.add(
-          Diagnostic.warning(
-                  "simulation.attached.state",
+          Diagnostic.of(
+                  JudgeRules.SIMULATION_ATTACHED_STATE,
                   ("%d scenarios were driven with the same nodes, which were not restarted:"
                           + " from the second one on they remember what happened before.")
                       .formatted(runs.size()),
@@ -78,8 +79,8 @@ public final class AttachedFindings {
     runs.forEach(run -> silent.removeAll(run.log().publications().keySet()));
     String unheard =
         silent.isEmpty() ? "" : " Nothing was received on " + String.join(", ", silent) + ".";
-    return Diagnostic.info(
-            "simulation.attached.unseen",
+    return Diagnostic.of(
+            JudgeRules.SIMULATION_ATTACHED_UNSEEN,
             ("The nodes were started elsewhere (%s): their executions, periods, execution times,"
                     + " latencies and ages of inputs were not measured.%s")
                 .formatted(driver, unheard),

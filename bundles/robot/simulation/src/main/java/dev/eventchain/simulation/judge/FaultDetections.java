@@ -7,6 +7,7 @@ import dev.eventchain.simulation.host.RunLog.Affected;
 import dev.eventchain.simulation.host.UserFiles;
 import dev.eventchain.simulation.measure.InputAges;
 import dev.eventchain.simulation.measure.InputAges.TooOld;
+import dev.eventchain.simulation.measure.MeasureRules;
 import dev.eventchain.simulation.run.FaultRun;
 import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.verdict.FaultVerdict.Detection;
@@ -63,7 +64,7 @@ final class FaultDetections {
         all.add(
             new Detection(
                 each.command() ? Means.CHECK : Means.SOFTWARE,
-                "simulation.input.too-old",
+                MeasureRules.INPUT_TOO_OLD,
                 each.node(),
                 each.words(),
                 OptionalDouble.of(World.seconds(each.time()))));
@@ -84,7 +85,7 @@ final class FaultDetections {
         all.add(
             new Detection(
                 Means.FAILURE,
-                found.id(),
+                found.kind(),
                 each.getKey(),
                 found.message(),
                 OptionalDouble.of(time)));

@@ -26,8 +26,8 @@ public final class WireFindings {
   }
 
   private static Diagnostic lost(Scenario scenario, String topic, long count) {
-    return Diagnostic.warning(
-            "simulation.message.lost",
+    return Diagnostic.of(
+            JudgeRules.SIMULATION_MESSAGE_LOST,
             "Scenario %s: %d messages on %s were lost on the way, or arrived too late."
                 .formatted(scenario.name(), count, topic),
             scenario.location().withElement(topic))
@@ -36,8 +36,8 @@ public final class WireFindings {
 
   private static Diagnostic noticed(Scenario scenario, Notice notice) {
     boolean deadline = notice.kind().equals("deadline");
-    return Diagnostic.warning(
-            deadline ? "qos.deadline.missed" : "qos.liveliness.lost",
+    return Diagnostic.of(
+            deadline ? JudgeRules.QOS_DEADLINE_MISSED : JudgeRules.QOS_LIVELINESS_LOST,
             "Scenario %s: node %s got %s on %s, %d times."
                 .formatted(
                     scenario.name(),

@@ -1,6 +1,7 @@
 package dev.eventchain.simulation.measure;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.eventchain.Data;
@@ -193,8 +194,8 @@ public final class InputAges {
   }
 
   private static Diagnostic finding(String writer, String topic, double limit, Worst worst) {
-    return Diagnostic.warning(
-            "simulation.input.too-old",
+    return Diagnostic.of(
+            MeasureRules.INPUT_TOO_OLD,
             String.format(
                 Locale.ROOT,
                 "Scenario %s: the last command on %s was %.0f ms old after %.2f s, and the vehicle"
@@ -249,10 +250,11 @@ public final class InputAges {
             limit,
             worst.times());
     if (rare && isPlannedFor(node, topic)) {
-      return Diagnostic.info("simulation.input.too-old", text, place)
+      return Diagnostic.of(MeasureRules.INPUT_TOO_OLD, text, place)
+          .withSeverity(Severity.INFO)
           .withHint("The safe values of the model were published instead.");
     }
-    return Diagnostic.warning("simulation.input.too-old", text, place)
+    return Diagnostic.of(MeasureRules.INPUT_TOO_OLD, text, place)
         .withHint(
             "Write the topic more often, allow a greater maximumAge, or state safe values for what"
                 + " the component writes.");

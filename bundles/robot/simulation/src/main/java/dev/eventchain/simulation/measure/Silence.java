@@ -159,8 +159,7 @@ public final class Silence {
   }
 
   private static Diagnostic error(String name, String message, String hint) {
-    return Diagnostic.error(
-            "simulation.node.silent", message, SourceLocation.NONE.withElement(name))
+    return Diagnostic.of(MeasureRules.NODE_SILENT, message, SourceLocation.NONE.withElement(name))
         .withHint(hint);
   }
 

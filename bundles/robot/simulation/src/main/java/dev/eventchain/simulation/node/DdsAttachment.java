@@ -61,6 +61,6 @@ public record DdsAttachment(int domain, String configuration, String distributio
   public static DiagnosticException unusable(String message, String hint) {
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
-        Diagnostic.error("dds.domain.unusable", message, SourceLocation.NONE).withHint(hint));
+        Diagnostic.of(NodeRules.DDS_DOMAIN_UNUSABLE, message, SourceLocation.NONE).withHint(hint));
   }
 }

@@ -2,6 +2,7 @@ package dev.eventchain.simulation.node;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.eventchain.EventChain;
@@ -25,8 +26,8 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
   /** Name of the file in the folder of the generated package. */
   public static final String FILE = "eventchain-manifest.json";
 
-  /** Id of all findings on manifests. */
-  public static final String ID = "simulation.manifest";
+  /** Rule of all findings on manifests. */
+  public static final Rule ID = NodeRules.SIMULATION_MANIFEST;
 
   static final String GENERATE_AGAIN =
       "Generate again with a template that writes it as the rule's page describes.";
@@ -139,7 +140,7 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
   }
 
   private Diagnostic problem(String message, String element) {
-    return Diagnostic.error(ID, message, location.withElement(element)).withHint(GENERATE_AGAIN);
+    return Diagnostic.of(ID, message, location.withElement(element)).withHint(GENERATE_AGAIN);
   }
 
   /**

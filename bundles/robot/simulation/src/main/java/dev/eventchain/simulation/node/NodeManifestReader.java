@@ -6,7 +6,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.simulation.node.NodeManifest.Component;
 import dev.eventchain.simulation.node.NodeManifest.Node;
@@ -21,7 +21,7 @@ import java.util.function.IntFunction;
 /** Reads a {@link NodeManifest}; collects problems and continues with a neutral value. */
 final class NodeManifestReader {
 
-  private static final FindingIds IDS = FindingIds.all(NodeManifest.ID);
+  private static final DocumentRules RULES = DocumentRules.all(NodeManifest.ID);
   private static final int FORMAT = 1;
   private static final String IDENTIFIER = "[A-Za-z_][A-Za-z0-9_]*";
   private static final String MODULE = IDENTIFIER + "(\\." + IDENTIFIER + ")+";
@@ -47,7 +47,7 @@ final class NodeManifestReader {
 
   private List<Node> nodes(SourceText text) {
     try {
-      return Document.parseWithAnyText(text, DocumentFormat.JSON, IDS, this::add)
+      return Document.parseWithAnyText(text, DocumentFormat.JSON, RULES, this::add)
           .object("", this::add)
           .map(this::manifest)
           .orElse(List.of());
@@ -148,7 +148,7 @@ final class NodeManifestReader {
       String name = names.get(i);
       if (!name.isEmpty() && !seen.add(name)) {
         String message = "The " + what + " '" + name + "' is declared twice.";
-        add(Diagnostic.error(NodeManifest.ID, message, places.apply(i)));
+        add(Diagnostic.of(NodeManifest.ID, message, places.apply(i)));
       }
     }
   }

@@ -176,8 +176,8 @@ public final class Recording implements AutoCloseable {
       close();
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT,
-          Diagnostic.error(
-                  "simulation.recording.unwritable",
+          Diagnostic.of(
+                  RecordingRules.RECORDING_UNWRITABLE,
                   "The recording cannot be written: " + SourceText.reason(e) + ".",
                   SourceLocation.of(file))
               .withHint("Free some space, record fewer scenarios, or leave out --mcap."));

@@ -2,6 +2,7 @@ package dev.eventchain.simulation.run;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.CdrCodec;
 import dev.eventchain.messages.MessageCatalog;
@@ -11,6 +12,7 @@ import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.bench.Bench.Consumed;
 import dev.eventchain.simulation.bench.Bench.Effect;
 import dev.eventchain.simulation.bench.Bench.Provided;
+import dev.eventchain.simulation.bench.BenchRules;
 import dev.eventchain.simulation.bench.TypedTopic;
 import dev.eventchain.simulation.chain.ChainSignals;
 import dev.eventchain.simulation.chain.SimulatedChain;
@@ -172,7 +174,7 @@ final class BenchDriver {
         .orElseThrow(
             () ->
                 refused(
-                    "message.unknown",
+                    BenchRules.MESSAGE_UNKNOWN,
                     "The vehicle's topic " + topic.name() + " needs " + topic.type() + ".",
                     topic));
   }
@@ -322,7 +324,7 @@ final class BenchDriver {
       access.run();
     } catch (IllegalArgumentException e) {
       throw refused(
-          "message.field.missing",
+          BenchRules.MESSAGE_FIELD_MISSING,
           "The vehicle's topic "
               + topic.name()
               + " needs "
@@ -334,7 +336,7 @@ final class BenchDriver {
   }
 
   /** Creates the exception for a message type, located in the file that defines it or should. */
-  private DiagnosticException refused(String id, String message, TypedTopic topic) {
+  private DiagnosticException refused(Rule rule, String message, TypedTopic topic) {
     Optional<Path> file =
         catalog
             .file(topic.type())
@@ -345,7 +347,7 @@ final class BenchDriver {
                         .findFirst());
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
-        Diagnostic.error(id, message, file.map(SourceLocation::of).orElse(SourceLocation.NONE))
+        Diagnostic.of(rule, message, file.map(SourceLocation::of).orElse(SourceLocation.NONE))
             .withHint("Put the definition into software-base/msg/PACKAGE/msg/NAME.msg."));
   }
 }

@@ -7,6 +7,7 @@ import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.MessageValue;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.bench.Bench.Provided;
+import dev.eventchain.simulation.bench.BenchRules;
 import dev.eventchain.simulation.bench.TypedTopic;
 import dev.eventchain.simulation.formula.SampledRun;
 import dev.eventchain.simulation.formula.Signal;
@@ -146,7 +147,7 @@ final class Publisher {
     } catch (IllegalArgumentException e) {
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT,
-          Diagnostic.error("bench.value.range", e.getMessage(), field.location())
+          Diagnostic.of(BenchRules.BENCH_VALUE_RANGE, e.getMessage(), field.location())
               .withHint("Limit it: `min(gap, 200 m)`, or give it another unit."));
     }
   }

@@ -3,6 +3,7 @@ package dev.eventchain.simulation.scenario;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
@@ -32,7 +33,7 @@ final class ActorsReader {
 
   static final NumberRange SPEED_KMH = NumberRange.of(0, 250);
 
-  private static final String RANGE_FINDING = "scenario.value.range";
+  private static final Rule RANGE_FINDING = ScenarioRules.VALUE_RANGE;
   private static final NumberRange GAP = NumberRange.of(-2000, 2000);
   private static final NumberRange ASIDE = NumberRange.of(-50, 50);
   private static final NumberRange SIZE = NumberRange.of(0.01, 200);
@@ -86,7 +87,7 @@ final class ActorsReader {
 
   private List<Actor> furniture(ObjectReader section) {
     if (!section.has("kind")) {
-      section.find("scenario.key.missing", "'kind' is missing.", section.location());
+      section.find(ScenarioRules.KEY_MISSING, "'kind' is missing.", section.location());
     }
     Optional<ActorKind> kind = kind(section, false, ActorKind.PARKED_CAR.id());
     double gap = section.requiredNumber("gap_m", GAP);
@@ -137,7 +138,7 @@ final class ActorsReader {
                   .map(name -> "Did you mean '" + name + "'?")
                   .orElse("Use one of: " + String.join(", ", known) + ".");
       section.find(
-          Diagnostic.error(RANGE_FINDING, "'" + id + "' is not allowed here.", section.at("kind"))
+          Diagnostic.of(RANGE_FINDING, "'" + id + "' is not allowed here.", section.at("kind"))
               .withHint(other));
     }
     return kind;

@@ -28,7 +28,7 @@ public final class CriteriaReader {
         section.value("formulas").filter(JsonNode::isArray).filter(it -> !it.isEmpty()).isPresent();
     if (!formulasAreWritten && all.stream().allMatch(CriteriaReader::isAlwaysAsked)) {
       section.find(
-          "scenario.key.missing",
+          ScenarioRules.KEY_MISSING,
           "Nothing is asked of the software in this scenario.",
           section.location());
     }
@@ -79,7 +79,7 @@ public final class CriteriaReader {
         .ifPresent(
             each ->
                 section.find(
-                    "scenario.value.range",
+                    ScenarioRules.VALUE_RANGE,
                     RootLocale.format(
                         "A tolerance of %.1f s leaves nothing of the limit of %.1f s.",
                         tolerances.timeToCollision(), each.limit()),

@@ -41,7 +41,7 @@ public final class FormulasReader {
       String name = section.text("name").orElse("").strip();
       if (!section.has(KEY)) {
         String message = "'" + KEY + "' is missing.";
-        section.find("scenario.key.missing", message, section.location());
+        section.find(ScenarioRules.KEY_MISSING, message, section.location());
       }
       section
           .text(KEY)

@@ -53,8 +53,8 @@ final class InputsReader {
       if (!judged && !bench.mayNeed(name)) {
         ObjectReader section = scenario.object("inputs").orElseThrow();
         section.find(
-            Diagnostic.error(
-                    "scenario.input.unknown",
+            Diagnostic.of(
+                    ScenarioRules.INPUT_UNKNOWN,
                     "Nothing that is sent or judged depends on the input '" + name + "'.",
                     section.atKey(name))
                 .withHint("Let a field of bench.yaml depend on it, or leave it out."));
@@ -65,8 +65,8 @@ final class InputsReader {
   private static void unknown(ObjectReader section, String name, Bench bench) {
     section.value(name);
     section.find(
-        Diagnostic.error(
-                "scenario.input.unknown",
+        Diagnostic.of(
+                ScenarioRules.INPUT_UNKNOWN,
                 bench.signals().inputs().containsKey(name)
                     ? "The bench computes '" + name + "', so a scenario cannot set it."
                     : "The bench has no input '" + name + "'.",
@@ -90,13 +90,13 @@ final class InputsReader {
       if (first ? time != 0 : time <= earliest) {
         String message =
             first ? "The first step must be at 0 s." : "A step must come after the previous one.";
-        step.find("scenario.value.range", message, step.at("at_s"));
+        step.find(ScenarioRules.VALUE_RANGE, message, step.at("at_s"));
       }
       steps.add(new Script.Step(time, unit.coherent(value)));
       earliest = time;
     }
     if (steps.isEmpty()) {
-      section.find("scenario.value.range", "'" + name + "' has no step.", section.at(name));
+      section.find(ScenarioRules.VALUE_RANGE, "'" + name + "' has no step.", section.at(name));
     }
     return steps;
   }

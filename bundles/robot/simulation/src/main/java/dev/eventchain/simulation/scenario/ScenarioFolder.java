@@ -2,6 +2,7 @@ package dev.eventchain.simulation.scenario;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.simulation.bench.Bench;
@@ -94,16 +95,16 @@ record ScenarioFolder(Path folder) {
   }
 
   private static Diagnostic unread(Path file) {
-    return Diagnostic.warning(
-            "scenario.file.unread",
+    return Diagnostic.of(
+            ScenarioRules.FILE_UNREAD,
             "This is not simulated: its name does not end in .yaml or .yml.",
             SourceLocation.of(file))
         .withHint("Rename a scenario; move anything else, or let its name begin with a dot.");
   }
 
   private Diagnostic none() {
-    return Diagnostic.error(
-            "scenario.none", "There is no scenario to simulate.", SourceLocation.of(folder))
+    return Diagnostic.of(
+            ScenarioRules.NONE, "There is no scenario to simulate.", SourceLocation.of(folder))
         .withHint("Put at least one scenario file (*.yaml) into this folder.");
   }
 
@@ -114,7 +115,7 @@ record ScenarioFolder(Path folder) {
       if (earlier != null) {
         String message = "The name " + scenario.name() + " is taken by " + earlier.location() + ".";
         problems.add(
-            Diagnostic.error("scenario.name.duplicate", message, scenario.location())
+            Diagnostic.of(ScenarioRules.NAME_DUPLICATE, message, scenario.location())
                 .withHint("Give each scenario its own name; reports and measurements use it."));
       }
     }
@@ -123,8 +124,8 @@ record ScenarioFolder(Path folder) {
   private DiagnosticException unreadable(IOException e) {
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
-        Diagnostic.error(
-            "file.unreadable",
+        Diagnostic.of(
+            FileRules.UNREADABLE,
             "The folder cannot be read: " + SourceText.reason(e) + ".",
             SourceLocation.of(folder)));
   }

@@ -6,7 +6,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.simulation.bench.Bench;
@@ -29,14 +29,14 @@ import java.util.OptionalDouble;
 /** Reads scenario files, with units in the names of the keys, into SI units. */
 final class ScenarioReader {
 
-  private static final FindingIds IDS =
-      new FindingIds(
-          "scenario.syntax",
-          "scenario.key.duplicate",
-          "scenario.value.type",
-          "scenario.key.missing",
-          "scenario.key.unknown",
-          "scenario.value.range");
+  private static final DocumentRules RULES =
+      new DocumentRules(
+          ScenarioRules.SYNTAX,
+          ScenarioRules.KEY_DUPLICATE,
+          ScenarioRules.VALUE_TYPE,
+          ScenarioRules.KEY_MISSING,
+          ScenarioRules.KEY_UNKNOWN,
+          ScenarioRules.VALUE_RANGE);
   private static final NumberRange RADIUS = NumberRange.of(-100_000, 100_000);
   private static final double TIGHTEST = 30;
   private static final NumberRange DURATION = NumberRange.of(0.1, 600);
@@ -46,7 +46,7 @@ final class ScenarioReader {
 
   static Scenario read(SourceText text, Bench bench) {
     List<Diagnostic> problems = new ArrayList<>();
-    Document document = Document.parse(text, DocumentFormat.YAML, IDS, problems::add);
+    Document document = Document.parse(text, DocumentFormat.YAML, RULES, problems::add);
     Optional<Scenario> scenario =
         document.object("", problems::add).map(section -> scenario(section, text, bench));
     if (!problems.isEmpty()) {
@@ -59,7 +59,7 @@ final class ScenarioReader {
     String name = section.requiredText("name");
     if (!name.matches("[a-z0-9]+(-[a-z0-9]+)*") && !name.isBlank()) {
       String message = "A name consists of lower-case letters, digits and hyphens.";
-      section.find("scenario.value.range", message, section.at("name"));
+      section.find(ScenarioRules.VALUE_RANGE, message, section.at("name"));
     }
     section.text("description"); // for people
     Scenario.Heading heading =
@@ -98,8 +98,8 @@ final class ScenarioReader {
     for (Actor actor : actors) {
       if (actor.obstructs() && start.separation(actor.body(road, 0)) < 0) {
         section.find(
-            Diagnostic.error(
-                    "scenario.value.range",
+            Diagnostic.of(
+                    ScenarioRules.VALUE_RANGE,
                     "At the start, " + actor.name() + " and the ego are in the same place.",
                     reader.place(actor))
                 .withHint(
@@ -115,8 +115,8 @@ final class ScenarioReader {
     double width = number(section, "lane_width_m", Road.USUAL_LANE_WIDTH, 2, 6);
     if (radius.isPresent() && Math.abs(radius.getAsDouble()) < TIGHTEST) {
       section.find(
-          Diagnostic.error(
-                  "scenario.value.range",
+          Diagnostic.of(
+                  ScenarioRules.VALUE_RANGE,
                   "A bend has a radius of at least 30 m.",
                   section.at("curve_radius_m"))
               .withHint("To the right it is negative. Leave it out for a straight road."));

@@ -1,6 +1,7 @@
 package dev.eventchain.simulation.verdict;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import java.util.ArrayList;
@@ -93,13 +94,19 @@ public record FaultVerdict(
   /**
    * A sign of a fault that is absent without the fault.
    *
-   * @param id the id of the finding
+   * @param kind the kind of the finding
    * @param element the affected node; may be empty
    * @param words the message of the finding
    * @param time in s since the start of the scenario; empty if unknown
    */
   public record Detection(
-      Means means, String id, String element, String words, OptionalDouble time) {}
+      Means means, Rule kind, String element, String words, OptionalDouble time) {
+
+    /** Returns the id of the finding. */
+    public String id() {
+      return kind.id();
+    }
+  }
 
   /** Returns whether the fault was detected. */
   public boolean detected() {
@@ -116,8 +123,8 @@ public record FaultVerdict(
     List<Diagnostic> found = new ArrayList<>();
     if (!effective) {
       found.add(
-          Diagnostic.error(
-                  "simulation.fault.no-effect",
+          Diagnostic.of(
+                  VerdictRules.FAULT_NO_EFFECT,
                   String.format(
                       "The fault '%s' had no effect in scenario %s: %s.", name, scenario, effect),
                   location)
@@ -126,13 +133,13 @@ public record FaultVerdict(
     }
     for (CriterionResult each : expected) {
       if (!each.passed()) {
-        String id = each.tested() ? "simulation.fault.failed" : "simulation.fault.untested";
+        Rule rule = each.tested() ? VerdictRules.FAULT_FAILED : VerdictRules.FAULT_UNTESTED;
         String pattern =
             each.tested()
                 ? "Scenario %s with fault '%s': expected %s, but found: %s."
                 : "Scenario %s with fault '%s': '%s' was not tested: %s.";
         String message = String.format(pattern, scenario, name, each.text(), each.measured());
-        found.add(Diagnostic.error(id, message, each.location()));
+        found.add(Diagnostic.of(rule, message, each.location()));
       }
     }
     return found;

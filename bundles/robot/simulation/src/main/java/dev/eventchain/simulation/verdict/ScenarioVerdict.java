@@ -240,8 +240,8 @@ public record ScenarioVerdict(
   }
 
   private Diagnostic failed(CriterionResult criterion) {
-    return Diagnostic.error(
-        "simulation.criterion.failed",
+    return Diagnostic.of(
+        VerdictRules.CRITERION_FAILED,
         String.format(
             "Scenario %s: expected %s, but found: %s.",
             scenario, criterion.text(), criterion.measured()),
@@ -249,8 +249,8 @@ public record ScenarioVerdict(
   }
 
   private Diagnostic untested(CriterionResult criterion) {
-    return Diagnostic.error(
-            "simulation.criterion.untested",
+    return Diagnostic.of(
+            VerdictRules.CRITERION_UNTESTED,
             String.format(
                 "Scenario %s: '%s' was not tested: %s.",
                 scenario, criterion.text(), criterion.measured()),

@@ -3,6 +3,7 @@ package dev.eventchain.simulation.wire;
 import dev.eventchain.dds.DdsParticipant.Peer;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.time.Duration;
 import java.util.List;
@@ -32,7 +33,7 @@ final class AttachedFailures {
                 + " have to let both sides reach each other."
             : "Compare the names of topics, and the types and quality of service of both ends.";
     return finding(
-        "simulation.wire.unmatched",
+        WireRules.SIMULATION_WIRE_UNMATCHED,
         "%s, within %s s: %s.%s"
             .formatted(who, seconds(patience.toNanos()), String.join("; ", missing), others),
         hint);
@@ -45,7 +46,7 @@ final class AttachedFailures {
   /** Creates the exception for nodes that have vanished. */
   static DiagnosticException vanished(List<Peer> gone, long now) {
     return finding(
-        "simulation.node.lost",
+        WireRules.SIMULATION_NODE_LOST,
         String.format(
             Locale.ROOT,
             "%.3f s into the scenario, this vanished from the wire: %s.",
@@ -58,7 +59,7 @@ final class AttachedFailures {
   /** Creates the exception for readers that do not acknowledge the messages of the world. */
   static DiagnosticException deaf(String topic, long now) {
     return finding(
-        "simulation.node.lost",
+        WireRules.SIMULATION_NODE_LOST,
         String.format(
             Locale.ROOT,
             "%.3f s into the scenario, the messages on %s were no longer received.",
@@ -68,9 +69,9 @@ final class AttachedFailures {
             + " stopped?");
   }
 
-  private static DiagnosticException finding(String id, String message, String hint) {
+  private static DiagnosticException finding(Rule rule, String message, String hint) {
     return new DiagnosticException(
         DiagnosticException.Reason.FINDINGS,
-        Diagnostic.error(id, message, SourceLocation.NONE).withHint(hint));
+        Diagnostic.of(rule, message, SourceLocation.NONE).withHint(hint));
   }
 }

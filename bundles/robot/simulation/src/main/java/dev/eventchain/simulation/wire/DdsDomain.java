@@ -63,8 +63,8 @@ public record DdsDomain(int number, String tag) {
     }
     throw new DiagnosticException(
         DiagnosticException.Reason.UNAVAILABLE,
-        Diagnostic.error(
-                "dds.domain.none",
+        Diagnostic.of(
+                WireRules.DDS_DOMAIN_NONE,
                 "No DDS domain from " + FIRST + " to " + LAST + " is free: " + last + ".",
                 SourceLocation.NONE)
             .withHint("Is the loopback interface up? Nothing else is needed."));

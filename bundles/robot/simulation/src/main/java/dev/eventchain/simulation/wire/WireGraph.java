@@ -4,12 +4,14 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.messages.QosSettings;
 import dev.eventchain.messages.QosSettings.Durability;
 import dev.eventchain.messages.QosSettings.History;
 import dev.eventchain.messages.QosSettings.Incompatibility;
 import dev.eventchain.messages.QosSettings.Liveliness;
 import dev.eventchain.messages.QosSettings.Reliability;
+import dev.eventchain.simulation.host.HostRules;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -190,7 +192,7 @@ record WireGraph(List<WireEnd> writers, List<WireEnd> readers) {
     if (!writer.type().equals(reader.type())) {
       String types = reader.type() + " is subscribed and " + writer.type() + " published";
       add(
-          "topic.type.mismatch",
+          HostRules.TOPIC_TYPE_MISMATCH,
           topic,
           "On topic '" + topic + "', " + types + ". No messages will be received.",
           warnings);
@@ -205,7 +207,7 @@ record WireGraph(List<WireEnd> writers, List<WireEnd> readers) {
               .distinct()
               .collect(Collectors.joining(", "));
       add(
-          "qos.incompatible",
+          HostRules.QOS_INCOMPATIBLE,
           topic,
           "New publisher discovered on topic '"
               + topic
@@ -216,7 +218,7 @@ record WireGraph(List<WireEnd> writers, List<WireEnd> readers) {
     }
   }
 
-  private static void add(String id, String topic, String message, ArrayNode warnings) {
-    warnings.addObject().put("id", id).put("topic", topic).put("message", message);
+  private static void add(Rule rule, String topic, String message, ArrayNode warnings) {
+    warnings.addObject().put("id", rule.id()).put("topic", topic).put("message", message);
   }
 }

@@ -11,11 +11,12 @@ import com.networknt.schema.JsonSchemaFactory;
 import com.networknt.schema.SpecVersion;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.Signal.Direction;
 import dev.eventchain.model.Signal.Field;
@@ -34,7 +35,14 @@ import org.junit.jupiter.params.provider.MethodSource;
 class BenchTest {
 
   private static final Path BENCHES = Path.of("src/test/resources/benches");
-  private static final FindingIds IDS = new FindingIds("a", "b", "c", "d", "e", "f");
+  private static final DocumentRules IDS =
+      new DocumentRules(
+          Rule.error("a"),
+          Rule.error("b"),
+          Rule.error("c"),
+          Rule.error("d"),
+          Rule.error("e"),
+          Rule.error("f"));
 
   /** A custom radar and brake, as described in {@code signals.json}. */
   private static final List<dev.eventchain.model.Signal> DECLARED =

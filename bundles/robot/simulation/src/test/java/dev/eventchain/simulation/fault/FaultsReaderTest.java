@@ -11,10 +11,11 @@ import com.networknt.schema.JsonSchemaFactory;
 import com.networknt.schema.SpecVersion;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.simulation.AebProject;
 import dev.eventchain.simulation.scenario.Expectation;
@@ -59,7 +60,14 @@ class FaultsReaderTest {
   }
 
   private static JsonNode yaml(Path file) {
-    FindingIds ids = new FindingIds("a", "b", "c", "d", "e", "f");
+    DocumentRules ids =
+        new DocumentRules(
+            Rule.error("a"),
+            Rule.error("b"),
+            Rule.error("c"),
+            Rule.error("d"),
+            Rule.error("e"),
+            Rule.error("f"));
     return Document.parse(SourceText.read(file), DocumentFormat.YAML, ids, problem -> {}).root();
   }
 

@@ -10,10 +10,11 @@ import com.networknt.schema.JsonSchema;
 import com.networknt.schema.JsonSchemaFactory;
 import com.networknt.schema.SpecVersion;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.world.ActorKind;
 import dev.eventchain.simulation.world.Situation;
@@ -31,7 +32,14 @@ import org.junit.jupiter.params.provider.MethodSource;
 class ScenarioSchemaTest {
 
   private static final Path EXAMPLES = Path.of("../../../examples");
-  private static final FindingIds IDS = new FindingIds("a", "b", "c", "d", "e", "f");
+  private static final DocumentRules IDS =
+      new DocumentRules(
+          Rule.error("a"),
+          Rule.error("b"),
+          Rule.error("c"),
+          Rule.error("d"),
+          Rule.error("e"),
+          Rule.error("f"));
 
   private static final JsonSchema SCHEMA =
       JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012).getSchema(Scenario.schema());

@@ -107,8 +107,8 @@ final class TestFiles {
         .filter(file -> !components.contains(name(file)))
         .map(
             file ->
-                Diagnostic.error(
-                        "component.tests.unused",
+                Diagnostic.of(
+                        DesignRules.COMPONENT_TESTS_UNUSED,
                         "The chain has no component '%s', so these tests are not run."
                             .formatted(name(file)),
                         SourceLocation.of(file))

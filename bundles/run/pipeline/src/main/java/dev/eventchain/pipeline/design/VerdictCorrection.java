@@ -7,6 +7,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.llm.chat.AnswerRules;
 import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.run.Stage;
@@ -92,10 +93,10 @@ public final class VerdictCorrection {
         throw e;
       }
       Diagnostic first = e.diagnostics().get(0);
-      if (!first.id().equals("llm.recording.missing")) {
+      if (!first.is(AnswerRules.RECORDING_MISSING)) {
         run.find(
-            Diagnostic.warning(
-                    "agents.verdict.uncorrected",
+            Diagnostic.of(
+                    DesignRules.AGENTS_VERDICT_UNCORRECTED,
                     "The failed scenarios were sent back to the model of '%s' without success: %s"
                         .formatted(node.getName(), first.message()),
                     SourceLocation.of(file))

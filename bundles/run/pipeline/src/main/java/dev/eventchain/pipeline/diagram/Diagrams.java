@@ -184,8 +184,8 @@ public final class Diagrams {
 
   private Diagnostic nothing(Kind kind) {
     String what = kind == Kind.ACTIVITY ? "no event chain with a component" : "no element";
-    return Diagnostic.error(
-            "diagram.nothing",
+    return Diagnostic.of(
+            DiagramRules.NOTHING,
             "There is nothing to draw: the model has " + what + ".",
             SourceLocation.of(source))
         .withHint("Draw a model of another metamodel with --kind instance.");
@@ -196,8 +196,8 @@ public final class Diagrams {
         size > MOST
             ? "at most " + MOST + " are drawn"
             : "their layout takes more than " + LONGEST.toSeconds() + " s of processor time";
-    return Diagnostic.error(
-            "diagram.too-large",
+    return Diagnostic.of(
+            DiagramRules.TOO_LARGE,
             "The %s diagram has %d boxes and arrows; %s.".formatted(kind, size, problem),
             SourceLocation.of(source))
         .withHint(

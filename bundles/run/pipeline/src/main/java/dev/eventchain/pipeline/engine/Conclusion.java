@@ -1,11 +1,13 @@
 package dev.eventchain.pipeline.engine;
 
+import dev.eventchain.diagnostics.CommonTrait;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.Suppressions.Suppressed;
+import dev.eventchain.llm.chat.AnswerRules;
 import dev.eventchain.pipeline.report.EarlierRun;
 import dev.eventchain.pipeline.report.ReportData;
 import dev.eventchain.pipeline.report.ReportPage;
@@ -19,7 +21,6 @@ import dev.eventchain.pipeline.run.RunResult.ScenarioLine;
 import dev.eventchain.pipeline.run.RunResult.Verdict;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.simulate.RequirementOutcomes;
-import dev.eventchain.pipeline.simulate.UntestedFindings;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.pipeline.stage.StageOutcome;
 import java.nio.file.Path;
@@ -121,7 +122,7 @@ final class Conclusion {
     return Diagnostic.anyError(found)
         && found.stream()
             .filter(each -> each.severity() == Severity.ERROR)
-            .allMatch(UntestedFindings::include);
+            .allMatch(each -> each.kind().has(CommonTrait.UNTESTED));
   }
 
   private String summary(Verdict verdict, List<ScenarioLine> scenarios, List<Diagnostic> found) {
@@ -184,7 +185,7 @@ final class Conclusion {
   private long awaited() {
     return outcomes.values().stream()
         .flatMap(outcome -> outcome.diagnostics().stream())
-        .filter(finding -> finding.id().equals("llm.handoff.waiting"))
+        .filter(finding -> finding.is(AnswerRules.HANDOFF_WAITING))
         .count();
   }
 

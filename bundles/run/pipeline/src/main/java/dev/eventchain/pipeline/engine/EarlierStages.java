@@ -2,6 +2,8 @@ package dev.eventchain.pipeline.engine;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.pipeline.project.Templates;
 import dev.eventchain.pipeline.run.Stage;
@@ -30,7 +32,7 @@ import java.util.TreeMap;
  */
 final class EarlierStages {
 
-  private static final String OUTDATED = "project.stage.outdated";
+  private static final Rule OUTDATED = EngineRules.STAGE_OUTDATED;
 
   /** Result files of the stages, apart from those of project templates. */
   private static final Map<Stage, String> RESULTS =
@@ -217,18 +219,19 @@ final class EarlierStages {
   }
 
   private Diagnostic unknown() {
-    return Diagnostic.warning(
+    return Diagnostic.of(
             OUTDATED,
             "There is no record of what "
                 + String.join(", ", unknown)
                 + (unknown.size() == 1 ? " was" : " were")
                 + " created from, so it may be out of date.",
             SourceLocation.of(run.options().output()))
+        .withSeverity(Severity.WARNING)
         .withHint("Run '" + run.command("") + "' to create everything from the current files.");
   }
 
   private Diagnostic error(Stage stage, String message, Path place) {
-    return Diagnostic.error(OUTDATED, message, SourceLocation.of(place))
+    return Diagnostic.of(OUTDATED, message, SourceLocation.of(place))
         .withHint("Run '" + run.command("--from " + stage.id()) + "'.");
   }
 

@@ -87,8 +87,8 @@ final class EvaluationResult {
     if (failure().equals(Optional.of(Reason.FINDINGS))) {
       found.add(
           finding(
-              Diagnostic.error(
-                  "evaluation.nothing.counted",
+              Diagnostic.of(
+                  EvaluationRules.NOTHING_COUNTED,
                   "No run counts, so nothing can be said about any model.",
                   place()),
               "Let the models answer: --llm live, or handoff:FOLDER."));
@@ -106,8 +106,8 @@ final class EvaluationResult {
 
   private Diagnostic authored(EvaluationRow row) {
     return finding(
-        Diagnostic.warning(
-            "evaluation.authored",
+        Diagnostic.of(
+            EvaluationRules.AUTHORED,
             "The answers of '%s' are %s.".formatted(row.model(), EvaluationText.LABEL),
             place()),
         "They only show what an evaluation looks like. Let a language model answer: --llm live.");
@@ -115,8 +115,8 @@ final class EvaluationResult {
 
   private Diagnostic uncounted(EvaluationRow row) {
     return finding(
-        Diagnostic.warning(
-            "evaluation.run.uncounted",
+        Diagnostic.of(
+            EvaluationRules.RUN_UNCOUNTED,
             "Of '%s', %s.".formatted(row.model(), EvaluationText.counted(row)),
             place()),
         "Run the same command again once their answers are available.");
@@ -131,8 +131,8 @@ final class EvaluationResult {
 
   private Diagnostic noReference(long runs) {
     return finding(
-        Diagnostic.warning(
-            "evaluation.reference.missing",
+        Diagnostic.of(
+            EvaluationRules.REFERENCE_MISSING,
             "In %d runs no code was judged: no chain was designed, and the project has none."
                 .formatted(runs),
             place()),

@@ -1,10 +1,13 @@
 package dev.eventchain.pipeline.evaluation;
 
+import dev.eventchain.agents.AgentRules;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.llm.chat.AnswerTrait;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.engine.PipelineRun;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Grade;
@@ -41,11 +44,8 @@ final class EvaluationRun {
   /** Tasks of the code: a component passes only with tests that the model wrote. */
   private static final Set<String> CODE = Set.of("test", IMPLEMENT);
 
-  private static final Set<String> UNRECORDED =
-      Set.of("llm.recording.missing", "llm.recording.exhausted");
-
-  /** Identifier of a finding that only introduces the following ones. */
-  private static final String REJECTED = "agents.answer.rejected";
+  /** Rule of a finding that only introduces the following ones. */
+  private static final Rule REJECTED = AgentRules.ANSWER_REJECTED;
 
   private static final String AUTHORED = "authored";
 
@@ -138,7 +138,7 @@ final class EvaluationRun {
     Optional<Reason> failure = ended.result().failure();
     List<Diagnostic> last = lastFailure(ended);
     List<Diagnostic> unasked = unasked(ended);
-    if (unasked.stream().map(Diagnostic::id).anyMatch(UNRECORDED::contains)) {
+    if (unasked.stream().anyMatch(each -> each.kind().has(AnswerTrait.UNRECORDED))) {
       return Optional.of(uncounted(State.UNRECORDED, State.UNRECORDED.words(), List.of()));
     }
     if (failure.equals(Optional.of(Reason.UNAVAILABLE)) && !unasked.isEmpty()) {
@@ -198,7 +198,8 @@ final class EvaluationRun {
     return ended.outcomes().values().stream()
         .filter(outcome -> outcome.status() == Status.FAILED)
         .flatMap(outcome -> outcome.diagnostics().stream())
-        .filter(each -> each.severity() == Severity.ERROR && each.id().startsWith("llm."))
+        .filter(
+            each -> each.severity() == Severity.ERROR && each.kind().has(AnswerTrait.UNANSWERED))
         .toList();
   }
 
@@ -291,7 +292,7 @@ final class EvaluationRun {
             .distinct()
             .toList();
     return ids.stream()
-        .filter(id -> !id.equals(REJECTED) || ids.size() == 1)
+        .filter(id -> !id.equals(REJECTED.id()) || ids.size() == 1)
         .map(id -> stage + ": " + id)
         .toList();
   }

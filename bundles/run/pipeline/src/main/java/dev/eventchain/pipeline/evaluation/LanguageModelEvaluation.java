@@ -3,6 +3,7 @@ package dev.eventchain.pipeline.evaluation;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.llm.Spending;
+import dev.eventchain.llm.chat.AnswerTrait;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.State;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;
@@ -28,10 +29,6 @@ import java.util.concurrent.Future;
 public final class LanguageModelEvaluation {
 
   private static final String HANDOFF = "handoff:";
-
-  /** Findings after which the same model need not be asked again. */
-  private static final Set<String> LASTING =
-      Set.of("llm.service.unreachable", "llm.key.missing", "llm.key.refused", "llm.quota.spent");
 
   /** A listener for the progress of an evaluation, called on any thread. */
   public interface Listener {
@@ -184,8 +181,8 @@ public final class LanguageModelEvaluation {
     EvaluationRun.Done done =
         new EvaluationRun(task, sample, new Steps(model, number, listener)).perform();
     for (Diagnostic finding : done.findings()) {
-      ended |= Spending.ENDS.contains(finding.id());
-      if (LASTING.contains(finding.id())) {
+      ended |= finding.kind().has(AnswerTrait.ENDING);
+      if (finding.kind().has(AnswerTrait.LASTING)) {
         unreachable.add(model);
       }
     }

@@ -131,8 +131,8 @@ final class ComponentImports {
   private Diagnostic unknown(String component, String module, SourceLocation place) {
     String tool = pip ? "pip" : "rosdep";
     String file = pip ? "pyproject.toml" : "package.xml";
-    return Diagnostic.warning(
-            "project.dependency.unknown",
+    return Diagnostic.of(
+            GenerateRules.DEPENDENCY_UNKNOWN,
             "The component '%s' imports '%s', and %s does not list the package that provides it: its name for %s is not known."
                 .formatted(component, module, file, tool),
             place)

@@ -95,8 +95,8 @@ public final class GenerateStage implements StageWork {
   }
 
   private static Diagnostic lost(GenerationResult.Printed printed) {
-    return Diagnostic.warning(
-            "project.template.printed",
+    return Diagnostic.of(
+            GenerateRules.TEMPLATE_PRINTED,
             "The text that this block prints is lost: a stage has no standard output.",
             printed.block())
         .withHint("Write a file, or leave the block out of the templates of the project.");

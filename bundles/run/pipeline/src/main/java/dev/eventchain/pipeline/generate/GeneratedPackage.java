@@ -74,7 +74,7 @@ public record GeneratedPackage(String folder, NodeManifest manifest) {
     if (found.size() > 1) {
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT,
-          Diagnostic.error(
+          Diagnostic.of(
                   NodeManifest.ID,
                   "There are several manifests: " + String.join(", ", found) + ".",
                   SourceLocation.of(run.file(found.get(1))))
@@ -91,7 +91,7 @@ public record GeneratedPackage(String folder, NodeManifest manifest) {
   private static DiagnosticException unmanaged(Path template) {
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
-        Diagnostic.error(
+        Diagnostic.of(
                 NodeManifest.ID,
                 "The template writes no "
                     + NodeManifest.FILE

@@ -6,7 +6,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.llm.service.ModelServices;
@@ -50,7 +50,7 @@ public record Configuration(
   /** Value for no language model. */
   public static final String DIRECT = "direct";
 
-  private static final FindingIds IDS = ProjectSettings.IDS;
+  private static final DocumentRules RULES = ProjectSettings.RULES;
   private static final String DEFAULT_MODEL = "person";
   private static final int DEFAULT_REPAIRS = 3;
   private static final NumberRange REPAIRS = NumberRange.of(0, 20);
@@ -69,7 +69,7 @@ public record Configuration(
   static Configuration read(SourceText text, Path folder) {
     List<Diagnostic> problems = new ArrayList<>();
     Optional<Configuration> configuration =
-        Document.parse(text, DocumentFormat.YAML, IDS, problems::add)
+        Document.parse(text, DocumentFormat.YAML, RULES, problems::add)
             .object("", problems::add)
             .map(settings -> read(settings, folder));
     if (!problems.isEmpty()) {
@@ -101,8 +101,8 @@ public record Configuration(
     if (!Templates.exists(folder, template)) {
       String sets = String.join(" or ", Templates.sets());
       settings.find(
-          Diagnostic.error(
-                  IDS.range(),
+          Diagnostic.of(
+                  RULES.range(),
                   "There is no template set and no file '" + template + "'.",
                   settings.at("template"))
               .withHint("Use " + sets + ", or name a *.mtl file of the project."));
@@ -120,7 +120,7 @@ public record Configuration(
         byTask.put(task, List.of(models.requiredText(task)));
       }
       if (byTask.getOrDefault(task, List.of("one")).isEmpty()) {
-        models.find(IDS.missing(), "'" + task + "' names no model.", models.at(task));
+        models.find(RULES.missing(), "'" + task + "' names no model.", models.at(task));
       }
     }
     models.refuseOthers();

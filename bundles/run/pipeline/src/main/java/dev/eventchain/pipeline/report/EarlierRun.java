@@ -71,7 +71,7 @@ public final class EarlierRun {
   private static DiagnosticException unreadable(Path path, String why) {
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
-        Diagnostic.error("project.comparison.unreadable", why, SourceLocation.of(path))
+        Diagnostic.of(ReportRules.COMPARISON_UNREADABLE, why, SourceLocation.of(path))
             .withHint("Name the measurements.json of another run, or the folder that holds it."));
   }
 

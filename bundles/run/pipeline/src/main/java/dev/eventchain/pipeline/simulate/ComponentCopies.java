@@ -2,10 +2,12 @@ package dev.eventchain.pipeline.simulate;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.output.OutputRules;
 import dev.eventchain.pipeline.generate.GeneratedPackage;
 import dev.eventchain.pipeline.stage.ComponentFiles;
 import dev.eventchain.pipeline.stage.RunContext;
@@ -48,11 +50,12 @@ final class ComponentCopies {
   }
 
   private static Diagnostic edited(SoftwareNode node, Path copy, Path source) {
-    return Diagnostic.error(
-            "eventchain.file.edited",
+    return Diagnostic.of(
+            OutputRules.EVENTCHAIN_FILE_EDITED,
             "This copy of the component '%s' differs from %s, so a verdict would be about different code."
                 .formatted(node.getName(), SourceLocation.of(source).file()),
             SourceLocation.of(copy))
+        .withSeverity(Severity.ERROR)
         .withHint(
             "Move the change to the component itself, and delete the copy or use --overwrite.");
   }

@@ -1,8 +1,10 @@
 package dev.eventchain.pipeline.simulate;
 
+import dev.eventchain.check.CheckRules;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.pipeline.stage.RunContext;
@@ -47,16 +49,17 @@ public final class ProjectScenarios {
   }
 
   private static Diagnostic unrelated(Scenario scenario) {
-    return Diagnostic.warning(
-            "project.requirement.unknown",
+    return Diagnostic.of(
+            CheckRules.PROJECT_REQUIREMENT_UNKNOWN,
             "The scenario '" + scenario.name() + "' names no requirement, so it proves none.",
             scenario.requirementsLocation())
+        .withSeverity(Severity.WARNING)
         .withHint("Name those that it tests: requirements: [ID, ...]");
   }
 
   private static Diagnostic unknown(Scenario scenario, String id, List<String> known) {
-    return Diagnostic.error(
-            "project.requirement.unknown",
+    return Diagnostic.of(
+            CheckRules.PROJECT_REQUIREMENT_UNKNOWN,
             "The scenario '%s' tests '%s', which is not a requirement of this project."
                 .formatted(scenario.name(), id),
             scenario.requirementsLocation())
@@ -76,8 +79,8 @@ public final class ProjectScenarios {
       if (!names.contains(name)) {
         throw new DiagnosticException(
             DiagnosticException.Reason.INPUT,
-            Diagnostic.error(
-                    "project.scenario.unknown",
+            Diagnostic.of(
+                    SimulateRules.PROJECT_SCENARIO_UNKNOWN,
                     "There is no scenario '" + name + "'.",
                     SourceLocation.of(run.project().scenarios()))
                 .withHint("The scenarios are " + String.join(", ", names) + "."));

@@ -1,6 +1,7 @@
 package dev.eventchain.pipeline.simulate;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.WrittenRequirement;
@@ -27,7 +28,7 @@ import java.util.stream.Collectors;
 /** Requirements that the scenarios can test, whatever their outcome. */
 final class RequirementCoverage {
 
-  private static final String UNTESTED = "project.requirement.untested";
+  private static final Rule UNTESTED = SimulateRules.PROJECT_REQUIREMENT_UNTESTED;
 
   private final EventChain chain;
   private final TopicIndex topics;
@@ -87,7 +88,7 @@ final class RequirementCoverage {
     Set<String> listed =
         parted.suppressed().stream()
             .map(Suppressions.Suppressed::finding)
-            .filter(finding -> finding.id().equals(UNTESTED))
+            .filter(finding -> finding.is(UNTESTED))
             .map(Diagnostic::rule)
             .collect(Collectors.toSet());
     Set<String> untested = RequirementOutcomes.untested(outcomes);
@@ -103,7 +104,7 @@ final class RequirementCoverage {
   }
 
   private static Diagnostic untested(WrittenRequirement item, String message, String hint) {
-    return Diagnostic.error(UNTESTED, message, item.location())
+    return Diagnostic.of(UNTESTED, message, item.location())
         .withRule(item.id())
         .withHint(hint + ", or suppress this finding with a reason and an expiry date.");
   }

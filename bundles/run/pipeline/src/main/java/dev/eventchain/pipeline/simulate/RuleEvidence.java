@@ -80,8 +80,8 @@ final class RuleEvidence {
     untestedIds.addAll(named);
     String ids = String.join(" and ", named);
     findings.add(
-        Diagnostic.error(
-                "simulation.rule.untested",
+        Diagnostic.of(
+                SimulateRules.SIMULATION_RULE_UNTESTED,
                 "'%s', which implements %s, was not tested: %s."
                     .formatted(constraint.qualifiedName(), ids, why),
                 constraint.location())

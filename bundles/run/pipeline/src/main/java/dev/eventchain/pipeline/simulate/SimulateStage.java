@@ -187,8 +187,8 @@ public final class SimulateStage implements StageWork {
   }
 
   private static Diagnostic unseen(LatencyConstraint constraint, SourceLocation place) {
-    return Diagnostic.error(
-            "simulation.latency.unmeasured",
+    return Diagnostic.of(
+            SimulateRules.SIMULATION_LATENCY_UNMEASURED,
             "The latency constraint '%s' was not measured: the nodes were started elsewhere, so it is not known which output is based on which input."
                 .formatted(constraint.getName()),
             place)
@@ -196,8 +196,8 @@ public final class SimulateStage implements StageWork {
   }
 
   private static Diagnostic unmeasured(LatencyConstraint constraint, SourceLocation place) {
-    return Diagnostic.error(
-            "simulation.latency.unmeasured",
+    return Diagnostic.of(
+            SimulateRules.SIMULATION_LATENCY_UNMEASURED,
             "The latency constraint '%s' was not measured in any scenario: nothing that '%s' did was based on an input of '%s'."
                 .formatted(
                     constraint.getName(), name(constraint.getLast()), name(constraint.getFirst())),
@@ -273,10 +273,10 @@ public final class SimulateStage implements StageWork {
           e.diagnostics().stream().map(found -> atSource(found, run, chain, generated)).toList());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+      String message = "The simulation was interrupted.";
       throw new DiagnosticException(
           DiagnosticException.Reason.FINDINGS,
-          Diagnostic.error(
-              "simulation.interrupted", "The simulation was interrupted.", SourceLocation.NONE));
+          Diagnostic.of(SimulateRules.SIMULATION_INTERRUPTED, message, SourceLocation.NONE));
     } finally {
       recordings.keep();
     }

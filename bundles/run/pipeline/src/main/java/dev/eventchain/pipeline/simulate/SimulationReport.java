@@ -4,6 +4,7 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.util.DefaultIndenter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import dev.eventchain.diagnostics.CommonTrait;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.Suppressions;
@@ -128,7 +129,7 @@ public final class SimulationReport {
     boolean accepted = result.passed() || suppressed > 0;
     List<String> violated =
         errors.stream()
-            .filter(each -> !UntestedFindings.include(each))
+            .filter(each -> !each.kind().has(CommonTrait.UNTESTED))
             .map(Diagnostic::rule)
             .filter(rule -> !rule.isEmpty())
             .distinct()

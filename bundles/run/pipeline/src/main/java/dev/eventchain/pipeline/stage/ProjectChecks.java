@@ -80,7 +80,7 @@ public final class ProjectChecks {
         result.constraints(),
         result.elements(),
         result.evaluations(),
-        result.diagnostics().stream().filter(d -> d.id().startsWith("ocl.")).count(),
+        result.diagnostics().size(),
         List.copyOf(violated),
         result.checks().stream()
             .filter(check -> check.evaluations() > 0)

@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.output.OutputFolder;
+import dev.eventchain.output.OutputRules;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.RunOptions;
@@ -92,8 +93,8 @@ public final class RunContext {
     if (!Files.isRegularFile(file)) {
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT,
-          Diagnostic.error(
-                  "project.stage.missing",
+          Diagnostic.of(
+                  StageRules.STAGE_MISSING,
                   "The stage '" + maker.id() + "' has not written " + name + " yet.",
                   SourceLocation.of(file))
               .withHint("Run '" + command("--to " + maker.id()) + "'."));
@@ -245,8 +246,8 @@ public final class RunContext {
       find(output.damage().get());
     } else if (restored || recordsAreLost) {
       find(
-          Diagnostic.warning(
-                  "output.records.damaged",
+          Diagnostic.of(
+                  OutputRules.OUTPUT_RECORDS_DAMAGED,
                   "The records of the files written earlier are gone.",
                   SourceLocation.of(options.output()))
               .withHint(
@@ -264,8 +265,8 @@ public final class RunContext {
     String first = strangers.get(0);
     String more = strangers.size() == 1 ? "" : ", and " + (strangers.size() - 1) + " more";
     Diagnostic kept =
-        Diagnostic.warning(
-                "eventchain.file.edited",
+        Diagnostic.of(
+                OutputRules.EVENTCHAIN_FILE_EDITED,
                 "Kept, because there is no record of whether it was edited by hand: '"
                     + first
                     + "'"

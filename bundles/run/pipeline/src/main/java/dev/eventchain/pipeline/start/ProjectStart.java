@@ -3,6 +3,7 @@ package dev.eventchain.pipeline.start;
 import dev.eventchain.check.ChainModel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.jsonmodels.Modeled;
@@ -14,6 +15,7 @@ import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.output.OutputRules;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.ProjectSettings;
 import dev.eventchain.project.Requirements;
@@ -118,7 +120,7 @@ public final class ProjectStart {
 
   private Started create() {
     if (exists("eventchain.yaml")) {
-      throw refused("project.exists", "This is already a project.", "Run it: eventchain run DIR");
+      throw refused(StartRules.EXISTS, "This is already a project.", "Run it: eventchain run DIR");
     }
     Map<String, String> files = new LinkedHashMap<>();
     if (exists(SIGNALS)) {
@@ -127,7 +129,7 @@ public final class ProjectStart {
       STARTER.forEach(name -> files.put(name, starter(name)));
     } else {
       throw refused(
-          "project.foreign",
+          StartRules.FOREIGN,
           "The folder is not empty, but has no software-base/signals.json.",
           "Name a new folder, or describe your signals there first.");
     }
@@ -284,7 +286,7 @@ public final class ProjectStart {
     for (Path parent = file.getParent(); !parent.equals(folder); parent = parent.getParent()) {
       if (Files.isSymbolicLink(parent)) {
         throw refused(
-            "project.foreign",
+            StartRules.FOREIGN,
             folder.relativize(parent) + " is a link that leads elsewhere.",
             "Replace it with a folder: nothing is written outside the project.");
       }
@@ -295,16 +297,16 @@ public final class ProjectStart {
     } catch (IOException e) {
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT,
-          Diagnostic.error(
-              "output.unwritable",
+          Diagnostic.of(
+              OutputRules.OUTPUT_UNWRITABLE,
               "This cannot be written: " + SourceText.reason(e) + ".",
               SourceLocation.of(file)));
     }
   }
 
-  private DiagnosticException refused(String id, String message, String hint) {
+  private DiagnosticException refused(Rule rule, String message, String hint) {
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
-        Diagnostic.error(id, message, SourceLocation.of(folder)).withHint(hint));
+        Diagnostic.of(rule, message, SourceLocation.of(folder)).withHint(hint));
   }
 }

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.Reader;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import org.eclipse.core.runtime.QualifiedName;
 import org.eclipse.core.runtime.content.IContentDescription;
 import org.eclipse.core.runtime.content.ITextContentDescriber;
@@ -40,6 +42,18 @@ public final class ChainDescriber implements ITextContentDescriber {
 
   private static int validity(String head) {
     return new XmlHead(head).isEventChain() ? VALID : INVALID;
+  }
+
+  /**
+   * Returns whether a file contains an event chain of any version, whose namespace may be unknown.
+   */
+  public static boolean isOfAnyVersion(Path file) {
+    try (InputStream contents = Files.newInputStream(file)) {
+      byte[] head = contents.readNBytes(MOST);
+      return new XmlHead(decode(head, markOf(head))).isOfAnyVersion();
+    } catch (IOException e) {
+      return false; // reading the model says why
+    }
   }
 
   private static byte[] markOf(byte[] head) {

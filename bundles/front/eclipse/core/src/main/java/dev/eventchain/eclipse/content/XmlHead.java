@@ -2,11 +2,16 @@ package dev.eventchain.eclipse.content;
 
 import java.util.HashMap;
 import java.util.Map;
+import java.util.function.Predicate;
 
 /** The first start tags of an XML text, which may be cut off. */
 final class XmlHead {
 
   private static final String NAMESPACE = "http://eventchain.dev/eventchain/1.0";
+
+  /** Common prefix of the namespaces of all versions. */
+  private static final String OURS = "http://eventchain.dev/";
+
   private static final String ROOT = "EventChain";
 
   /** Common prefixes of the namespaces of XMI 1.x and 2.x. */
@@ -19,6 +24,11 @@ final class XmlHead {
 
     boolean isEventChain() {
       return localName().equals(ROOT) && NAMESPACE.equals(namespace());
+    }
+
+    boolean isOfAnyVersion() {
+      String namespace = namespace();
+      return namespace != null && namespace.startsWith(OURS);
     }
 
     boolean isXmi() {
@@ -49,9 +59,18 @@ final class XmlHead {
 
   /** Returns whether the root element is an event chain, or an XMI root that contains one. */
   boolean isEventChain() {
+    return hasRoot(Tag::isEventChain);
+  }
+
+  /** Returns whether the root element, or one in an XMI root, is of any version of ours. */
+  boolean isOfAnyVersion() {
+    return hasRoot(Tag::isOfAnyVersion);
+  }
+
+  private boolean hasRoot(Predicate<Tag> kind) {
     Tag root = nextTag(Map.of());
     if (root == null || !root.isXmi() || root.isEmpty()) {
-      return root != null && root.isEventChain();
+      return root != null && kind.test(root);
     }
     int depth = 0;
     while (skipToMarkup()) {
@@ -60,7 +79,7 @@ final class XmlHead {
         at = after(">", at);
       } else {
         Tag tag = nextTag(root.namespaces());
-        if (tag == null || depth == 0 && tag.isEventChain()) {
+        if (tag == null || depth == 0 && kind.test(tag)) {
           return tag != null;
         }
         depth += tag.isEmpty() ? 0 : 1;

@@ -1,7 +1,7 @@
 package dev.eventchain.eclipse.ui.editor.validation;
 
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.eclipse.ChainFindings;
 import dev.eventchain.model.eventchain.EventChain;
 import java.util.HashMap;
 import java.util.List;
@@ -110,10 +110,8 @@ public final class EditorValidation {
       return validation.validate(copy, place, monitor);
     } catch (RuntimeException | LinkageError | StackOverflowError e) {
       Diagnostic finding =
-          Diagnostic.error(
-              "ocl.nothing-evaluated",
-              "The chain was not checked: " + e.getClass().getSimpleName() + " " + e.getMessage(),
-              SourceLocation.NONE);
+          ChainFindings.nothingChecked(
+              "The chain was not checked: " + e.getClass().getSimpleName() + " " + e.getMessage());
       return List.of(new ElementFinding(finding, copy, null));
     }
   }

@@ -2,7 +2,6 @@ package dev.eventchain.eclipse.ui.editor.validation;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.eclipse.ChainFindings;
 import dev.eventchain.eclipse.ChainFindings.Found;
 import dev.eventchain.eclipse.EventchainFolders;
@@ -45,7 +44,6 @@ public final class FolderValidation implements ChainValidation {
   }
 
   private static Diagnostic nothing() {
-    return Diagnostic.error(
-        "ocl.nothing-evaluated", "Nothing of the chain was checked.", SourceLocation.NONE);
+    return ChainFindings.nothingChecked("Nothing of the chain was checked.");
   }
 }

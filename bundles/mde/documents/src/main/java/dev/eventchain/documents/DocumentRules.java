@@ -1,7 +1,9 @@
 package dev.eventchain.documents;
 
+import dev.eventchain.diagnostics.Rule;
+
 /**
- * Ids of the findings about a kind of file.
+ * Rules of the findings about a kind of file.
  *
  * @param syntax a text that is not JSON or YAML, or uses unsupported features
  * @param duplicate a duplicate key in an object
@@ -10,11 +12,11 @@ package dev.eventchain.documents;
  * @param unknown an unknown key
  * @param range a value of the right type that is out of range
  */
-public record FindingIds(
-    String syntax, String duplicate, String type, String missing, String unknown, String range) {
+public record DocumentRules(
+    Rule syntax, Rule duplicate, Rule type, Rule missing, Rule unknown, Rule range) {
 
-  /** Returns ids that are all the same. */
-  public static FindingIds all(String id) {
-    return new FindingIds(id, id, id, id, id, id);
+  /** Returns one rule for everything. */
+  public static DocumentRules all(Rule rule) {
+    return new DocumentRules(rule, rule, rule, rule, rule, rule);
   }
 }

@@ -1,0 +1,11 @@
+package dev.eventchain.pipeline.engine;
+
+import dev.eventchain.diagnostics.Rule;
+
+/** Rules of the findings about earlier stages. */
+final class EngineRules {
+
+  static final Rule STAGE_OUTDATED = Rule.error("project.stage.outdated");
+
+  private EngineRules() {}
+}

@@ -1,0 +1,19 @@
+package dev.eventchain.pipeline.simulate;
+
+import dev.eventchain.diagnostics.CommonTrait;
+import dev.eventchain.diagnostics.Rule;
+
+/** Rules of the findings about what a simulation of a project leaves open. */
+final class SimulateRules {
+
+  static final Rule PROJECT_REQUIREMENT_UNTESTED =
+      Rule.error("project.requirement.untested", CommonTrait.UNTESTED);
+  static final Rule PROJECT_SCENARIO_UNKNOWN = Rule.error("project.scenario.unknown");
+  static final Rule SIMULATION_INTERRUPTED = Rule.error("simulation.interrupted");
+  static final Rule SIMULATION_LATENCY_UNMEASURED =
+      Rule.error("simulation.latency.unmeasured", CommonTrait.UNTESTED);
+  static final Rule SIMULATION_RULE_UNTESTED =
+      Rule.error("simulation.rule.untested", CommonTrait.UNTESTED);
+
+  private SimulateRules() {}
+}
