@@ -18,8 +18,8 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 /**
- * Mutants of answers, 500 by default and 20,000 in the profile {@code thorough}: each mutation
- * has its declared outcome, and none crashes. The mutants are the same each time.
+ * Mutants of answers, 500 by default and 20,000 in the profile {@code thorough}: each mutation has
+ * its declared outcome, and none crashes. The mutants are the same each time.
  */
 class MutationTest {
   private static final int MUTANTS = Integer.getInteger("mutants", 500);

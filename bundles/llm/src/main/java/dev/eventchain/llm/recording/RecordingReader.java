@@ -61,7 +61,8 @@ final class RecordingReader {
 
   private Recording read() {
     // Answers are recorded verbatim, including control characters.
-    Document document = Document.parseWithAnyText(source, DocumentFormat.JSON, RULES, problems::add);
+    Document document =
+        Document.parseWithAnyText(source, DocumentFormat.JSON, RULES, problems::add);
     Optional<ObjectReader> root = document.object("", problems::add);
     stopOnProblems();
     List<Recording.Sample> samples = recording(root.orElseThrow());
