@@ -159,11 +159,25 @@ class OwnFunctionTest {
         .run()
         .expect(1)
         .says("requirements.md:3:")
-        .says(
-            "No criterion of the scenarios that name RAD-2 depends on what 'Collision_Warning'"
-                + " writes")
+        .says("No criterion that tests RAD-2 depends on what 'Collision_Warning' writes")
         .says("[project.requirement.untested RAD-2]")
         .says("3 requirements proved, 1 not tested, 1 error");
+    project.requireNotPassed();
+  }
+
+  @Test
+  void criterionThatFailsViolatesWhatItIsAbout() throws IOException {
+    project.replace(
+        "software-base/components/Collision_Warning.py", "WARNING_TTC = 2.6", "WARNING_TTC = 0.6");
+    project.run().expect(1).says("FAILED: 1 of 2 scenarios passed, 4 requirements violated");
+    project.replace(
+        SCENARIO,
+        "/cluster/collision_warning.data)\n",
+        "/cluster/collision_warning.data)\n      requirements: [RAD-2]\n");
+    project
+        .run()
+        .expect(1)
+        .says("FAILED: 1 of 2 scenarios passed, 3 requirements proved, 1 violated");
     project.requireNotPassed();
   }
 

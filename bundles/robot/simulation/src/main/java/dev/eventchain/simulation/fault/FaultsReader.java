@@ -16,6 +16,7 @@ import dev.eventchain.simulation.host.RunLog;
 import dev.eventchain.simulation.scenario.CriteriaReader;
 import dev.eventchain.simulation.scenario.Expectation;
 import dev.eventchain.simulation.scenario.FormulasReader;
+import dev.eventchain.simulation.scenario.NamedRequirements;
 import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.world.World;
 import java.util.ArrayList;
@@ -282,7 +283,8 @@ final class FaultsReader {
   }
 
   private List<Expectation> criteria(ObjectReader part, double shortest, boolean detection) {
-    FormulasReader formulas = new FormulasReader(text, bench.signals(), shortest);
+    FormulasReader formulas =
+        new FormulasReader(text, bench.signals(), shortest, NamedRequirements.none());
     List<Expectation> criteria = CriteriaReader.readWritten(part, formulas);
     part.refuseOthers();
     if (criteria.isEmpty() && !detection && problems.isEmpty()) {

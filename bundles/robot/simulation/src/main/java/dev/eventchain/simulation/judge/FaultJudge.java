@@ -143,7 +143,8 @@ public final class FaultJudge {
         endedEarly(end),
         Optional.empty(),
         List.of(),
-        wanted.location());
+        wanted.location(),
+        List.of());
   }
 
   private static String text(Detected wanted) {
@@ -169,7 +170,14 @@ public final class FaultJudge {
             ? "the fault had no effect"
             : first.map(it -> measured(it, start)).orElse("nothing reported it");
     return new CriterionResult(
-        text(wanted), effective, passed, measured, Optional.empty(), List.of(), wanted.location());
+        text(wanted),
+        effective,
+        passed,
+        measured,
+        Optional.empty(),
+        List.of(),
+        wanted.location(),
+        List.of());
   }
 
   private static String measured(Detection detection, double start) {

@@ -125,7 +125,8 @@ public final class ScenarioJudge {
         outcome.detail(),
         outcome.margin(),
         criterion.limits(),
-        criterion.location());
+        criterion.location(),
+        criterion.requirements());
   }
 
   /** Returns untested if a formula on signals that components write holds without them, too. */

@@ -57,11 +57,16 @@ public final class CriteriaReader {
     List<Criterion> criteria = new ArrayList<>();
     for (CriterionKind kind : CriterionKind.values()) {
       if (kind.always() ? withUsual : section.has(kind.key())) {
-        criteria.add(criterion(section, kind, tolerances));
+        Criterion criterion = criterion(section, kind, tolerances);
+        criteria.add(
+            kind.always()
+                ? criterion
+                : criterion.testing(formulas.requirements().of(section, kind.key())));
       }
     }
     List<ObjectReader> written = section.objects("formulas");
     List<FormulaCriterion> named = NamedFormulas.read(section, formulas);
+    formulas.requirements().refuseOthers(section);
     checkTolerance(section, tolerances, criteria);
     List<Expectation> all = new ArrayList<>(criteria);
     all.addAll(named);

@@ -16,10 +16,25 @@ import java.util.Set;
  * @param limit the limit, in SI units; unused by kinds without one
  * @param tolerances tolerances for the sensors and the chain
  * @param location its location in the scenario
+ * @param requirements ids of the requirements that it tests
  */
 public record Criterion(
-    CriterionKind kind, double limit, Tolerances tolerances, SourceLocation location)
+    CriterionKind kind,
+    double limit,
+    Tolerances tolerances,
+    SourceLocation location,
+    List<String> requirements)
     implements Expectation {
+
+  /** Copies the list. */
+  public Criterion {
+    requirements = List.copyOf(requirements);
+  }
+
+  /** Creates a criterion that names no requirement. */
+  Criterion(CriterionKind kind, double limit, Tolerances tolerances, SourceLocation location) {
+    this(kind, limit, tolerances, location, List.of());
+  }
 
   /**
    * Tolerances of a comparison with the true time to collision.
@@ -39,6 +54,16 @@ public record Criterion(
   @Override
   public boolean dependsOn(Set<String> topics, boolean commanding) {
     return commanding && !kind.always();
+  }
+
+  @Override
+  public boolean isOfEveryScenario() {
+    return kind.always();
+  }
+
+  @Override
+  public Criterion testing(List<String> ids) {
+    return new Criterion(kind, limit, tolerances, location, ids);
   }
 
   @Override

@@ -17,6 +17,17 @@ public interface Expectation {
   /** Returns its location in the scenario. */
   SourceLocation location();
 
+  /** Returns the ids of the requirements that it tests. */
+  List<String> requirements();
+
+  /** Returns a copy that tests other requirements. */
+  Expectation testing(List<String> requirements);
+
+  /** Returns whether it is asked in every scenario, so that it proves no requirement by itself. */
+  default boolean isOfEveryScenario() {
+    return false;
+  }
+
   /** Returns the numbers that it compares signals with; empty for other comparisons. */
   List<ScenarioVerdict.Limit> limits();
 

@@ -16,9 +16,21 @@ import java.util.Set;
  *
  * @param name its name for users; may be empty
  * @param location its location in the scenario
+ * @param requirements ids of the requirements that it tests
  */
-public record FormulaCriterion(String name, Formula formula, SourceLocation location)
+public record FormulaCriterion(
+    String name, Formula formula, SourceLocation location, List<String> requirements)
     implements Expectation {
+
+  /** Copies the list. */
+  public FormulaCriterion {
+    requirements = List.copyOf(requirements);
+  }
+
+  @Override
+  public FormulaCriterion testing(List<String> ids) {
+    return new FormulaCriterion(name, formula, location, ids);
+  }
 
   @Override
   public String text() {

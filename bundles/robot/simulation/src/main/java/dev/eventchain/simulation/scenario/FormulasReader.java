@@ -21,6 +21,7 @@ public final class FormulasReader {
   private final YamlText source;
   private final Signal.Source signals;
   private final double duration;
+  private final NamedRequirements requirements;
 
   /**
    * Creates a reader.
@@ -28,11 +29,14 @@ public final class FormulasReader {
    * @param source the file, for the locations of problems
    * @param signals the signals that the formulas may read
    * @param duration of the scenario, in s
+   * @param requirements reads the requirements that formulas name
    */
-  public FormulasReader(SourceText source, Signal.Source signals, double duration) {
+  public FormulasReader(
+      SourceText source, Signal.Source signals, double duration, NamedRequirements requirements) {
     this.source = new YamlText(source);
     this.signals = signals;
     this.duration = duration;
+    this.requirements = requirements;
   }
 
   List<FormulaCriterion> read(List<ObjectReader> sections) {
@@ -43,14 +47,20 @@ public final class FormulasReader {
         String message = "'" + KEY + "' is missing.";
         section.find(ScenarioRules.KEY_MISSING, message, section.location());
       }
+      List<String> tested = requirements.of(section);
       section
           .text(KEY)
           .flatMap(text -> formula(section, KEY, source.range(section.at(KEY), text)))
-          .map(formula -> new FormulaCriterion(name, formula, section.atKey(KEY)))
+          .map(formula -> new FormulaCriterion(name, formula, section.atKey(KEY), tested))
           .ifPresent(criteria::add);
       section.refuseOthers();
     }
     return criteria;
+  }
+
+  /** Returns the reader of the requirements that criteria name. */
+  NamedRequirements requirements() {
+    return requirements;
   }
 
   /** Returns the duration of the scenario, in s. */
@@ -62,11 +72,13 @@ public final class FormulasReader {
    * Parses a criterion whose formula is derived from a key; problems are reported at the key.
    *
    * @param key the key of the section from which the formula is derived
+   * @param tested ids of the requirements that it names
    */
-  Optional<FormulaCriterion> parse(ObjectReader section, String key, String name, String text) {
+  Optional<FormulaCriterion> parse(
+      ObjectReader section, String key, String name, String text, List<String> tested) {
     SourceRange range = SourceText.within(section.at(key), text).whole();
     return formula(section, key, range)
-        .map(formula -> new FormulaCriterion(name, formula, section.atKey(key)));
+        .map(formula -> new FormulaCriterion(name, formula, section.atKey(key), tested));
   }
 
   private Optional<Formula> formula(ObjectReader section, String key, SourceRange range) {

@@ -44,7 +44,8 @@ final class NamedFormulas {
     OptionalDouble limit = section.number(key, range);
     if (limit.isPresent()) {
       String text = pattern.formatted(BigDecimal.valueOf(limit.getAsDouble()).toPlainString());
-      formulas.parse(section, key, key, text).ifPresent(criteria::add);
+      List<String> tested = formulas.requirements().of(section, key);
+      formulas.parse(section, key, key, text, tested).ifPresent(criteria::add);
     }
   }
 
@@ -54,9 +55,11 @@ final class NamedFormulas {
     String target = part.requiredText("at");
     String band = part.requiredText("within");
     double from = part.requiredNumber("from_s", SECONDS);
+    List<String> tested = formulas.requirements().of(part);
     part.refuseOthers();
     add(
         part,
+        tested,
         "%s settles at %s".formatted(signal, target),
         "always[%s, %s] abs((%s) - (%s)) <= %s"
             .formatted(plain(from), plain(formulas.duration()), signal, target, band));
@@ -67,17 +70,19 @@ final class NamedFormulas {
     String signal = part.requiredText("signal");
     String target = part.requiredText("at");
     String most = part.requiredText("at_most");
+    List<String> tested = formulas.requirements().of(part);
     part.refuseOthers();
     add(
         part,
+        tested,
         "%s overshoots %s by at most %s".formatted(signal, target, most),
         "(eventually abs((%1$s) - (%2$s)) <= %3$s) and (always (%1$s) - (%2$s) <= %3$s)"
             .formatted(signal, target, most));
   }
 
-  private void add(ObjectReader part, String name, String text) {
+  private void add(ObjectReader part, List<String> tested, String name, String text) {
     if (!text.contains("()") && !text.endsWith("<= ") && !text.contains("<= )")) {
-      formulas.parse(part, "signal", name, text).ifPresent(criteria::add);
+      formulas.parse(part, "signal", name, text, tested).ifPresent(criteria::add);
     }
   }
 

@@ -17,6 +17,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * A situation on the road with the criteria for the software. Read from a YAML file, whose content
@@ -32,7 +33,7 @@ public final class Scenario {
   private final Situation situation;
   private final Map<String, Script> inputs;
   private final List<Expectation> criteria;
-  private final SourceLocation requirementsLocation;
+  private final NamedRequirements.Places places;
   private final SourceLocation location;
 
   Scenario(
@@ -45,7 +46,7 @@ public final class Scenario {
     this.name = heading.name();
     this.title = heading.title();
     this.requirements = List.copyOf(heading.requirements());
-    this.requirementsLocation = heading.requirementsLocation();
+    this.places = heading.places();
     this.location = heading.location();
     this.seed = seed;
     this.duration = duration;
@@ -59,12 +60,12 @@ public final class Scenario {
       String name,
       String title,
       List<String> requirements,
-      SourceLocation requirementsLocation,
+      NamedRequirements.Places places,
       SourceLocation location) {}
 
   /** Returns a copy with other criteria. */
   public Scenario with(List<Expectation> others) {
-    Heading heading = new Heading(name, title, requirements, requirementsLocation, location);
+    Heading heading = new Heading(name, title, requirements, places, location);
     return new Scenario(heading, seed, duration, situation, inputs, others);
   }
 
@@ -120,14 +121,19 @@ public final class Scenario {
     return title;
   }
 
-  /** Returns the ids of the tested requirements. */
+  /** Returns the ids of all requirements that it or one of its criteria names. */
   public List<String> requirements() {
     return requirements;
   }
 
   /** Returns the location of the requirements; the whole scenario if there are none. */
   public SourceLocation requirementsLocation() {
-    return requirementsLocation;
+    return places.list();
+  }
+
+  /** Returns the location where a requirement is named first. */
+  public SourceLocation locationOf(String requirement) {
+    return places.of().getOrDefault(requirement, places.list());
   }
 
   /** Returns the location of the scenario. */
@@ -155,25 +161,32 @@ public final class Scenario {
   }
 
   /**
-   * Returns the names of the signals that its criteria read, {@code /topic.field} for fields of
-   * topics.
+   * Returns the names of the signals that the criteria of a requirement read, {@code /topic.field}
+   * for fields of topics.
    */
-  public Set<String> reads() {
-    return signals().stream().map(Signal::name).collect(Collectors.toCollection(TreeSet::new));
+  public Set<String> reads(String requirement) {
+    return criteriaOf(requirement)
+        .flatMap(each -> each.signals().stream())
+        .map(Signal::name)
+        .collect(Collectors.toCollection(TreeSet::new));
   }
 
   /**
-   * Returns whether a criterion depends on the messages on some topics: it reads a field of one or,
-   * if one of them commands the vehicle, the motion of the vehicle.
+   * Returns whether a criterion of a requirement depends on the messages on some topics: it reads a
+   * field of one or, if one of them commands the vehicle, the motion of the vehicle.
    *
    * @param topics full names
    */
-  public boolean dependsOn(Set<String> topics, Bench bench) {
+  public boolean dependsOn(String requirement, Set<String> topics, Bench bench) {
     boolean commanding =
         bench.consumed().values().stream()
             .filter(Bench.Consumed::commands)
             .anyMatch(topic -> topics.contains(topic.topic()));
-    return criteria.stream().anyMatch(each -> each.dependsOn(topics, commanding));
+    return criteriaOf(requirement).anyMatch(each -> each.dependsOn(topics, commanding));
+  }
+
+  private Stream<Expectation> criteriaOf(String requirement) {
+    return criteria.stream().filter(each -> each.requirements().contains(requirement));
   }
 
   /** Returns the signals that its formulas read. */

@@ -62,25 +62,29 @@ final class ScenarioReader {
       section.find(ScenarioRules.VALUE_RANGE, message, section.at("name"));
     }
     section.text("description"); // for people
-    Scenario.Heading heading =
-        new Scenario.Heading(
-            name,
-            section.requiredText("title"),
-            section.texts("requirements"),
-            section.has("requirements") ? section.atKey("requirements") : section.location(),
-            section.location());
+    String title = section.requiredText("title");
+    NamedRequirements requirements = NamedRequirements.ofScenario(section);
     long seed = section.wholeNumber("seed", SEED).orElse(1);
     double duration = section.requiredNumber("duration_s", DURATION);
     Situation situation = situation(section, longest(section));
     Map<String, Script> inputs =
         section.object("inputs").map(part -> InputsReader.read(part, bench)).orElse(Map.of());
     Optional<ObjectReader> accept = section.requiredObject("accept");
-    FormulasReader formulas = new FormulasReader(text, bench.signals(), longest(section));
+    FormulasReader formulas =
+        new FormulasReader(text, bench.signals(), longest(section), requirements);
     List<Expectation> criteria =
         accept.map(part -> CriteriaReader.read(part, formulas)).orElse(List.of());
     InputsReader.requireUse(section, inputs.keySet(), criteria, bench);
     section.refuseOthers();
-    return new Scenario(heading, seed, duration, situation, inputs, criteria);
+    Scenario.Heading heading =
+        new Scenario.Heading(
+            name,
+            title,
+            requirements.all(),
+            requirements.places(),
+            section.location());
+    return new Scenario(
+        heading, seed, duration, situation, inputs, requirements.distributed(criteria));
   }
 
   private static Situation situation(ObjectReader section, double longest) {

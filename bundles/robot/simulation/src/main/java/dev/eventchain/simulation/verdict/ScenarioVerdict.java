@@ -4,13 +4,14 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * Verdict on the software in a scenario.
  *
  * @param scenario the scenario's name
  * @param title the scenario's title
- * @param requirements ids of the tested requirements
+ * @param requirements ids of all requirements that the scenario or one of its criteria names
  * @param worked true if every component worked; if not, no criterion was judged
  * @param tested true if every component worked and every criterion could be judged, or one fails
  * @param passed true if it was tested and every criterion holds
@@ -54,6 +55,7 @@ public record ScenarioVerdict(
    * @param margin the distance from the opposite verdict; empty if it has no size
    * @param limits the numbers that signals are compared with
    * @param location its location in the scenario
+   * @param requirements ids of the requirements that it tests
    */
   public record CriterionResult(
       String text,
@@ -62,11 +64,13 @@ public record ScenarioVerdict(
       String measured,
       Optional<Margin> margin,
       List<Limit> limits,
-      SourceLocation location) {
+      SourceLocation location,
+      List<String> requirements) {
 
-    /** Copies the list. */
+    /** Copies the lists. */
     public CriterionResult {
       limits = List.copyOf(limits);
+      requirements = List.copyOf(requirements);
     }
   }
 
@@ -222,6 +226,11 @@ public record ScenarioVerdict(
     public Curve {
       values = List.copyOf(values);
     }
+  }
+
+  /** Returns the results of the criteria that test a requirement, in their order. */
+  public Stream<CriterionResult> criteriaOf(String requirement) {
+    return criteria.stream().filter(each -> each.requirements().contains(requirement));
   }
 
   /**

@@ -24,6 +24,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -105,6 +106,10 @@ class ScenarioSchemaTest {
           spacing_m: 6
       accept:
         no_impact: true
+        settles:
+          - {signal: ego.speed, at: 50 km/h, within: 1 km/h, from_s: 3, requirements: [A]}
+        requirements:
+          no_impact: [B]
       """;
 
   private static Scenario read(String text) {
@@ -143,7 +148,11 @@ class ScenarioSchemaTest {
         List.of("      speed_kmh: 60\n", ""),
         List.of("lateral_speed_mps: 0.3", "lateral_speed_mps: 0"),
         List.of("gap_m: 30", "distance_m: 30"),
-        List.of("  no_impact: true", "  {}"),
+        List.of(SCENARIO.substring(SCENARIO.indexOf("  no_impact: true")), "  {}"),
+        List.of("requirements: [A]", "requirements: []"),
+        List.of("requirements: [A]", "requirements: A"),
+        List.of("no_impact: [B]", "no_impct: [B]"),
+        List.of("no_impact: [B]", "no_impact: []"),
         List.of("no_impact: true", "no_crash: true"));
   }
 
@@ -181,5 +190,17 @@ class ScenarioSchemaTest {
     Arrays.stream(CriterionKind.values())
         .filter(kind -> !kind.always())
         .forEach(kind -> assertFalse(accept.path(kind.key()).isMissingNode(), kind.key()));
+    List<String> keyed =
+        StreamSupport.stream(accept.at("/requirements/propertyNames/enum").spliterator(), false)
+            .map(JsonNode::asText)
+            .toList();
+    List<String> kinds =
+        Stream.concat(
+                Arrays.stream(CriterionKind.values())
+                    .filter(kind -> !kind.always())
+                    .map(CriterionKind::key),
+                Stream.of("minimal_time_gap_s", "maximal_lane_offset_m"))
+            .toList();
+    assertEquals(kinds, keyed);
   }
 }

@@ -64,7 +64,8 @@ public final class VerdictCorrection {
   private Map<String, AgentResult> ask() {
     Set<String> requirements =
         failed.stream()
-            .flatMap(verdict -> verdict.requirements().stream())
+            .flatMap(verdict -> VerdictText.failed(verdict).stream())
+            .flatMap(criterion -> criterion.requirements().stream())
             .collect(Collectors.toSet());
     for (SoftwareNode node : run.softwareBase().missing(run.chain().chain())) {
       boolean concerned =

@@ -67,7 +67,7 @@ final class VerdictText {
             "%d. Scenario \"%s\" (%s), at %.2f s: expected %s, but found: %s.\n",
             number,
             verdict.title(),
-            String.join(", ", verdict.requirements()),
+            String.join(", ", criterion.requirements()),
             time,
             criterion.text(),
             criterion.measured()));

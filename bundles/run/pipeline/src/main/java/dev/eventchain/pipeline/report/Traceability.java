@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.generate.GeneratedLines;
+import dev.eventchain.pipeline.results.Criterion;
 import dev.eventchain.pipeline.results.Simulated;
 import dev.eventchain.pipeline.results.SimulatedScenario;
 import dev.eventchain.pipeline.results.Validated;
@@ -84,10 +85,8 @@ final class Traceability {
             .toList();
     List<Proof> proofs = new ArrayList<>();
     for (SimulatedScenario scenario : simulated().map(Simulated::scenarios).orElse(List.of())) {
-      for (String id : scenario.requirements()) {
-        if (id.equals(item.id())) {
-          proofs.add(new Proof("scenario", scenario.name(), scenario.tested(), scenario.passed()));
-        }
+      if (scenario.requirements().contains(item.id())) {
+        proofs.add(proof(scenario, item.id()));
       }
     }
     proofs.addAll(checks(item));
@@ -102,6 +101,18 @@ final class Traceability {
                 .toList()),
         proofs,
         proved(proofs));
+  }
+
+  /** Returns what the criteria of a scenario say about one of its requirements. */
+  private static Proof proof(SimulatedScenario scenario, String requirement) {
+    List<Criterion> about =
+        scenario.criteria().stream()
+            .filter(each -> each.requirements().map(it -> it.contains(requirement)).orElse(true))
+            .toList();
+    boolean failed = about.stream().anyMatch(each -> each.tested() && !each.passed());
+    boolean tested = failed || (!about.isEmpty() && about.stream().allMatch(Criterion::tested));
+    boolean passed = !about.isEmpty() && about.stream().allMatch(Criterion::passed);
+    return new Proof("scenario", scenario.name(), tested, passed);
   }
 
   private Row designRule(WrittenRequirement item) {

@@ -14,6 +14,7 @@ import java.util.OptionalDouble;
  * @param measured the measured figures, in words
  * @param margin the distance from the opposite verdict; empty if it has no size
  * @param limits the numbers that signals are compared with
+ * @param requirements ids of the requirements that it tests; empty if these are its scenario's
  */
 public record Criterion(
     String text,
@@ -21,7 +22,8 @@ public record Criterion(
     boolean passed,
     String measured,
     Optional<Margin> margin,
-    @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Limit> limits) {
+    @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Limit> limits,
+    Optional<List<String>> requirements) {
 
   /**
    * Distance of a criterion from the opposite verdict, negative if it does not hold.

@@ -8,11 +8,11 @@ public record RequirementOutcome(String id, Outcome outcome) {
 
   /** The possible outcomes. */
   public enum Outcome {
-    /** At least one scenario names it and all of them passed; so did its constraints, if any. */
+    /** It has at least one criterion, and all of them hold; so do its constraints, if any. */
     PROVED,
-    /** A scenario that names it failed, or one of its constraints is violated. */
+    /** One of its criteria failed, or one of its constraints is violated. */
     VIOLATED,
-    /** No scenario names it, or a scenario or constraint that names it could not be judged. */
+    /** It has no criterion, or one of its criteria or constraints could not be judged. */
     NOT_TESTED;
 
     /** Returns the text for people, which is also the JSON. */

@@ -81,7 +81,8 @@ final class FaultReport {
                     each.passed(),
                     each.measured(),
                     Optional.empty(),
-                    List.of()))
+                    List.of(),
+                    Optional.empty()))
         .toList();
   }
 

@@ -62,7 +62,7 @@ public final class ProjectScenarios {
             CheckRules.PROJECT_REQUIREMENT_UNKNOWN,
             "The scenario '%s' tests '%s', which is not a requirement of this project."
                 .formatted(scenario.name(), id),
-            scenario.requirementsLocation())
+            scenario.locationOf(id))
         .withHint(NearestName.question(id, known));
   }
 

@@ -136,7 +136,7 @@ final class RequirementCoverage {
               "No criterion reads %s, which is an output of the chain because %s requires it.";
           output.getSatisfies().stream()
               .map(Requirement::getId)
-              .filter(id -> about(id).stream().noneMatch(it -> it.reads().contains(signal)))
+              .filter(id -> about(id).stream().noneMatch(it -> it.reads(id).contains(signal)))
               .forEach(id -> unproven.put(id, message.formatted(signal, id)));
         }
       }
@@ -157,10 +157,11 @@ final class RequirementCoverage {
             item.id(),
             "No component of the chain is marked as satisfying %s, so no criterion can test it."
                 .formatted(item.id()));
-      } else if (about(item.id()).stream().noneMatch(it -> it.dependsOn(influenced, bench))) {
+      } else if (about(item.id()).stream()
+          .noneMatch(it -> it.dependsOn(item.id(), influenced, bench))) {
         unproven.put(
             item.id(),
-            "No criterion of the scenarios that name %s depends on what %s writes to satisfy it."
+            "No criterion that tests %s depends on what %s writes to satisfy it."
                 .formatted(item.id(), names(satisfying)));
       }
     }

@@ -4,6 +4,7 @@ import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.pipeline.results.RequirementOutcome;
 import dev.eventchain.pipeline.results.RequirementOutcome.Outcome;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
+import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -28,8 +29,8 @@ public final class RequirementOutcomes {
       RuleEvidence evidence) {
     List<RequirementOutcome> outcomes = new ArrayList<>();
     for (WrittenRequirement item : requirements) {
-      List<ScenarioVerdict> about =
-          verdicts.stream().filter(each -> each.requirements().contains(item.id())).toList();
+      List<CriterionResult> about =
+          verdicts.stream().flatMap(each -> each.criteriaOf(item.id())).toList();
       boolean untested = unproven.contains(item.id()) || evidence.untestedIds().contains(item.id());
       Outcome outcome =
           evidence.violatedIds().contains(item.id()) ? Outcome.VIOLATED : outcome(about, untested);
@@ -38,11 +39,11 @@ public final class RequirementOutcomes {
     return outcomes;
   }
 
-  private static Outcome outcome(List<ScenarioVerdict> verdicts, boolean untested) {
-    if (verdicts.stream().anyMatch(each -> each.tested() && !each.passed())) {
+  private static Outcome outcome(List<CriterionResult> criteria, boolean untested) {
+    if (criteria.stream().anyMatch(each -> each.tested() && !each.passed())) {
       return Outcome.VIOLATED;
     }
-    boolean proved = !verdicts.isEmpty() && verdicts.stream().allMatch(ScenarioVerdict::passed);
+    boolean proved = !criteria.isEmpty() && criteria.stream().allMatch(CriterionResult::passed);
     return proved && !untested ? Outcome.PROVED : Outcome.NOT_TESTED;
   }
 

@@ -213,10 +213,11 @@ public final class SimulationReport {
   }
 
   private static List<Criterion> criteria(ScenarioVerdict verdict) {
-    return verdict.criteria().stream().map(SimulationReport::criterion).toList();
+    return verdict.criteria().stream().map(each -> criterion(verdict, each)).toList();
   }
 
-  private static Criterion criterion(ScenarioVerdict.CriterionResult criterion) {
+  private static Criterion criterion(
+      ScenarioVerdict verdict, ScenarioVerdict.CriterionResult criterion) {
     return new Criterion(
         criterion.text(),
         criterion.tested(),
@@ -225,7 +226,9 @@ public final class SimulationReport {
         criterion.margin().map(SimulationReport::margin),
         criterion.limits().stream()
             .map(limit -> new Criterion.Limit(limit.signal(), limit.value()))
-            .toList());
+            .toList(),
+        Optional.of(criterion.requirements())
+            .filter(named -> !named.equals(verdict.requirements())));
   }
 
   private static Criterion.Margin margin(ScenarioVerdict.Margin margin) {

@@ -199,7 +199,7 @@ function generatedItem(file) {
 
 function proofItem(proof) {
   const scenario = text(proof.kind) === "scenario" ? scenarios.find((one) => text(one.name) === text(proof.name)) : null;
-  const { tone, word } = outcomeOf(scenario ?? proof);
+  const { tone, word } = outcomeOf(proof);
   const passed = tone === "good";
   const name = scenario ? html("a", { href: "#" + scenarioId(scenario) }, titleOf(scenario)) : code(text(proof.name));
   const kind = scenario ? "" : text(proof.kind);
