@@ -78,11 +78,7 @@ final class ScenarioReader {
     section.refuseOthers();
     Scenario.Heading heading =
         new Scenario.Heading(
-            name,
-            title,
-            requirements.all(),
-            requirements.places(),
-            section.location());
+            name, title, requirements.all(), requirements.places(), section.location());
     return new Scenario(
         heading, seed, duration, situation, inputs, requirements.distributed(criteria));
   }
