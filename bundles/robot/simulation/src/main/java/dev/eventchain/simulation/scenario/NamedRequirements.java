@@ -66,7 +66,7 @@ public final class NamedRequirements {
     List<String> ids = section.texts(key).stream().distinct().toList();
     if (section.value(key).filter(JsonNode::isArray).filter(JsonNode::isEmpty).isPresent()) {
       section.find(
-          "scenario.value.range", "This names no requirement; leave it out.", section.at(key));
+          ScenarioRules.VALUE_RANGE, "This names no requirement; leave it out.", section.at(key));
     }
     ids.forEach(id -> places.putIfAbsent(id, section.atKey(key)));
     ofCriteria.addAll(ids);
