@@ -20,8 +20,8 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.NavigableSet;
 import java.util.Set;
-import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 
@@ -35,7 +35,7 @@ class RulesTest {
   @ArchTest
   static void eachRuleHasAPageAndEachPageARule(JavaClasses classes) throws Exception {
     List<Rule> rules = rules(classes);
-    SortedSet<String> pages =
+    NavigableSet<String> pages =
         RulePage.all().stream().map(RulePage::id).collect(Collectors.toCollection(TreeSet::new));
     assertEquals(pages, ids(rules));
   }
@@ -71,7 +71,7 @@ class RulesTest {
   /** What cannot be read was not checked; what is wrong with suppressions must not hide itself. */
   @ArchTest
   static void whatHidesAMissingCheckCannotBeSuppressed(JavaClasses classes) throws Exception {
-    SortedSet<String> never =
+    NavigableSet<String> never =
         new TreeSet<>(
             Set.of(
                 "eventchain.defect",
@@ -118,7 +118,7 @@ class RulesTest {
   @ArchTest
   static void errorsOfCallsLeaveAnswersMissing(JavaClasses classes) throws Exception {
     List<Rule> rules = rules(classes);
-    SortedSet<String> unanswered =
+    NavigableSet<String> unanswered =
         ids(rules.stream().filter(rule -> rule.has(AnswerTrait.UNANSWERED)).toList());
     rules.removeIf(rule -> !rule.id().startsWith("llm.") || rule.severity() != Severity.ERROR);
     assertEquals(ids(rules), unanswered);
@@ -138,7 +138,7 @@ class RulesTest {
     assertEquals(Set.of("ComponentRules", "HostFailures", "ResultBuilder"), others);
   }
 
-  private static SortedSet<String> ids(List<Rule> rules) {
+  private static NavigableSet<String> ids(List<Rule> rules) {
     return rules.stream().map(Rule::id).collect(Collectors.toCollection(TreeSet::new));
   }
 

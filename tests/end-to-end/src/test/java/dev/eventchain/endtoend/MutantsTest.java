@@ -31,9 +31,6 @@ class MutantsTest {
   /** Number of days in which all mutants are tried. */
   private static final int DAYS = Integer.getInteger("mutants.of.examples", 3);
 
-  private static final long TURN =
-      Long.getLong("mutants.turn", LocalDate.now(ZoneOffset.UTC).toEpochDay() % DAYS);
-
   @TempDir Path folder;
 
   @ParameterizedTest
@@ -42,10 +39,11 @@ class MutantsTest {
     List<Mutant> mutants = Mutant.read(MUTANTS.resolve(example + ".yaml"));
     Set<String> ids = mutants.stream().map(Mutant::id).collect(Collectors.toSet());
     assertEquals(mutants.size(), ids.size(), "two have the same id");
+    long turn = Long.getLong("mutants.turn", LocalDate.now(ZoneOffset.UTC).toEpochDay() % DAYS);
     MutantRun run = MutantRun.of(example, folder);
     List<MutantRun.Trial> trials =
         IntStream.range(0, mutants.size())
-            .filter(index -> index % DAYS == TURN)
+            .filter(index -> index % DAYS == turn)
             .mapToObj(index -> run.trial(mutants.get(index)))
             .toList();
     List<ScenarioVerdict> verdicts = run.simulate(trials);
@@ -53,7 +51,7 @@ class MutantsTest {
     for (int i = 0; i < trials.size(); i++) {
       complaint(trials.get(i), verdicts.get(i)).ifPresent(wrong::add);
     }
-    assertEquals(Set.of(), wrong, () -> "turn " + TURN + "\n" + String.join("\n", wrong));
+    assertEquals(Set.of(), wrong, () -> "turn " + turn + "\n" + String.join("\n", wrong));
     long caught = mutants.stream().filter(each -> each.equivalent().isEmpty()).count();
     assertTrue(caught >= fewest, () -> caught + " mutants are too few to speak of");
   }
