@@ -35,19 +35,20 @@ public final class NearestName {
    * suggests the unknown name itself, which may be known in another role.
    */
   public static String question(String unknown, Collection<String> known) {
-    return asked(of(unknown, known.stream().filter(name -> !name.equals(unknown)).toList()));
+    return asked(of(unknown, others(unknown, known)));
   }
 
   /**
    * Returns a hint: the nearest name, or else all known names that fit in a line; empty if there
-   * are none.
+   * are none. It never names the unknown name itself, as {@link #question}.
    */
   public static String hint(String unknown, Collection<String> known) {
-    String question = asked(of(unknown, known));
+    List<String> others = others(unknown, known);
+    String question = asked(of(unknown, others));
     if (!question.isEmpty()) {
       return question;
     }
-    List<String> names = known.stream().distinct().sorted().toList();
+    List<String> names = others.stream().distinct().sorted().toList();
     if (names.isEmpty()) {
       return "";
     }
@@ -57,6 +58,10 @@ public final class NearestName {
             .map(name -> "`" + name + "`")
             .collect(Collectors.joining(", "));
     return "Known are " + listed + (names.size() > MOST_NAMES_LISTED ? ", ..." : "") + ".";
+  }
+
+  private static List<String> others(String unknown, Collection<String> known) {
+    return known.stream().filter(name -> !name.equals(unknown)).toList();
   }
 
   private static String asked(Optional<String> nearest) {

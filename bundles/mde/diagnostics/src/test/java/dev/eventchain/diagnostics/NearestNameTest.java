@@ -37,6 +37,13 @@ class NearestNameTest {
   }
 
   @Test
+  void hintsDoNotNameTheUnknownNameItself() {
+    assertEquals("Known are `gap`.", NearestName.hint("speed", List.of("speed", "gap")));
+    assertEquals("Did you mean `sped`?", NearestName.hint("speed", List.of("speed", "sped")));
+    assertEquals("", NearestName.hint("speed", List.of("speed")));
+  }
+
+  @Test
   void hintsNameTheNearestOrAll() {
     assertEquals("Did you mean `unit`?", NearestName.hint("unti", NAMES));
     assertEquals("Known are `a`, `b`.", NearestName.hint("zzzzzz", List.of("b", "a", "b")));

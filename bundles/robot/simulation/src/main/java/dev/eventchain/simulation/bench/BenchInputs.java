@@ -42,6 +42,18 @@ final class BenchInputs implements Signal.Source {
   private final Map<String, Signal> known = new LinkedHashMap<>();
   private final Deque<String> reading = new ArrayDeque<>();
 
+  /** Inputs with an error of their own. */
+  private final Set<String> refused = new HashSet<>();
+
+  /** The end of reading an input that needs a refused one, whose error alone is reported. */
+  private static final class Consequence extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    Consequence(String input) {
+      super("needs " + input, null, false, false);
+    }
+  }
+
   private BenchInputs(ObjectReader section, YamlText source) {
     this.section = section;
     this.source = source;
@@ -51,19 +63,23 @@ final class BenchInputs implements Signal.Source {
   static Map<String, Signal> read(ObjectReader section, YamlText source) {
     BenchInputs inputs = new BenchInputs(section, source);
     Map<String, Signal> ordered = new LinkedHashMap<>();
-    Set<String> refused = new HashSet<>();
     for (String name : section.names()) {
       try {
-        if (!refused.contains(name)) {
-          inputs.input(name).ifPresent(signal -> ordered.put(name, signal));
-        }
+        inputs.input(name).ifPresent(signal -> ordered.put(name, signal));
       } catch (DiagnosticException e) {
         e.diagnostics().forEach(section::find);
-        refused.addAll(inputs.reading);
-        inputs.reading.clear();
+        inputs.refuseAll();
+      } catch (Consequence e) {
+        inputs.refuseAll();
       }
     }
     return ordered;
+  }
+
+  /** Refuses the inputs that are being read, since each needs the next one. */
+  private void refuseAll() {
+    refused.addAll(reading);
+    reading.clear();
   }
 
   @Override
@@ -75,15 +91,25 @@ final class BenchInputs implements Signal.Source {
 
   @Override
   public Optional<Signal> find(String name) {
-    return WORLD
-        .find(name)
-        .or(() -> section.names().contains(name) ? input(name) : Optional.empty());
+    return WORLD.find(name).or(() -> needed(name));
   }
 
-  /** Returns an input, which is read first if necessary. */
+  /** Returns an input that another one needs. */
+  private Optional<Signal> needed(String name) {
+    if (!section.names().contains(name)) {
+      return Optional.empty();
+    }
+    Optional<Signal> signal = input(name);
+    if (signal.isEmpty()) {
+      throw new Consequence(name);
+    }
+    return signal;
+  }
+
+  /** Returns an input, which is read first if necessary; empty if it has an error. */
   private Optional<Signal> input(String name) {
-    if (known.containsKey(name)) {
-      return Optional.of(known.get(name));
+    if (known.containsKey(name) || refused.contains(name)) {
+      return Optional.ofNullable(known.get(name));
     }
     if (reading.contains(name)) {
       throw cycle(name);
@@ -99,7 +125,7 @@ final class BenchInputs implements Signal.Source {
     reading.addLast(name);
     Optional<Signal> signal = section.object(name).flatMap(input -> input(name, input));
     reading.removeLast();
-    signal.ifPresent(found -> known.put(name, found));
+    signal.ifPresentOrElse(found -> known.put(name, found), () -> refused.add(name));
     return signal;
   }
 
