@@ -1,5 +1,6 @@
 package dev.eventchain.agents.constraint;
 
+import dev.eventchain.constraints.ConstraintProof;
 import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.constraints.OclRules;
 import dev.eventchain.diagnostics.Diagnostic;

@@ -2,6 +2,7 @@ package dev.eventchain.agents.constraint;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import dev.eventchain.constraints.ConstraintProof;
 import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.constraints.OclRules;
 import dev.eventchain.diagnostics.SourceText;

@@ -58,7 +58,7 @@ public final class ChainChecks {
    * @param analysis the results of the contracts
    * @param reuse the deviations from the descriptions of existing components
    * @param trace the deviations from the written requirements
-   * @param unchecked the findings of {@link #unchecked}
+   * @param unchecked the findings of {@link #unchecked}, and constraints that check nothing
    */
   public record Outcome(
       EcoreChecks ecore,
@@ -203,12 +203,16 @@ public final class ChainChecks {
       EcoreChecks ecore,
       Function<EObject, SourceLocation> locator,
       BiFunction<EObject, EStructuralFeature, SourceLocation> featureLocator) {
+    List<Diagnostic> unproving =
+        new ArrayList<>(
+            constraints.vacuous(requirements.stream().map(WrittenRequirement::id).toList(), chain));
+    unproving.addAll(unchecked);
     return new Outcome(
         ecore,
         constraints.check(chain, locator),
         analysis.check(chain, featureLocator),
         base.check(chain, featureLocator),
         RequirementTrace.check(requirements, chain, featureLocator),
-        unchecked);
+        unproving);
   }
 }

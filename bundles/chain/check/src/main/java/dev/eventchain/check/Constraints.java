@@ -1,6 +1,7 @@
 package dev.eventchain.check;
 
 import dev.eventchain.constraints.ConstraintRules;
+import dev.eventchain.constraints.ConstraintProof;
 import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.constraints.OclResult;
 import dev.eventchain.constraints.OclRules;
@@ -16,14 +17,22 @@ import dev.eventchain.project.ProjectFolder;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import org.eclipse.emf.ecore.EObject;
 
 /** Constraints of a project: standard, written by users, and generated. */
 public final class Constraints {
+
+  private static final String CONSTANT =
+      "'%s' reads nothing of the model and holds whatever the model is";
+  private static final String UNVIOLATED =
+      "No model was found that violates '%s': changed values, references and contained objects of"
+          + " the model made no difference";
 
   private final OclRules rules;
   private final Duration timeLimit;
@@ -83,11 +92,54 @@ public final class Constraints {
     return OclValidator.of(rules).withTimeLimit(timeLimit).validate(List.of(root), locator);
   }
 
-  /** Returns the constraints that implement a design rule according to their comments. */
+  /**
+   * Returns the constraints that implement a requirement or design rule according to their
+   * comments. One that holds for anything implements none.
+   */
   public List<OclConstraint> standingFor(String rule) {
     return rules.constraints().stream()
         .filter(constraint -> !constraint.named(List.of(rule)).isEmpty())
+        .filter(constraint -> !constraint.holdsForAnything())
         .toList();
+  }
+
+  /**
+   * Returns a finding for each constraint that nothing violates: an error if its comment names a
+   * requirement, which it would prove, else a warning. Only those that name one are tried on
+   * changes of the model.
+   *
+   * @param ids of the written requirements
+   * @param root of the model; not modified
+   */
+  List<Diagnostic> vacuous(Collection<String> ids, EObject root) {
+    List<Diagnostic> found = new ArrayList<>(constant(rules, ids));
+    rules.constraints().stream()
+        .filter(each -> !each.named(ids).isEmpty() && !each.holdsForAnything())
+        .filter(each -> ConstraintProof.neverFails(each, List.of(root), timeLimit))
+        .map(each -> unproving(each, UNVIOLATED.formatted(each.name()), each.named(ids)))
+        .forEach(found::add);
+    return found;
+  }
+
+  /** Returns a finding for each constraint that reads nothing of the model and holds. */
+  static List<Diagnostic> constant(OclRules rules, Collection<String> ids) {
+    return rules.constraints().stream()
+        .filter(OclConstraint::holdsForAnything)
+        .map(each -> unproving(each, CONSTANT.formatted(each.name()), each.named(ids)))
+        .toList();
+  }
+
+  private static Diagnostic unproving(OclConstraint constraint, String text, Set<String> named) {
+    Diagnostic finding =
+        named.isEmpty()
+            ? Diagnostic.warning("ocl.vacuous", text + ".", constraint.location())
+            : Diagnostic.error(
+                "ocl.vacuous",
+                text + ", so it cannot prove " + String.join(" and ", named) + ".",
+                constraint.location());
+    return finding
+        .withRule(constraint.qualifiedName())
+        .withHint("State what the requirement demands of the features of self.");
   }
 
   /**

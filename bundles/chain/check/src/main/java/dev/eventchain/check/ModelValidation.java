@@ -15,6 +15,7 @@ import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage;
+import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.xmi.EcoreChecks;
 import dev.eventchain.xmi.LoadedModel;
 import dev.eventchain.xmi.Origins;
@@ -22,6 +23,7 @@ import dev.eventchain.xmi.XmiStore;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -105,7 +107,7 @@ public final class ModelValidation {
    *     standard constraints and the contracts inside each chain, too
    * @param map the folders by the reference prefixes that they replace: {@code platform:/resource/}
    * @param messages folders of {@code PACKAGE/msg/NAME.msg} that event chains use, next to the
-   *     standard types of ROS 2
+   *     standard types of ROS 2 and to those of the projects in which the models are
    * @param timeLimit the processor time that a constraint, or the patterns of a data type, may take
    *     on all of the models
    * @throws DiagnosticException INPUT if a file cannot be read
@@ -138,7 +140,7 @@ public final class ModelValidation {
         any.aboutConstraints(rules, result, onlyMetamodel && isMetamodelChecked);
     found.addAll(any.ecore.diagnostics());
     if (metamodels.isEmpty()) {
-      Validation contracts = any.contracts(MessageCatalog.of(messages));
+      Validation contracts = any.contracts(messages);
       coverage = coverage.and(contracts.coverage());
       found.addAll(contracts.diagnostics());
     }
@@ -155,6 +157,7 @@ public final class ModelValidation {
     if (mayBeNone) {
       found.removeIf(finding -> finding.is(ConstraintRules.NOTHING_EVALUATED));
     }
+    found.addAll(Constraints.constant(rules, List.of()));
     if (result.evaluations() > 0) {
       found.addAll(unconstrained(rules));
     }
@@ -195,19 +198,34 @@ public final class ModelValidation {
     return Stream.concat(given, referred).distinct().toList();
   }
 
-  /** Checks the contracts inside each chain; the vehicle is unknown. */
-  private Validation contracts(MessageCatalog messages) {
-    ChainAnalysis analysis = ChainAnalysis.of(messages, Optional.empty());
+  /**
+   * Checks the contracts inside each chain; the vehicle is unknown. A chain in a project uses the
+   * messages of its project, whoever checks it.
+   */
+  private Validation contracts(List<Path> messages) {
+    Map<List<Path>, ChainAnalysis> analyses = new HashMap<>();
     Coverage coverage = Coverage.NONE;
     List<Diagnostic> found = new ArrayList<>();
     for (EObject root : roots(all)) {
       if (root instanceof EventChain chain) {
+        ChainAnalysis analysis =
+            analyses.computeIfAbsent(
+                messagesOf(chain, messages),
+                folders -> ChainAnalysis.of(MessageCatalog.of(folders), Optional.empty()));
         AnalysisResult result = analysis.check(chain, origins::locate);
         coverage = coverage.and(new Coverage(List.of(), 0, result.checks()));
         found.addAll(result.diagnostics());
       }
     }
     return new Validation(coverage, found);
+  }
+
+  private List<Path> messagesOf(EventChain chain, List<Path> given) {
+    Path file = Path.of(origins.locate(chain).file());
+    List<Path> folders = new ArrayList<>();
+    ProjectFolder.around(file).map(ProjectFolder::messageFolders).ifPresent(folders::addAll);
+    folders.addAll(given);
+    return folders;
   }
 
   /** Returns the folders of the named files; references may only lead to files below them. */

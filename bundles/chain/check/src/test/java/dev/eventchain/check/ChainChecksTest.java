@@ -22,6 +22,8 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Checks chains in memory against the rules of a project, which are read once. */
 class ChainChecksTest {
@@ -112,6 +114,32 @@ class ChainChecksTest {
     chain.getRequirements().get(0).setId("RAD-9");
     assertEquals(List.of("project.requirement.unknown"), ids());
     assertEquals("Requirement.id", check().diagnostics().get(0).location().element());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "true|-- RAD-1: It is fast.|ocl.vacuous error",
+        "1 = 1|-- RAD-1: It is fast.|ocl.vacuous error",
+        "self.frequency = self.frequency|-- RAD-1|ocl.vacuous error",
+        "frequency > 1 or not (frequency > 1)|-- RAD-1|ocl.vacuous error",
+        "let most : Integer = 3 in most > 2|-- RAD-1|ocl.vacuous error",
+        "true||ocl.vacuous warning",
+        "true|-- RAD-99: It is fast.|ocl.vacuous warning",
+        "self.frequency = self.frequency||",
+        "frequency > 1|-- RAD-1: It is fast.|",
+        "SoftwareNode.allInstances()->size() < 9|-- RAD-1: There are few.|",
+        "input->notEmpty() implies output->notEmpty()|-- RAD-1|",
+      })
+  void aConstraintThatNothingViolatesProvesNoRequirement(
+      String condition, String comment, String expected) throws IOException {
+    String above = comment == null ? "" : comment + "\n";
+    project.write("constraints.ocl", above + "context SoftwareNode inv A: " + condition + "\n");
+    checks = ChainChecks.of(project.opened(), project.output(), LIMIT);
+    List<String> found =
+        check().diagnostics().stream().map(each -> each.id() + " " + each.severity()).toList();
+    assertEquals(expected == null ? List.of() : List.of(expected), found);
   }
 
   @Test

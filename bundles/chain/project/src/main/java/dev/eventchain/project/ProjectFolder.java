@@ -15,7 +15,9 @@ import java.nio.file.LinkOption;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 
@@ -43,6 +45,19 @@ public class ProjectFolder {
    */
   public ProjectFolder(Path folder) {
     this.folder = folder;
+  }
+
+  /** Returns the nearest project whose folder holds a file, directly or further down. */
+  public static Optional<ProjectFolder> around(Path file) {
+    for (Path above = file.toAbsolutePath().normalize().getParent();
+        above != null;
+        above = above.getParent()) {
+      ProjectFolder project = new ProjectFolder(above);
+      if (Files.isRegularFile(project.configurationFile())) {
+        return Optional.of(project);
+      }
+    }
+    return Optional.empty();
   }
 
   /** Returns the folder. */
@@ -194,6 +209,28 @@ public class ProjectFolder {
     Requirements read = Requirements.read(SourceText.read(file));
     refuseErrors(read.diagnostics());
     return read;
+  }
+
+  /**
+   * Returns the finding that there are no written requirements although something names one: it
+   * would be proved by nothing that people can read.
+   *
+   * @param named the ids of requirements that the chain or the scenarios name, in order
+   */
+  public final Optional<Diagnostic> missingRequirements(Collection<String> named) {
+    return named.stream()
+        .filter(Objects::nonNull)
+        .findFirst()
+        .filter(id -> isAbsent(requirements()))
+        .map(
+            id ->
+                Diagnostic.error(
+                        "file.missing",
+                        "There is no such file, but the project names the requirement '"
+                            + id
+                            + "'.",
+                        SourceLocation.of(requirements()))
+                    .withHint("Write each requirement into it: '- " + id + ": ...'"));
   }
 
   /**

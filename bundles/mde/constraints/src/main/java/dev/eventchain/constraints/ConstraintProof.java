@@ -1,7 +1,7 @@
-package dev.eventchain.agents.constraint;
+package dev.eventchain.constraints;
 
-import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.constraints.OclConstraint.Verdict;
+import dev.eventchain.ocl.evaluation.DeepStack;
 import dev.eventchain.ocl.evaluation.TimeBudget;
 import java.time.Duration;
 import java.util.List;
@@ -14,7 +14,7 @@ import org.eclipse.emf.ecore.EObject;
  * changes of the features that the constraint reads, one and then two at a time. A constraint
  * without both is trivial.
  */
-final class ConstraintProof {
+public final class ConstraintProof {
   /**
    * Maximal number of changed models per constraint: more than any useful constraint needed, and
    * tried within a second or two.
@@ -36,7 +36,7 @@ final class ConstraintProof {
   }
 
   /** Returns the objection to the constraint; empty if both models were found. */
-  static Optional<String> objection(OclConstraint constraint, List<EObject> roots) {
+  public static Optional<String> objection(OclConstraint constraint, List<EObject> roots) {
     return objection(constraint, roots, TimeBudget.of(TIME_LIMIT));
   }
 
@@ -45,7 +45,7 @@ final class ConstraintProof {
    *
    * @param budget the time that the search may take
    */
-  static Optional<String> objection(
+  public static Optional<String> objection(
       OclConstraint constraint, List<EObject> roots, TimeBudget budget) {
     ConstraintProof proof = new ConstraintProof(constraint, budget);
     proof.search(ModelCopy.of(roots));
@@ -56,6 +56,27 @@ final class ConstraintProof {
     String missing = proof.holds ? "fails" : "holds";
     return Optional.of(
         "No model was found%s for which '%s' %s".formatted(within, constraint.name(), missing));
+  }
+
+  /**
+   * Returns whether no change of a model violates a constraint; false also if the time runs out
+   * before all changes have been tried.
+   *
+   * @param roots the model, which is not modified
+   * @param limit the processor time that the search may take
+   */
+  public static boolean neverFails(
+      OclConstraint constraint, List<? extends EObject> roots, Duration limit) {
+    if (!(constraint.context() instanceof EClass)) {
+      return constraint.holdsForAnything(); // values of data types are never changed here
+    }
+    ConstraintProof proof = new ConstraintProof(constraint, TimeBudget.of(limit));
+    proof.holds = true; // Whether it can hold is of no interest here.
+    return DeepStack.call(
+        () -> {
+          proof.search(ModelCopy.of(List.copyOf(roots)));
+          return !proof.fails && !proof.budget.isSpent();
+        });
   }
 
   private void search(ModelCopy model) {

@@ -1,4 +1,4 @@
-package dev.eventchain.agents.constraint;
+package dev.eventchain.constraints;
 
 import java.util.ArrayList;
 import java.util.List;

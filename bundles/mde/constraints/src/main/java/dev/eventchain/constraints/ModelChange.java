@@ -1,6 +1,5 @@
-package dev.eventchain.agents.constraint;
+package dev.eventchain.constraints;
 
-import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.ocl.Expression.Navigation;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;

@@ -111,6 +111,15 @@ public final class OclConstraint {
     return Verdict.UNDEFINED;
   }
 
+  /**
+   * Returns whether it is true by itself, such as {@code 1 = 1}: no model can violate it, so it
+   * shows nothing about any.
+   */
+  public boolean holdsForAnything() {
+    return condition.isConstant()
+        && Boolean.TRUE.equals(condition.evaluate(Evaluations.over(List.of())));
+  }
+
   /** Returns whether evaluating it may need a deep stack. */
   boolean isRecursive() {
     return condition.isRecursive();

@@ -34,6 +34,7 @@ import org.eclipse.ocl.expressions.IteratorExp;
 import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.OperationCallExp;
 import org.eclipse.ocl.expressions.PropertyCallExp;
+import org.eclipse.ocl.expressions.TypeExp;
 import org.eclipse.ocl.expressions.VariableExp;
 import org.eclipse.ocl.types.CollectionType;
 
@@ -184,16 +185,29 @@ public final class Expression {
     return parts().computedInJava();
   }
 
+  /**
+   * Returns whether the value is the same for every object of every model, since the expression
+   * mentions neither {@code self} nor a property nor a class.
+   */
+  public boolean isConstant() {
+    return parts().constant();
+  }
+
   /** Properties for linters, collected in one walk. */
   private record Parts(
-      List<LibraryCall> calls, Set<String> variables, List<EStructuralFeature> computedInJava) {
+      List<LibraryCall> calls,
+      Set<String> variables,
+      List<EStructuralFeature> computedInJava,
+      boolean constant) {
     static Parts of(OCLExpression<EClassifier> ast) {
       List<LibraryCall> calls = new ArrayList<>();
       Set<String> variables = new TreeSet<>();
       Set<EStructuralFeature> computedInJava = new LinkedHashSet<>();
+      boolean reads = false;
       Iterator<EObject> all = EcoreUtil.getAllContents(List.of(ast));
       while (all.hasNext()) {
         EObject part = all.next();
+        reads |= part instanceof PropertyCallExp<?, ?> || part instanceof TypeExp<?>;
         if (part instanceof OperationCallExp<?, ?> call
             && call.getReferredOperation() instanceof Libraries.LibraryOperation operation) {
           EClassifier source = (EClassifier) call.getSource().getType();
@@ -208,7 +222,10 @@ public final class Expression {
         }
       }
       return new Parts(
-          List.copyOf(calls), Collections.unmodifiableSet(variables), List.copyOf(computedInJava));
+          List.copyOf(calls),
+          Collections.unmodifiableSet(variables),
+          List.copyOf(computedInJava),
+          !reads && !variables.contains("self"));
     }
   }
 
