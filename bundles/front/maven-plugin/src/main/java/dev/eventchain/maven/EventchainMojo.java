@@ -17,9 +17,11 @@ import java.time.Clock;
 import java.time.Duration;
 import java.time.LocalDate;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import org.apache.maven.execution.MavenSession;
 import org.apache.maven.plugin.AbstractMojo;
 import org.apache.maven.plugin.MojoExecution;
 import org.apache.maven.plugin.MojoExecutionException;
@@ -66,6 +68,9 @@ abstract class EventchainMojo extends AbstractMojo {
   @Parameter(defaultValue = "${mojoExecution}", readonly = true, required = true)
   private MojoExecution execution;
 
+  @Parameter(defaultValue = "${session}", readonly = true, required = true)
+  private MavenSession session;
+
   /** The date for which suppressions are evaluated. */
   private LocalDate today;
 
@@ -74,6 +79,7 @@ abstract class EventchainMojo extends AbstractMojo {
 
   @Override
   public final void execute() throws MojoExecutionException, MojoFailureException {
+    List<Diagnostic> unremoved = removeEarlierReports();
     if (skip) {
       getLog().info("Skipped.");
       return;
@@ -81,7 +87,7 @@ abstract class EventchainMojo extends AbstractMojo {
     check();
     Severity limit = limit();
     Outcome outcome = guarded(this::workAsConfigured);
-    outcome = outcome.unreported(writeReports(outcome));
+    outcome = outcome.unreported(unremoved).unreported(writeReports(outcome));
     new FindingLines(getLog()).print(outcome.diagnostics());
     Report report = outcome.report(version());
     if (!outcome.written().isEmpty()) {
@@ -127,22 +133,34 @@ abstract class EventchainMojo extends AbstractMojo {
                     "failOn is '" + failOn + "'; it may be 'error' or 'warning'."));
   }
 
+  /**
+   * Removes the reports of earlier builds before the first goal in a module: if this build fails,
+   * those of its later goals would be taken for its own.
+   */
+  private List<Diagnostic> removeEarlierReports() {
+    @SuppressWarnings("unchecked") // Maven gives one map to all goals of the plugin in a module.
+    Map<String, Object> shared = getPluginContext();
+    if (shared.putIfAbsent(EarlierReports.class.getName(), true) != null) {
+      return List.of();
+    }
+    return EarlierReports.remove(
+        Places.shown(reportsDirectory),
+        EarlierReports.names(project, execution, session.getGoals()));
+  }
+
   private List<Diagnostic> writeReports(Outcome outcome) {
     Report report = outcome.report(version());
     Path folder = Places.shown(reportsDirectory);
     return Stream.of(
-            ReportFile.write(report, DiagnosticFormat.SARIF, folder.resolve(name() + ".sarif")),
-            ReportFile.write(
-                report, DiagnosticFormat.JUNIT, folder.resolve("TEST-" + name() + ".xml")))
+            ReportFile.write(report, DiagnosticFormat.SARIF, EarlierReports.sarif(folder, name())),
+            ReportFile.write(report, DiagnosticFormat.JUNIT, EarlierReports.junit(folder, name())))
         .flatMap(Optional::stream)
         .toList();
   }
 
   /** Returns the goal, with the execution's id unless it is the default. */
   final String name() {
-    String id = execution.getExecutionId();
-    String goal = execution.getGoal();
-    return id.matches("default(-.*)?") ? goal : goal + "-" + id;
+    return EarlierReports.name(execution.getGoal(), execution.getExecutionId());
   }
 
   private String version() {
@@ -163,7 +181,7 @@ abstract class EventchainMojo extends AbstractMojo {
             + "; "
             + summary
             + "; see "
-            + Places.shown(reportsDirectory).resolve(name() + ".sarif");
+            + EarlierReports.sarif(Places.shown(reportsDirectory), name());
     if (outcome.exitCode() == ExitCode.UNAVAILABLE) {
       throw new MojoExecutionException(message);
     }

@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
@@ -44,6 +45,27 @@ public final class ReportFile {
                   "The report cannot be written: " + SourceText.reason(e) + ".",
                   SourceLocation.of(file))
               .withHint("Name another file with --report " + format + "=FILE."));
+    }
+  }
+
+  /**
+   * Removes the report of an earlier command, so that none stands beside the result of one that is
+   * killed or never gets so far. A device, a pipe or a link stays.
+   *
+   * @return the finding {@code report.unwritable} if it could not be removed
+   */
+  public static Optional<Diagnostic> remove(Path file) {
+    try {
+      if (Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS) && !isStream(file)) {
+        Files.delete(file);
+      }
+      return Optional.empty();
+    } catch (IOException e) {
+      return Optional.of(
+          Diagnostic.error(
+              "report.unwritable",
+              "The report of an earlier run cannot be removed: " + SourceText.reason(e) + ".",
+              SourceLocation.of(file)));
     }
   }
 
