@@ -16,6 +16,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -299,6 +300,74 @@ class ChangedModelsTest {
     run("validate-models", project, "a.xmi").expect(0).says("no file of 'my project' has changed");
     run("validate-models", project, "my project/out/a.json").expect(0).says("nothing was checked");
     run("validate-models", project, "--since=HEAD~1").expect(0).says("<validate><my project>");
+  }
+
+  @Test
+  void theModelOfAProjectIsValidatedAsTheProject() throws Exception {
+    write("my car/brake/eventchain.yaml", "name: brake\n");
+    write("my car/brake/model/chain.xmi", shop("C", ""));
+    write("my car/brake/bench.yaml", "");
+    write("designed/eventchain.yaml", "name: designed\n");
+    commit("two");
+    run("validate-models")
+        .expect(0)
+        .says("4 of 4 models")
+        .says("<validate><a.xmi><my car/brake><refers.xmi>")
+        .says("'designed' has no model/chain.xmi and is not checked (--project=designed)");
+    run("validate-models", "my car/brake/bench.yaml").expect(0).says("<validate><my car/brake>");
+    run("validate-models", "a.xmi").expect(0).says("<validate><a.xmi>");
+    runIn("my car/brake").expect(0).says("<validate><.>");
+    run("validate-models", "--metamodel=shop.ecore")
+        .expect(0)
+        .says("<a.xmi><my car/brake/model/chain.xmi><refers.xmi>");
+    write("my car/brake/out/a.json", "");
+    commit("three");
+    run("validate-models", "--since=HEAD~1").expect(0).says("nothing was checked");
+  }
+
+  @Test
+  void aVerdictIsAboutAProject() throws Exception {
+    write("brake/eventchain.yaml", "name: brake\n");
+    commit("two");
+    run("validate-models", "--verdict", "--project=brake", "--format=json")
+        .expect(0)
+        .says("<run><--format=json><brake>");
+    run("validate-models", "--verdict").expect(2).says("--project=FOLDER --verdict");
+    environment.put("PROJECT", "brake");
+    environment.put("VERDICT", "true");
+    run("from-inputs").expect(0).says("<run><brake>");
+    environment.put("VERDICT", "yes");
+    run("from-inputs").expect(2).says("VERDICT is 'yes'");
+  }
+
+  @Test
+  void theHookIsCalledForAllFilesOfAProject() throws IOException {
+    String hook = Files.readString(Program.ROOT.resolve(".pre-commit-hooks.yaml"));
+    String folded = hook.replaceFirst("(?s).*files: >-\n(.*?)\n  require_serial.*", "$1");
+    Pattern files = Pattern.compile(folded.replaceAll("\\s+", " ").strip());
+    Path example = Program.ROOT.resolve("examples/radar-aeb");
+    try (Stream<Path> all = Files.walk(example)) {
+      for (Path file : all.filter(Files::isRegularFile).toList()) {
+        String name = "p/" + example.relativize(file);
+        boolean isResult = name.startsWith("p/out/");
+        assertTrue(isResult || files.matcher(name).find(), name);
+      }
+    }
+    for (String name : List.of("faults.yaml", "tests/A.yaml", "shop.ecore", "a/b/t.mtl")) {
+      assertTrue(files.matcher(name).find(), name);
+    }
+    for (String name : List.of("README.md", "src/a.py", "bench.yaml.orig", "tests/a.py")) {
+      assertFalse(files.matcher(name).find(), name);
+    }
+  }
+
+  @Test
+  void theRealProgramFindsNothingInASoundProject() throws Exception {
+    environment.put("EVENTCHAIN", program("real", new Program().script()).toString());
+    Program.copy(Program.ROOT.resolve("examples/radar-aeb"), repository.resolve("brake"));
+    git("rm", "-q", "-r", "a.xmi", "refers.xmi", "with blanks");
+    commit("two");
+    run("validate-models").expect(0).says("0 errors, 0 warnings");
   }
 
   @Test
