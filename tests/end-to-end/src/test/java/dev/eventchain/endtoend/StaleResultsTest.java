@@ -177,6 +177,47 @@ class StaleResultsTest {
   }
 
   @Test
+  void aReportAloneShowsTheVerdictThatStands() throws IOException {
+    Files.delete(out("report.html"));
+    run("run --from report").expect(0).says("PASSED: 3 of 3 scenarios passed").says("= Simulate");
+    String report = Files.readString(out("report.html"));
+    assertTrue(report.contains("\"verdict\":\"passed\""));
+    assertTrue(report.contains("stopped-vehicle-50"));
+    append("requirements.md", "- AEB-7: It shall stop.");
+    run("run --from report").expect(2).says(OUTDATED);
+    assertNothingPasses();
+  }
+
+  @Test
+  void aReportAloneDoesNotHideAFailure() throws IOException {
+    append("scenarios/empty-road.yaml", "  formulas: [{formula: always ego.speed < 1 km/h}]");
+    run("run").expect(1).says("FAILED: 2 of 3");
+    byte[] verdict = Files.readAllBytes(out("verdict.json"));
+    byte[] report = Files.readAllBytes(out("report.html"));
+    run("run --from report")
+        .expect(1)
+        .says("project.verdict.failed")
+        .says("2 of 3 scenarios passed")
+        .says("FAILED");
+    assertArrayEquals(verdict, Files.readAllBytes(out("verdict.json")));
+    assertArrayEquals(report, Files.readAllBytes(out("report.html")));
+  }
+
+  @Test
+  void aReportAloneNeedsAVerdict() throws IOException {
+    delete(project.resolve("out"));
+    run("run --from report").expect(2).says("project.stage.missing").says("INCOMPLETE");
+  }
+
+  @Test
+  void noReportFileOfAnEarlierCommandSurvives() throws IOException {
+    Path file = folder.resolve("report.xml");
+    Files.writeString(file, "<testsuites/>");
+    run("run --to generate --mcap --report junit=" + file).expect(2);
+    assertFalse(Files.exists(file));
+  }
+
+  @Test
   void aTemplateInASiblingFolderIsASourceToo() throws IOException {
     for (String set : List.of("ros2-python", "python")) {
       copy(Program.ROOT.resolve("templates").resolve(set), project.resolve("templates/" + set));

@@ -34,7 +34,6 @@ class ValidationTest {
         "model/chain.xmi|nextstep=\"//@software.1\"|nextstep=\"//@software.7\"|xmi.reference.unresolved",
         "model/chain.xmi|id=\"RAD-4\"|id=\"RAD-5\"|project.requirement.unknown",
         "model/chain.xmi|first=\"//@software.0\"||ocl.violated",
-        "software-base/signals.json|/cluster/collision_warning|/cluster/warning|contract.consumer.missing",
         "software-base/msg/demo_msgs/msg/Threat.msg|float32 closing_speed|flot32 closing_speed|message.",
         "requirements.md|- RAD-2|- RAD-1|modeler.requirements.duplicate",
         "eventchain.yaml|name: radar_aeb|name: Radar|project.configuration",
@@ -44,6 +43,22 @@ class ValidationTest {
     ProjectCopy copy = ProjectCopy.of("radar-aeb", folder);
     copy.replace(file, text, by == null ? "" : by);
     assertTrue(agreed(copy.path(), true).contains(expected), expected);
+  }
+
+  @Test
+  void aTopicThatOnlyTheBenchStillHasIsFoundThereByTheProgramAlone() throws IOException {
+    ProjectCopy copy = ProjectCopy.of("radar-aeb", folder);
+    copy.replace("software-base/signals.json", "/cluster/collision_warning", "/cluster/warning");
+    ProjectFolder opened = new ProjectFolder(copy.path());
+    List<Diagnostic> found =
+        ProjectValidation.validate(opened, opened.defaultOutput(), Duration.ofSeconds(30))
+            .diagnostics();
+    assertEquals(List.of("contract.consumer.missing"), found.stream().map(Diagnostic::id).toList());
+    new Program()
+        .run("validate", copy.path())
+        .expect(1)
+        .says("contract.consumer.missing")
+        .says("bench.topic.unknown");
   }
 
   @Test

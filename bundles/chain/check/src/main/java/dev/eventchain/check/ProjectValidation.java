@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.project.ProjectFileNames;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.ProjectSettings;
@@ -74,7 +75,10 @@ public final class ProjectValidation {
     ChainChecks.Outcome outcome = checks.orElseThrow().check(chain);
     List<String> read = new ArrayList<>(List.of(SourceLocation.of(file.get()).file()));
     read.addAll(files.orElseThrow());
-    return new Validation(outcome.coverage(read), outcome.diagnostics());
+    List<Diagnostic> all = new ArrayList<>(outcome.diagnostics());
+    List<String> named = chain.chain().getRequirements().stream().map(Requirement::getId).toList();
+    folder.missingRequirements(named).ifPresent(all::add);
+    return new Validation(outcome.coverage(read), all);
   }
 
   /** As {@link #validate()}, for a single validation. */

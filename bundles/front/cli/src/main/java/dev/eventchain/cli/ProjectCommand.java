@@ -75,6 +75,7 @@ abstract class ProjectCommand implements Callable<Integer> {
   public final Integer call() {
     long start = System.nanoTime();
     reporting.check();
+    reporting.removeEarlier();
     if (output != null && output.toString().isEmpty()) {
       throw wrongUsage("the name of the output folder is empty: -o FOLDER");
     }

@@ -2,6 +2,7 @@ package dev.eventchain.cli;
 
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.pipeline.ReportFile;
 import dev.eventchain.pipeline.Today;
 import dev.eventchain.project.SuppressionFile;
 import java.nio.file.Path;
@@ -92,6 +93,14 @@ final class ReportOptions {
             spec.commandLine(), "two reports would go to the same file: " + target.file);
       }
     }
+  }
+
+  /**
+   * Removes the reports of earlier commands from the files. One that cannot be removed cannot be
+   * replaced either, which is then reported.
+   */
+  void removeEarlier() {
+    targets.forEach(target -> ReportFile.remove(target.file()));
   }
 
   /**

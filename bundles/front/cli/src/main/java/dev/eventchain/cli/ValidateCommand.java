@@ -8,7 +8,9 @@ import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Stage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Supplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -22,6 +24,8 @@ import picocli.CommandLine.Parameters;
       "Check a project's model, event chains, or models of any Ecore metamodel, with OCL.",
       "Models must be instances of their metamodel: multiplicities, opposites, keys, data types.",
       "Files that they refer to are checked, too.",
+      "In a project, everything that 'run DIR' refuses before it simulates is checked: the model,"
+          + " requirements, bench, scenarios, faults and components.",
       "Event chains are checked by the standard constraints and message contracts, too.",
       "A chain that people edit (model/chain.xmi) is checked as it is, without a language model; "
           + "design rules without constraints are reported.",
@@ -29,7 +33,7 @@ import picocli.CommandLine.Parameters;
     },
     synopsisHeading = "Usage:%n",
     customSynopsis = {
-      "eventchain validate DIR [OPTIONS]",
+      "eventchain validate DIR... [OPTIONS]",
       "eventchain validate MODEL.xmi... [--ocl FILE.ocl] [--messages FOLDER] [OPTIONS]",
       "eventchain validate --metamodel FILE.ecore [--ocl FILE.ocl] MODEL... [OPTIONS]"
     })
@@ -38,7 +42,7 @@ final class ValidateCommand extends ProjectCommand {
   @Parameters(
       arity = "1..*",
       paramLabel = "DIR|MODEL",
-      description = "The project's folder, or model files.")
+      description = "The folders of projects, and model files.")
   private List<Path> inputs;
 
   @Mixin private MetamodelOptions given;
@@ -56,6 +60,14 @@ final class ValidateCommand extends ProjectCommand {
           "A folder with the messages that event chains use, as PACKAGE/msg/NAME.msg or .idl; may be repeated.")
   private List<Path> messages = List.of();
 
+  @Option(
+      names = "--faults",
+      paramLabel = "FILE",
+      description =
+          "A file of faults to be checked with the project, as of 'run --faults'; DIR/faults.yaml"
+              + " is checked anyway.")
+  private Path faults;
+
   @Mixin private LlmOptions llm;
 
   ValidateCommand(Console console) {
@@ -64,37 +76,61 @@ final class ValidateCommand extends ProjectCommand {
 
   @Override
   Outcome work() {
-    boolean files = !given.metamodels.isEmpty() || !constraints.isEmpty() || inputs.size() > 1;
-    if (!files && !Files.isRegularFile(inputs.get(0))) {
-      if (!messages.isEmpty()) {
-        throw wrongUsage("--messages is for model files; a project has software-base/msg");
-      }
-      return validate(Project.open(inputs.get(0)));
+    List<Path> projects = inputs.stream().filter(this::isProject).toList();
+    List<Path> models = inputs.stream().filter(input -> !projects.contains(input)).toList();
+    if (!projects.isEmpty() && (!given.metamodels.isEmpty() || !constraints.isEmpty())) {
+      throw wrongUsage(
+          projects.get(0)
+              + " is a folder: a project is validated by its own constraints.ocl and without"
+              + " --metamodel and --ocl");
     }
-    refuseFolders();
+    if (models.isEmpty() && !messages.isEmpty()) {
+      throw wrongUsage("--messages is for model files; a project has software-base/msg");
+    }
+    if (projects.size() != 1 && (faults != null || output() != null)) {
+      throw wrongUsage((faults == null ? "-o" : "--faults") + " is for one project");
+    }
+    if (inputs.size() == 1) {
+      return projects.isEmpty() ? validate(models) : validate(Project.open(projects.get(0)));
+    }
+    List<Supplier<Outcome>> parts = new ArrayList<>();
+    projects.forEach(project -> parts.add(() -> validate(Project.open(project))));
+    if (!models.isEmpty()) {
+      parts.add(() -> validate(models));
+    }
+    return parts.stream().map(ValidateCommand::guarded).reduce(Outcome::and).orElseThrow();
+  }
+
+  /** Returns whether an input is validated as a project; a single one also if it is missing. */
+  private boolean isProject(Path input) {
+    boolean plain = !given.metamodels.isEmpty() || !constraints.isEmpty();
+    return Files.isDirectory(input)
+        || (inputs.size() == 1 && !plain && !Files.isRegularFile(input));
+  }
+
+  /** Turns a failure into a finding, so that other inputs are checked, too. */
+  private static Outcome guarded(Supplier<Outcome> work) {
+    try {
+      return work.get();
+    } catch (RuntimeException | Error e) {
+      return Outcome.of(e);
+    }
+  }
+
+  private Outcome validate(List<Path> models) {
     Suppressions suppressions = suppressions();
     Validation validation =
         ModelValidation.validate(
-            given.metamodels, given.map, constraints, inputs, messages, timeLimit());
+            given.metamodels, given.map, constraints, models, messages, timeLimit());
     return Outcome.of(validation.coverage(), validation.diagnostics(), suppressions);
-  }
-
-  /** Rejects folders as models, and explains how a project is validated. */
-  private void refuseFolders() {
-    for (Path input : inputs) {
-      if (Files.isDirectory(input)) {
-        throw wrongUsage(
-            input
-                + " is a folder: a project is validated alone, by its own constraints.ocl and"
-                + " without --metamodel and --ocl; models are named one by one");
-      }
-    }
   }
 
   /** Validates a project after the stages that create its model and constraints. */
   private Outcome validate(Project project) {
     boolean ready = project.isReadyToValidate(outputOf(project));
     Stage first = ready ? Stage.VALIDATE : Stage.DESIGN;
-    return execute(project, first, Stage.VALIDATE, ready, llm, new ScenarioOptions());
+    ScenarioOptions scenarios = new ScenarioOptions();
+    scenarios.faults = faults;
+    return execute(project, first, Stage.VALIDATE, ready, llm, scenarios);
   }
 }

@@ -2,6 +2,8 @@ package dev.eventchain.diagnostics;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
 
 /** Test case of a JUnit report. It fails if it has an error. */
 final class JunitCase {
@@ -11,6 +13,7 @@ final class JunitCase {
   private final List<Diagnostic> others = new ArrayList<>();
   private final List<Suppressions.Suppressed> suppressed = new ArrayList<>();
   private boolean isCheck;
+  private Optional<Trial> trial = Optional.empty();
   private long evaluations;
 
   JunitCase(String name) {
@@ -23,6 +26,21 @@ final class JunitCase {
     evaluations += times;
   }
 
+  /** Takes over the outcome of a test. */
+  void tried(Trial tried) {
+    trial = Optional.of(tried);
+    tried.findings().forEach(this::found);
+  }
+
+  private boolean had(Trial.Outcome outcome) {
+    return trial.filter(each -> each.outcome() == outcome).isPresent();
+  }
+
+  /** Returns the simulated time, in s. */
+  double seconds() {
+    return trial.map(Trial::seconds).orElse(0.0);
+  }
+
   void found(Diagnostic finding) {
     (finding.severity() == Severity.ERROR ? errors : others).add(finding);
   }
@@ -32,40 +50,67 @@ final class JunitCase {
   }
 
   boolean failed() {
-    return !errors.isEmpty();
+    return !errors.isEmpty() || had(Trial.Outcome.FAILED);
   }
 
   boolean skipped() {
-    return !failed() && ((isCheck && evaluations == 0) || !suppressed.isEmpty());
+    boolean idle = (isCheck && evaluations == 0) || had(Trial.Outcome.SKIPPED);
+    return !failed() && (idle || !suppressed.isEmpty());
   }
 
   void write(String className, StringBuilder xml) {
     xml.append("    <testcase classname=\"").append(Xml.attribute(className));
-    xml.append("\" name=\"").append(Xml.attribute(name)).append("\" time=\"0\"");
-    if (!failed() && !skipped() && others.isEmpty()) {
+    xml.append("\" name=\"").append(Xml.attribute(name)).append('"').append(time(seconds()));
+    if (!failed() && !skipped() && output().isEmpty()) {
       xml.append("/>\n");
       return;
     }
     xml.append(">\n");
     if (failed()) {
       xml.append("      <failure message=\"").append(Xml.attribute(headline()));
-      xml.append("\" type=\"").append(Xml.attribute(errors.get(0).id())).append("\">");
+      xml.append("\" type=\"").append(Xml.attribute(type())).append("\">");
       xml.append(Xml.text(textOf(errors))).append("</failure>\n");
     } else if (skipped()) {
       xml.append("      <skipped message=\"").append(Xml.attribute(whySkipped())).append("\"/>\n");
     }
-    if (!others.isEmpty()) {
-      xml.append("      <system-out>").append(Xml.text(textOf(others))).append("</system-out>\n");
+    if (!output().isEmpty()) {
+      xml.append("      <system-out>").append(Xml.text(output())).append("</system-out>\n");
     }
     xml.append("    </testcase>\n");
   }
 
+  /** Returns the attribute for a time in s, to the millisecond. */
+  static String time(double seconds) {
+    String number = seconds == 0 ? "0" : String.format(Locale.ROOT, "%.3f", seconds);
+    return " time=\"" + number + '"';
+  }
+
+  /** Returns the measurements of a test that passed, and the findings that are no errors. */
+  private String output() {
+    String measured =
+        trial
+            .filter(each -> each.outcome() == Trial.Outcome.PASSED && !each.text().isEmpty())
+            .map(each -> each.text() + "\n")
+            .orElse("");
+    return measured + textOf(others);
+  }
+
+  private String type() {
+    return errors.isEmpty() ? "eventchain.not-passed" : errors.get(0).id();
+  }
+
   private String headline() {
+    if (errors.isEmpty()) {
+      return trial.map(Trial::text).orElse("");
+    }
     String first = errors.get(0).message();
     return errors.size() == 1 ? first : errors.size() + " findings; the first: " + first;
   }
 
   private String whySkipped() {
+    if (suppressed.isEmpty() && trial.isPresent()) {
+      return trial.get().text();
+    }
     if (suppressed.isEmpty()) {
       return "The model has nothing that it applies to.";
     }

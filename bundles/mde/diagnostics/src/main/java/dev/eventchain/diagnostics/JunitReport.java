@@ -1,15 +1,18 @@
 package dev.eventchain.diagnostics;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 
 /**
- * Report as JUnit XML: a test suite for each kind of check, a test case for each check. Two more
- * suites hold the rest: a test case for each file, and one for each id of the remaining findings.
- * Times are 0, so that equal inputs give equal bytes.
+ * Report as JUnit XML: a test suite for each kind of test and check, a test case for each of them.
+ * Two more suites hold the rest: a test case for each file, and one for each id of the remaining
+ * findings. Times are simulated ones, and 0 for checks, so that equal inputs give equal bytes.
  */
 final class JunitReport {
 
@@ -27,6 +30,11 @@ final class JunitReport {
   }
 
   private String render() {
+    Set<Diagnostic> placed = Collections.newSetFromMap(new IdentityHashMap<>());
+    for (Trial trial : report.trials()) {
+      suite(trial.kind().title()).computeIfAbsent(trial.name(), JunitCase::new).tried(trial);
+      placed.addAll(trial.findings());
+    }
     for (Coverage.Kind kind : Coverage.Kind.values()) {
       report.coverage().checks().stream().filter(c -> c.kind() == kind).forEach(this::addCheck);
     }
@@ -34,7 +42,9 @@ final class JunitReport {
       suite("files").computeIfAbsent(file, JunitCase::new);
     }
     for (Diagnostic finding : report.diagnostics()) {
-      caseFor(finding).found(finding);
+      if (!placed.contains(finding)) {
+        caseFor(finding).found(finding);
+      }
     }
     for (Suppressions.Suppressed suppressed : report.suppressed()) {
       caseFor(suppressed.finding()).suppressed(suppressed);
@@ -90,6 +100,7 @@ final class JunitReport {
         + cases.size()
         + "\" failures=\""
         + cases.stream().filter(JunitCase::failed).count()
-        + "\" errors=\"0\" time=\"0\"";
+        + "\" errors=\"0\""
+        + JunitCase.time(cases.stream().mapToDouble(JunitCase::seconds).sum());
   }
 }

@@ -12,13 +12,15 @@ import java.util.Objects;
  * @param coverage the checks that ran
  * @param diagnostics the findings that are not suppressed, in order
  * @param suppressed the suppressed findings
+ * @param trials the tests of software, in order
  */
 public record Report(
     String version,
     int exitCode,
     Coverage coverage,
     List<Diagnostic> diagnostics,
-    List<Suppressions.Suppressed> suppressed) {
+    List<Suppressions.Suppressed> suppressed,
+    List<Trial> trials) {
 
   /** Lowest exit code of a command that could not do its work. */
   private static final int FIRST_FAILURE = 2;
@@ -29,6 +31,17 @@ public record Report(
     Objects.requireNonNull(coverage);
     diagnostics = List.copyOf(diagnostics);
     suppressed = List.copyOf(suppressed);
+    trials = List.copyOf(trials);
+  }
+
+  /** Creates the report of a command that tested no software. */
+  public Report(
+      String version,
+      int exitCode,
+      Coverage coverage,
+      List<Diagnostic> diagnostics,
+      List<Suppressions.Suppressed> suppressed) {
+    this(version, exitCode, coverage, diagnostics, suppressed, List.of());
   }
 
   /** Returns a report with findings alone. */

@@ -32,8 +32,12 @@ final class Reports {
             SourceLocation.of("/abs/ü.json"));
     Diagnostic known = violated.withRule("SoftwareNode::Known");
     Diagnostic info = Diagnostic.of(Rule.info("file.odd"), "Odd.", SourceLocation.of("rules.ocl"));
-    Diagnostic nowhere =
-        Diagnostic.of(Rule.error("python.unavailable"), "No Python.", SourceLocation.NONE);
+    Diagnostic nowhere = Diagnostic.of(Rule.error("python.unavailable"), "No Python.", SourceLocation.NONE);
+    Diagnostic missed =
+        Diagnostic.of(
+            Rule.error("simulation.criterion.failed"),
+            "Scenario stop: expected it stops, but found: 3 m/s at the end.",
+            new SourceLocation("scenarios/stop.yaml", 9, 5, "/accept/stops", "  stops: true"));
     Suppressions.Entry entry =
         new Suppressions.Entry(
             "ocl.violated",
@@ -48,8 +52,31 @@ final class Reports {
         "1.2.3",
         1,
         coverage(),
-        List.of(violated, again, slow, topic, info, nowhere),
-        List.of(new Suppressions.Suppressed(known, entry)));
+        List.of(violated, again, slow, topic, info, nowhere, missed),
+        List.of(new Suppressions.Suppressed(known, entry)),
+        trials(missed));
+  }
+
+  private static List<Trial> trials(Diagnostic missed) {
+    return List.of(
+        trial(Trial.Kind.SCENARIO, "stop", Trial.Outcome.FAILED, "not met: it stops", 12.5),
+        trial(Trial.Kind.SCENARIO, "go", Trial.Outcome.PASSED, "2 criteria hold", 3),
+        new Trial(
+            Trial.Kind.CRITERION,
+            "stop: it stops",
+            Trial.Outcome.FAILED,
+            "3 m/s at the end",
+            12.5,
+            List.of(missed)),
+        trial(Trial.Kind.CRITERION, "go: no brake", Trial.Outcome.PASSED, "", 3),
+        trial(Trial.Kind.CRITERION, "go: it is <seen>", Trial.Outcome.SKIPPED, "not tested", 3),
+        trial(Trial.Kind.REQUIREMENT, "REQ-1", Trial.Outcome.FAILED, "violated", 15.5),
+        trial(Trial.Kind.FAULT, "radar-dies in stop", Trial.Outcome.PASSED, "it stops", 12.5));
+  }
+
+  private static Trial trial(
+      Trial.Kind kind, String name, Trial.Outcome outcome, String text, double seconds) {
+    return new Trial(kind, name, outcome, text, seconds, List.of());
   }
 
   private static Coverage coverage() {

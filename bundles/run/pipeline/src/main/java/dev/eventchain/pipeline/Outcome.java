@@ -128,7 +128,13 @@ public record Outcome(
    * @param version the version of the program
    */
   public Report report(String version) {
-    return new Report(version, exitCode, coverage, diagnostics, suppressed);
+    return new Report(
+        version,
+        exitCode,
+        coverage,
+        diagnostics,
+        suppressed,
+        run.map(RunResult::trials).orElse(List.of()));
   }
 
   /**

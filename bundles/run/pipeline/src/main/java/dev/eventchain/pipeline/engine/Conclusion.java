@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.Suppressions.Suppressed;
 import dev.eventchain.llm.chat.AnswerRules;
+import dev.eventchain.diagnostics.Trial;
 import dev.eventchain.pipeline.report.EarlierRun;
 import dev.eventchain.pipeline.report.ReportData;
 import dev.eventchain.pipeline.report.ReportPage;
@@ -23,6 +24,7 @@ import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.simulate.RequirementOutcomes;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.pipeline.stage.StageOutcome;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -39,24 +41,28 @@ final class Conclusion {
   private final Optional<Reason> failure;
   private final Progress progress;
   private final EarlierRun before;
+  private final boolean reportStays;
 
   /**
    * Concludes a run whose stages have ended.
    *
    * @param failure the reason why it could not continue, if it could not
    * @param before the earlier run that the report compares with
+   * @param reportStays true if the standing report is about a verdict that has to stay visible
    */
   Conclusion(
       RunContext run,
       Map<Stage, StageOutcome> outcomes,
       Optional<Reason> failure,
       Progress progress,
-      EarlierRun before) {
+      EarlierRun before,
+      boolean reportStays) {
     this.run = run;
     this.outcomes = outcomes;
     this.failure = failure;
     this.progress = progress;
     this.before = before;
+    this.reportStays = reportStays;
   }
 
   RunResult conclude() {
@@ -82,12 +88,16 @@ final class Conclusion {
     String summary = summary(verdict, scenarios, found) + suppressedText(suppressed) + attached();
     Optional<Path> report = Optional.empty();
     boolean reportable = !run.options().isPartial() && !failure.equals(Optional.of(Reason.WAITING));
-    if (run.options().runs(Stage.REPORT) && reportable) {
+    if (reportStays) {
+      report = Optional.of(run.file(ReportPage.FILE)).filter(Files::isRegularFile);
+    } else if (run.options().runs(Stage.REPORT) && reportable) {
       report = writeReport(verdict, summary, found);
       found.addAll(run.takeFindings());
     }
+    List<Trial> trials = RunTrials.of(simulated(), found, suppressed, verdict == Verdict.PASSED);
     return new RunResult(verdict, summary, scenarios, found, suppressed, coverage, report, failure)
-        .withFaults(faultLines());
+        .withFaults(faultLines())
+        .withTrials(trials);
   }
 
   /**
@@ -110,7 +120,8 @@ final class Conclusion {
       return Verdict.INCOMPLETE;
     }
     if (failure.isPresent() || Diagnostic.anyError(found)) {
-      return onlyUntested(found) ? Verdict.INCOMPLETE : Verdict.FAILED;
+      boolean tests = run.options().runs(Stage.SIMULATE);
+      return tests && onlyUntested(found) ? Verdict.INCOMPLETE : Verdict.FAILED;
     }
     boolean judged =
         outcome(Stage.SIMULATE).status() != Status.NOT_RUN && !run.options().isPartial();

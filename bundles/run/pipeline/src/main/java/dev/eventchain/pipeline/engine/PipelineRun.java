@@ -1,6 +1,5 @@
 package dev.eventchain.pipeline.engine;
 
-import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Suppressions.Parted;
@@ -19,17 +18,16 @@ import dev.eventchain.pipeline.run.Progress.Status;
 import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.RunResult;
 import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.simulate.ProjectScenarios;
 import dev.eventchain.pipeline.simulate.SimulateStage;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.pipeline.stage.Sample;
+import dev.eventchain.pipeline.stage.SimulationInputs;
 import dev.eventchain.pipeline.stage.StageMemory;
 import dev.eventchain.pipeline.stage.StageOutcome;
 import dev.eventchain.pipeline.stage.StageRecord;
 import dev.eventchain.pipeline.stage.StageResult;
 import dev.eventchain.pipeline.stage.StageWork;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.HashMap;
@@ -62,6 +60,10 @@ public final class PipelineRun {
   private final EarlierRun before;
   private final StandingResults standing;
   private final Map<Stage, StageOutcome> outcomes = new EnumMap<>(Stage.class);
+
+  /** The finding that the standing verdict is not PASSED, in a run for a report alone. */
+  private final Optional<Diagnostic> notPassed;
+
   private Optional<DiagnosticException.Reason> failure = Optional.empty();
 
   /**
@@ -77,6 +79,7 @@ public final class PipelineRun {
     this.progress = run.progress();
     this.before = before;
     this.standing = new StandingResults(run, memory);
+    this.notPassed = run.options().onlyReports() ? LastVerdict.notPassed(run) : Optional.empty();
   }
 
   /**
@@ -115,11 +118,12 @@ public final class PipelineRun {
         break;
       }
       boolean possible = failure.isEmpty() || asksMeanwhile(stage) || isTriedAnyway(stage);
-      end(run.options().runs(stage) && possible ? runGuarded(stage) : notRun(stage));
+      end(takesPart(stage) && possible ? runGuarded(stage) : StageEnds.notRun(stage));
     }
     correctByVerdict();
     boolean judged = outcomes.get(Stage.SIMULATE).report().isPresent();
-    if (failure.isPresent() && (!judged || run.options().isPartial())) {
+    boolean stays = notPassed.isPresent();
+    if (failure.isPresent() && (!judged || run.options().isPartial()) && !stays) {
       standing.withdraw(stoppedIn());
     }
     boolean simulates = run.options().runs(Stage.SIMULATE);
@@ -127,13 +131,23 @@ public final class PipelineRun {
       restoreVerdict();
     }
     RunResult result =
-        new Conclusion(run, outcomes, failure, progress, before)
+        new Conclusion(run, outcomes, failure, progress, before, stays)
             .conclude()
             .withRecordings(run.recordings());
     if (result.report().isEmpty()) {
       standing.putReportBack();
     }
     return result;
+  }
+
+  /**
+   * Returns whether a stage runs, or its result is recalled for a report alone. Of a verdict that
+   * was not reached, nothing is shown again: its own report stays.
+   */
+  private boolean takesPart(Stage stage) {
+    return run.options().onlyReports()
+        ? notPassed.isEmpty() || stage == Stage.SIMULATE
+        : run.options().runs(stage);
   }
 
   private void end(StageOutcome outcome) {
@@ -150,7 +164,7 @@ public final class PipelineRun {
         run.models().correct(VerdictCorrection.ask(run, run.models().simulated().orElseThrow()));
       } catch (DiagnosticException e) {
         failure = Optional.of(e.reason());
-        end(stopped(Stage.IMPLEMENT, e, start));
+        end(StageEnds.stopped(Stage.IMPLEMENT, e, run.takeFindings(), start));
         return;
       }
       if (run.models().corrections().isEmpty()) {
@@ -158,7 +172,7 @@ public final class PipelineRun {
       }
       failure = Optional.empty();
       for (Stage stage : CORRECTED) {
-        end(failure.isEmpty() ? runGuarded(stage) : notRun(stage));
+        end(failure.isEmpty() ? runGuarded(stage) : StageEnds.notRun(stage));
       }
     }
   }
@@ -234,6 +248,9 @@ public final class PipelineRun {
     progress.started(stage);
     long start = System.nanoTime();
     try {
+      if (stage == Stage.SIMULATE && notPassed.isPresent()) {
+        throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, notPassed.get());
+      }
       if (stage == run.options().first()) {
         new EarlierStages(run, memory, WORK).require(stage).forEach(run::find);
         checkScenarios();
@@ -242,19 +259,35 @@ public final class PipelineRun {
       String key = fingerprint.value();
       Optional<StageRecord> remembered =
           mayBeSkipped(stage) ? recall(stage, key) : Optional.empty();
-      return remembered.isPresent()
-          ? unchanged(stage, remembered.get(), start)
+      if (remembered.isPresent()) {
+        return unchanged(stage, remembered.get(), start);
+      }
+      return run.options().onlyReports() && stage != Stage.VALIDATE
+          ? unrecalled(stage)
           : executed(stage, key, fingerprint.sources(), start);
     } catch (DiagnosticException e) {
       failure = Optional.of(e.reason());
-      return stopped(stage, e, start);
+      return StageEnds.stopped(stage, e, run.takeFindings(), start);
     }
   }
 
-  /** Ends a run with a verdict early if its scenarios cannot lead to one. */
+  /** Returns the outcome of a stage whose result does not stand, in a run for a report alone. */
+  private StageOutcome unrecalled(Stage stage) {
+    if (stage == Stage.SIMULATE) {
+      new EarlierStages(run, memory, WORK).require(stage).forEach(run::find);
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, LastVerdict.outdated(run));
+    }
+    return StageEnds.notRun(stage);
+  }
+
+  /**
+   * Ends a run early if its scenarios cannot lead to a verdict. A mere validation finds that
+   * together with all else.
+   */
   private void checkScenarios() {
-    if (run.options().runs(Stage.SIMULATE)) {
-      List<Diagnostic> found = ProjectScenarios.check(run);
+    boolean validates = run.options().last() == Stage.VALIDATE && !run.options().readsOnly();
+    if (run.options().runs(Stage.SIMULATE) || validates) {
+      List<Diagnostic> found = SimulationInputs.check(run);
       if (Diagnostic.anyError(run.options().suppressions().part(found).remaining())) {
         throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
       }
@@ -262,21 +295,10 @@ public final class PipelineRun {
     }
   }
 
-  /** Returns the outcome of a stage without a result; its findings cannot be suppressed. */
-  private StageOutcome stopped(Stage stage, DiagnosticException problem, long start) {
-    List<Diagnostic> found = new ArrayList<>(run.takeFindings());
-    found.addAll(problem.diagnostics());
-    return new StageOutcome(
-        stage,
-        problem.reason() == DiagnosticException.Reason.WAITING ? Status.WAITING : Status.FAILED,
-        since(start),
-        reason(problem),
-        new Parted(found, List.of()),
-        Coverage.NONE,
-        Optional.empty());
-  }
-
   private boolean mayBeSkipped(Stage stage) {
+    if (run.options().onlyReports()) {
+      return WORK.get(stage).skippable();
+    }
     boolean anyway = stage == Stage.SIMULATE && run.options().simulatesAnyway();
     boolean corrected = stage == Stage.IMPLEMENT && !run.models().corrections().isEmpty();
     boolean asked = run.options().again() || anyway || isPartial(stage) || corrected;
@@ -321,7 +343,7 @@ public final class PipelineRun {
       String skippedBy = Diagnostic.anyError(found) ? StageRecord.NEVER : key;
       memory.remember(stage, record(skippedBy, sources, result, found));
     }
-    return ended(stage, failed ? Status.FAILED : Status.DONE, start, result, parted);
+    return StageEnds.ended(stage, failed ? Status.FAILED : Status.DONE, start, result, parted);
   }
 
   private StageRecord record(
@@ -356,42 +378,8 @@ public final class PipelineRun {
     Parted parted = run.options().suppressions().part(found);
     if (Diagnostic.anyError(parted.remaining())) {
       failure = Optional.of(DiagnosticException.Reason.FINDINGS);
-      return ended(stage, Status.FAILED, start, result, parted);
+      return StageEnds.ended(stage, Status.FAILED, start, result, parted);
     }
-    return ended(stage, Status.UNCHANGED, start, result, parted);
-  }
-
-  private static StageOutcome ended(
-      Stage stage, Status status, long start, StageResult result, Parted found) {
-    return new StageOutcome(
-        stage,
-        status,
-        since(start),
-        result.details(),
-        found,
-        result.coverage(),
-        Optional.of(result.report()));
-  }
-
-  /** Returns the outcome of a stage that did not run; earlier results prove nothing here. */
-  private static StageOutcome notRun(Stage stage) {
-    return new StageOutcome(
-        stage,
-        Status.NOT_RUN,
-        Duration.ZERO,
-        "",
-        new Parted(List.of(), List.of()),
-        Coverage.NONE,
-        Optional.empty());
-  }
-
-  private static String reason(DiagnosticException e) {
-    int count = e.diagnostics().size();
-    String more = count > 1 ? " (and " + (count - 1) + " more)" : "";
-    return e.diagnostics().get(0).message().lines().findFirst().orElse("") + more;
-  }
-
-  private static Duration since(long start) {
-    return Duration.ofNanos(System.nanoTime() - start);
+    return StageEnds.ended(stage, Status.UNCHANGED, start, result, parted);
   }
 }

@@ -80,6 +80,11 @@ public final class Project extends ProjectFolder {
     return existing(Bench.FILE);
   }
 
+  /** Returns the project's own file of faults, if there is one; others are named by options. */
+  public Optional<Path> faults() {
+    return existing("faults.yaml");
+  }
+
   /** Returns the folder of the scenarios. */
   public Path scenarios() {
     return folder().resolve("scenarios");

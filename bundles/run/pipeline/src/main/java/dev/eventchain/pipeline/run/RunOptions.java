@@ -127,6 +127,11 @@ public record RunOptions(
     return first == Stage.VALIDATE && last == Stage.VALIDATE;
   }
 
+  /** Returns whether the run only writes the report about the results that stand. */
+  public boolean onlyReports() {
+    return first == Stage.REPORT;
+  }
+
   public boolean runs(Stage stage) {
     return first.compareTo(stage) <= 0 && stage.compareTo(last) <= 0;
   }

@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Suppressions.Suppressed;
+import dev.eventchain.diagnostics.Trial;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -21,6 +22,7 @@ import java.util.Optional;
  * @param failure the reason why the run could not continue, if it could not
  * @param recordings the messages of scenarios, where they were recorded
  * @param faults a line for each run with a fault
+ * @param trials the scenarios, criteria, requirements and faults as tests with outcomes
  */
 public record RunResult(
     Verdict verdict,
@@ -32,7 +34,8 @@ public record RunResult(
     Optional<Path> report,
     Optional<DiagnosticException.Reason> failure,
     List<Path> recordings,
-    List<FaultLine> faults) {
+    List<FaultLine> faults,
+    List<Trial> trials) {
 
   /** Creates a result without recordings. */
   public RunResult(
@@ -54,6 +57,7 @@ public record RunResult(
         report,
         failure,
         List.of(),
+        List.of(),
         List.of());
   }
 
@@ -69,7 +73,8 @@ public record RunResult(
         report,
         failure,
         files,
-        faults);
+        faults,
+        trials);
   }
 
   /** Returns a copy with results of faults. */
@@ -84,7 +89,24 @@ public record RunResult(
         report,
         failure,
         recordings,
-        lines);
+        lines,
+        trials);
+  }
+
+  /** Returns a copy with tests. */
+  public RunResult withTrials(List<Trial> tests) {
+    return new RunResult(
+        verdict,
+        summary,
+        scenarios,
+        diagnostics,
+        suppressed,
+        coverage,
+        report,
+        failure,
+        recordings,
+        faults,
+        tests);
   }
 
   /** The verdicts of a run. */

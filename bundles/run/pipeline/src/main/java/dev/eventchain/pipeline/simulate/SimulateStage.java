@@ -19,6 +19,7 @@ import dev.eventchain.pipeline.stage.ComponentFiles;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.ProjectChecks;
 import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.stage.SimulationInputs;
 import dev.eventchain.pipeline.stage.StageResult;
 import dev.eventchain.pipeline.stage.StageWork;
 import dev.eventchain.project.ProjectFolder;
@@ -79,7 +80,7 @@ public final class SimulateStage implements StageWork {
   public StageResult execute(RunContext run) {
     EventChain chain = run.chain().chain();
     List<Scenario> scenarios = ProjectScenarios.selected(run);
-    List<Diagnostic> found = connections(run, chain);
+    List<Diagnostic> found = connections(run);
     SimulationResult result = simulate(run, chain, scenarios, found);
     EventChain measured = result.measuredModel(chain);
     Function<EObject, SourceLocation> locator = new Origins()::locate;
@@ -120,8 +121,8 @@ public final class SimulateStage implements StageWork {
    * Returns the findings about unconnected parts of the bench. They end the stage unless
    * suppressed, since a simulation would prove nothing about the chain.
    */
-  private static List<Diagnostic> connections(RunContext run, EventChain chain) {
-    List<Diagnostic> found = new ArrayList<>(run.bench().check(chain, run.chain()::locate));
+  private static List<Diagnostic> connections(RunContext run) {
+    List<Diagnostic> found = new ArrayList<>(SimulationInputs.connections(run));
     if (Diagnostic.anyError(run.options().suppressions().part(found).remaining())) {
       throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
     }

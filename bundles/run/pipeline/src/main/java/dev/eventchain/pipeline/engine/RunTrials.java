@@ -1,0 +1,146 @@
+package dev.eventchain.pipeline.engine;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Suppressions.Suppressed;
+import dev.eventchain.diagnostics.Trial;
+import dev.eventchain.pipeline.results.Criterion;
+import dev.eventchain.pipeline.results.RequirementOutcome;
+import dev.eventchain.pipeline.results.Simulated;
+import dev.eventchain.pipeline.results.SimulatedFault;
+import dev.eventchain.pipeline.results.SimulatedScenario;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+
+/** The scenarios, criteria, requirements and faults of a run as tests with outcomes. */
+final class RunTrials {
+
+  private static final String CRITERION = "simulation.criterion.";
+  private static final String REQUIREMENT = "project.requirement.";
+
+  private final List<Diagnostic> found;
+  private final List<Diagnostic> suppressed;
+  private final boolean accepted;
+  private final List<Trial> scenarios = new ArrayList<>();
+  private final List<Trial> criteria = new ArrayList<>();
+  private final Map<String, Double> seconds = new TreeMap<>();
+  private final Map<String, Integer> names = new HashMap<>();
+  private final Set<Diagnostic> taken = Collections.newSetFromMap(new IdentityHashMap<>());
+
+  private RunTrials(List<Diagnostic> found, List<Suppressed> suppressed, boolean accepted) {
+    this.found = found;
+    this.suppressed = suppressed.stream().map(Suppressed::finding).toList();
+    this.accepted = accepted;
+  }
+
+  /**
+   * Returns all tests of a simulation, in its order.
+   *
+   * @param simulated the report of the simulation, if there was one
+   * @param found the findings of the run that count
+   * @param accepted true if the run has passed, so that whatever did not hold was accepted
+   */
+  static List<Trial> of(
+      Optional<Simulated> simulated,
+      List<Diagnostic> found,
+      List<Suppressed> suppressed,
+      boolean accepted) {
+    RunTrials trials = new RunTrials(found, suppressed, accepted);
+    return simulated.map(trials::all).orElse(List.of());
+  }
+
+  private List<Trial> all(Simulated simulated) {
+    simulated.scenarios().forEach(this::scenario);
+    List<Trial> all = new ArrayList<>(scenarios);
+    all.addAll(criteria);
+    simulated.requirements().forEach(each -> all.add(requirement(each)));
+    simulated.faults().forEach(each -> all.add(fault(each)));
+    return all;
+  }
+
+  private void scenario(SimulatedScenario scenario) {
+    List<Double> times = scenario.series().time();
+    double end = times.isEmpty() ? 0 : times.get(times.size() - 1);
+    scenario.requirements().forEach(id -> seconds.merge(id, end, Double::sum));
+    boolean excused = !scenario.criteria().isEmpty();
+    for (Criterion criterion : scenario.criteria()) {
+      Trial trial = criterion(scenario.name(), criterion, end);
+      excused &= trial.outcome() != Trial.Outcome.FAILED;
+      criteria.add(trial);
+    }
+    scenarios.add(
+        new Trial(
+            Trial.Kind.SCENARIO,
+            scenario.name(),
+            outcome(scenario.passed(), excused),
+            scenario.text(),
+            end,
+            List.of()));
+  }
+
+  private Trial criterion(String scenario, Criterion criterion, double end) {
+    String prefix = "Scenario " + scenario + ": ";
+    List<Diagnostic> about =
+        criterion.passed() ? List.of() : about(found, prefix, criterion.text());
+    boolean isExcused = about.isEmpty() && !about(suppressed, prefix, criterion.text()).isEmpty();
+    String name = scenario + ": " + criterion.text();
+    int number = names.merge(name, 1, Integer::sum);
+    return new Trial(
+        Trial.Kind.CRITERION,
+        number == 1 ? name : name + " (" + number + ")",
+        outcome(criterion.passed(), isExcused),
+        (criterion.tested() ? "" : "not tested: ") + criterion.measured(),
+        end,
+        about);
+  }
+
+  /** Returns the first finding about a criterion that no other one has taken. */
+  private List<Diagnostic> about(List<Diagnostic> findings, String prefix, String text) {
+    return findings.stream()
+        .filter(each -> each.id().startsWith(CRITERION) && each.message().startsWith(prefix))
+        .filter(each -> each.message().contains(text))
+        .filter(taken::add)
+        .limit(1)
+        .toList();
+  }
+
+  private Trial requirement(RequirementOutcome requirement) {
+    String id = requirement.id();
+    List<Diagnostic> about = found.stream().filter(each -> isAbout(each, id)).toList();
+    boolean isExcused = about.isEmpty() && suppressed.stream().anyMatch(each -> isAbout(each, id));
+    return new Trial(
+        Trial.Kind.REQUIREMENT,
+        id,
+        outcome(requirement.outcome() == RequirementOutcome.Outcome.PROVED, isExcused),
+        requirement.outcome().words(),
+        seconds.getOrDefault(id, 0.0),
+        about);
+  }
+
+  private static boolean isAbout(Diagnostic finding, String requirement) {
+    return finding.id().startsWith(REQUIREMENT) && finding.rule().equals(requirement);
+  }
+
+  private Trial fault(SimulatedFault fault) {
+    return new Trial(
+        Trial.Kind.FAULT,
+        fault.name() + " in " + fault.scenario(),
+        outcome(fault.passed(), !fault.judged()),
+        (fault.judged() ? "" : "not judged: ") + fault.text(),
+        fault.vehicle().end(),
+        List.of());
+  }
+
+  private Trial.Outcome outcome(boolean passed, boolean excused) {
+    if (passed) {
+      return Trial.Outcome.PASSED;
+    }
+    return accepted || excused ? Trial.Outcome.SKIPPED : Trial.Outcome.FAILED;
+  }
+}

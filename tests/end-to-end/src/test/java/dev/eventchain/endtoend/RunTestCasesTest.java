@@ -1,0 +1,91 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.w3c.dom.Document;
+import org.w3c.dom.Element;
+import org.w3c.dom.NodeList;
+
+/** Tests the JUnit report of a run: a case for each scenario, criterion and requirement. */
+class RunTestCasesTest {
+
+  @TempDir Path folder;
+
+  @Test
+  void eachScenarioCriterionAndRequirementIsATestWithItsTime() throws Exception {
+    ProjectCopy copy = ProjectCopy.of("radar-aeb", folder);
+    Path file = folder.resolve("TEST-run.xml");
+    new Program().run("run", copy.path(), "--report", "junit=" + file).expect(0);
+    Document report = read(file);
+    Element scenario = testCase(report, "scenarios", "stopped-vehicle-50");
+    assertEquals("11.700", scenario.getAttribute("time"), "until nothing more is judged");
+    assertTrue(scenario.getTextContent().contains("7 criteria hold"), scenario.getTextContent());
+    Element warned = testCase(report, "criteria", "stopped-vehicle-50: the driver is warned");
+    assertEquals("11.700", warned.getAttribute("time"));
+    assertEquals("23.700", testCase(report, "requirements", "RAD-1").getAttribute("time"));
+    assertEquals(0, report.getElementsByTagName("failure").getLength());
+    byte[] before = Files.readAllBytes(file);
+    new Program().run("run", copy.path(), "--report", "junit=" + file).expect(0);
+    assertArrayEquals(before, Files.readAllBytes(file), "of results that are not made again, too");
+  }
+
+  @Test
+  void failuresAreWhereTheyBelong() throws Exception {
+    ProjectCopy copy = ProjectCopy.of("radar-aeb", folder);
+    copy.replace("scenarios/short-sight.yaml", "ego.speed <= 12 km/h", "ego.speed >= 200 km/h");
+    copy.replace("scenarios/stopped-vehicle-50.yaml", "RAD-3, RAD-4", "RAD-3");
+    copy.replace("scenarios/stopped-vehicle-50.yaml", "ttc < 5 s and", "ttc < -5 s and");
+    Path file = folder.resolve("TEST-run.xml");
+    new Program().run("run", copy.path(), "--report", "junit=" + file).expect(1);
+    Document report = read(file);
+    Element failed =
+        testCase(
+            report, "criteria", "short-sight: it is not slower than the vehicle ahead for long");
+    assertEquals("simulation.criterion.failed", failure(failed).getAttribute("type"));
+    assertTrue(failed.getTextContent().contains("scenarios/short-sight.yaml:17"));
+    Element untested =
+        testCase(
+            report,
+            "criteria",
+            "stopped-vehicle-50: the radar's time to collision is the true one");
+    assertEquals("simulation.criterion.untested", failure(untested).getAttribute("type"));
+    failure(testCase(report, "scenarios", "short-sight"));
+    failure(testCase(report, "scenarios", "stopped-vehicle-50"));
+    assertEquals(
+        "violated", failure(testCase(report, "requirements", "RAD-3")).getAttribute("message"));
+    assertEquals(
+        "project.requirement.untested",
+        failure(testCase(report, "requirements", "RAD-4")).getAttribute("type"));
+    assertFalse(Files.readString(file).contains("other findings"), Files.readString(file));
+  }
+
+  private static Element failure(Element testCase) {
+    NodeList failures = testCase.getElementsByTagName("failure");
+    assertEquals(1, failures.getLength(), testCase.getAttribute("name"));
+    return (Element) failures.item(0);
+  }
+
+  private static Element testCase(Document report, String suite, String name) {
+    NodeList all = report.getElementsByTagName("testcase");
+    for (int i = 0; i < all.getLength(); i++) {
+      Element each = (Element) all.item(i);
+      Element parent = (Element) each.getParentNode();
+      if (parent.getAttribute("name").equals(suite) && each.getAttribute("name").startsWith(name)) {
+        return each;
+      }
+    }
+    throw new AssertionError("no case " + suite + " " + name);
+  }
+
+  private static Document read(Path file) throws Exception {
+    return DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(file.toFile());
+  }
+}
