@@ -58,7 +58,7 @@ class ValidationTest {
         .run("validate", copy.path())
         .expect(1)
         .says("contract.consumer.missing")
-        .says("bench.topic.unknown");
+        .says("signals.json says nothing about /cluster/collision_warning");
   }
 
   @Test

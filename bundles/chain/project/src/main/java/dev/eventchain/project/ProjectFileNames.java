@@ -24,6 +24,7 @@ public final class ProjectFileNames {
   /** Names of files that are read, relative to the project. */
   private static final List<String> KNOWN =
       List.of(
+          "accepted.yaml",
           "bench.yaml",
           "constraints.ocl",
           "design-rules.md",

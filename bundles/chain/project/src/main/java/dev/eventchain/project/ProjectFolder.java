@@ -106,6 +106,18 @@ public class ProjectFolder {
     return existing("eventchain-suppressions.yaml");
   }
 
+  /** Returns the file of accepted texts of requirements, which may be absent. */
+  public final Path acceptedFile() {
+    return folder.resolve("accepted.yaml");
+  }
+
+  /** Returns the accepted texts of requirements, if the project keeps any. */
+  public final Optional<AcceptedTexts> accepted() {
+    return isAbsent(acceptedFile())
+        ? Optional.empty()
+        : Optional.of(AcceptedTexts.read(acceptedFile()));
+  }
+
   /** Returns the default output folder. */
   public final Path defaultOutput() {
     return folder.resolve("out");

@@ -51,6 +51,7 @@ final class InitCommand implements Callable<Integer> {
                             + " language model design it from requirements.md."));
     String name = quoted(folder.toString());
     console.out().println("Next: eventchain bench " + name + "; eventchain run " + name);
+    console.out().println("Once it passes: eventchain accept " + name);
     console.out().flush();
     return ExitCode.FINE;
   }

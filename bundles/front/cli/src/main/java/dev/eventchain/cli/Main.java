@@ -42,6 +42,7 @@ public final class Main {
           ValidateCommand.class,
           GenerateCommand.class,
           StageCommands.Simulate.class,
+          AcceptCommand.class,
           EvaluateCommand.class,
           InitCommand.class,
           BenchCommand.class,

@@ -3,8 +3,12 @@ package dev.eventchain.pipeline.results;
 import com.fasterxml.jackson.annotation.JsonValue;
 import java.util.Locale;
 
-/** The outcome of a requirement. */
-public record RequirementOutcome(String id, Outcome outcome) {
+/**
+ * The outcome of a requirement.
+ *
+ * @param text the SHA-256 of the text that it is about, in which only white space does not count
+ */
+public record RequirementOutcome(String id, Outcome outcome, String text) {
 
   /** The possible outcomes. */
   public enum Outcome {

@@ -3,6 +3,7 @@ package dev.eventchain.pipeline.simulate;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.pipeline.results.RequirementOutcome;
 import dev.eventchain.pipeline.results.RequirementOutcome.Outcome;
+import dev.eventchain.project.AcceptedTexts;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import java.util.ArrayList;
@@ -34,7 +35,8 @@ public final class RequirementOutcomes {
       boolean untested = unproven.contains(item.id()) || evidence.untestedIds().contains(item.id());
       Outcome outcome =
           evidence.violatedIds().contains(item.id()) ? Outcome.VIOLATED : outcome(about, untested);
-      outcomes.add(new RequirementOutcome(item.id(), outcome));
+      outcomes.add(
+          new RequirementOutcome(item.id(), outcome, AcceptedTexts.fingerprint(item.text())));
     }
     return outcomes;
   }

@@ -7,6 +7,7 @@ import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.SoftwareNode;
@@ -22,6 +23,7 @@ import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.pipeline.stage.SimulationInputs;
 import dev.eventchain.pipeline.stage.StageResult;
 import dev.eventchain.pipeline.stage.StageWork;
+import dev.eventchain.project.AcceptedTexts;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.sandbox.Confinement;
 import dev.eventchain.simulation.Simulation;
@@ -39,6 +41,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Function;
 import java.util.stream.Collectors;
@@ -74,6 +77,14 @@ public final class SimulateStage implements StageWork {
     fingerprint.addFiles(ProjectFolder.below(run.file(GeneratedPackage.required(run).folder())));
     fingerprint.addFiles(project.messageFiles());
     RuleEvidence.ids(run).forEach(fingerprint::add);
+    run.writtenRequirements().forEach(item -> fingerprint.add(texts(item)));
+    if (run.project().accepted().isPresent()) {
+      fingerprint.addFile(run.project().acceptedFile());
+    }
+  }
+
+  private static String texts(WrittenRequirement item) {
+    return item.id() + " " + AcceptedTexts.fingerprint(item.text());
   }
 
   @Override
@@ -152,11 +163,10 @@ public final class SimulateStage implements StageWork {
       List<Scenario> scenarios,
       SimulationResult result,
       RuleEvidence evidence) {
-    return RequirementOutcomes.of(
-        run.writtenRequirements(),
-        result.verdicts(),
-        RequirementCoverage.unproven(run, chain, scenarios).keySet(),
-        evidence);
+    Set<String> unproven =
+        new TreeSet<>(RequirementCoverage.unproven(run, chain, scenarios).keySet());
+    unproven.addAll(StaleEvidence.ids(StaleEvidence.of(run)));
+    return RequirementOutcomes.of(run.writtenRequirements(), result.verdicts(), unproven, evidence);
   }
 
   private static void addUntested(
@@ -167,6 +177,7 @@ public final class SimulateStage implements StageWork {
       List<RequirementOutcome> outcomes,
       List<Diagnostic> found) {
     found.addAll(RequirementCoverage.untested(run, chain, scenarios));
+    found.addAll(StaleEvidence.of(run));
     found.addAll(unmeasured(chain, result, run.chain()::locate));
     found.addAll(RequirementCoverage.unlisted(run, outcomes, found));
   }

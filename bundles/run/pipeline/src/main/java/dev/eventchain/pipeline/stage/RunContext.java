@@ -178,10 +178,7 @@ public final class RunContext {
   }
 
   private Bench readBench() {
-    return Bench.read(
-        project.bench(),
-        softwareBase().signals().orElse(List.of()),
-        MessageCatalog.of(project.messageFolders()));
+    return Bench.read(project.bench(), softwareBase().signals().orElse(List.of()), messages());
   }
 
   /** Returns the valid message definitions: standard ones and the project's own. */

@@ -32,9 +32,10 @@ public final class SimulationInputs {
    * unreadable scenarios or unknown requirements would be found only after the cost.
    *
    * @return the findings about the requirements that the scenarios name
-   * @throws DiagnosticException INPUT if the bench or a scenario cannot be read
+   * @throws DiagnosticException INPUT if the bench, a scenario or the accepted texts cannot be read
    */
   public static List<Diagnostic> check(RunContext run) {
+    run.project().accepted();
     return named(run, scenarios(run, warning -> {}));
   }
 
@@ -50,6 +51,7 @@ public final class SimulationInputs {
     boolean bench = inputs.of(run::bench).isPresent();
     Optional<List<Scenario>> scenarios =
         bench ? inputs.of(() -> scenarios(run, inputs.found::add)) : Optional.empty();
+    inputs.of(run.project()::accepted);
     scenarios.flatMap(all -> inputs.of(() -> named(run, all))).ifPresent(inputs.found::addAll);
     if (bench && valid) {
       inputs.of(() -> connections(run)).ifPresent(inputs.found::addAll);

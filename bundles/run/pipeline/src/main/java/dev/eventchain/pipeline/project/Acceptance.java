@@ -1,0 +1,78 @@
+package dev.eventchain.pipeline.project;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.project.AcceptedTexts;
+import dev.eventchain.project.ProjectFolder;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.time.LocalDate;
+import java.util.List;
+
+/** Records that people have looked at the evidence for the texts of requirements. */
+public final class Acceptance {
+
+  private Acceptance() {}
+
+  /**
+   * Records the current texts of requirements as accepted.
+   *
+   * @param ids the requirements; all of them if there are none
+   * @param by who accepts them
+   * @return the requirements that are accepted now
+   * @throws DiagnosticException INPUT if a requirement is unknown, or a file cannot be read or
+   *     written
+   */
+  public static AcceptedTexts record(Project project, List<String> ids, String by, LocalDate on) {
+    List<WrittenRequirement> written = ProjectFolder.readRules(project.requirements()).items();
+    List<String> known = written.stream().map(WrittenRequirement::id).toList();
+    List<Diagnostic> unknown =
+        ids.stream()
+            .filter(id -> !known.contains(id))
+            .map(id -> unknown(project, id, known))
+            .toList();
+    if (!unknown.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, unknown);
+    }
+    AcceptedTexts accepted =
+        project
+            .accepted()
+            .orElseGet(() -> new AcceptedTexts(List.of()))
+            .accepting(written, ids.isEmpty() ? known : ids, by, on);
+    write(project.acceptedFile(), accepted.toYaml());
+    return accepted;
+  }
+
+  private static Diagnostic unknown(Project project, String id, List<String> known) {
+    return Diagnostic.error(
+            "project.requirement.unknown",
+            "'" + id + "' is not a requirement of this project.",
+            SourceLocation.of(project.requirements()))
+        .withHint(NearestName.hint(id, known));
+  }
+
+  private static void write(Path file, String text) {
+    Path part = file.resolveSibling("." + file.getFileName() + "." + ProcessHandle.current().pid());
+    try {
+      try {
+        Files.writeString(part, text);
+        Files.move(part, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+      } finally {
+        Files.deleteIfExists(part);
+      }
+    } catch (IOException e) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.error(
+              "output.unwritable",
+              "This cannot be written: " + SourceText.reason(e) + ".",
+              SourceLocation.of(file)));
+    }
+  }
+}
