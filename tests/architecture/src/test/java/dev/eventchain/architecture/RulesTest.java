@@ -102,6 +102,7 @@ class RulesTest {
                 "bench.field.unset",
                 "bench.field.unwritten",
                 "bench.topic.unconnected",
+                "project.requirement.stale",
                 "project.requirement.untested",
                 "simulation.command.ignored",
                 "simulation.criterion.untested",

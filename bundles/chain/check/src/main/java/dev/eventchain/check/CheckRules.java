@@ -7,6 +7,7 @@ import dev.eventchain.diagnostics.Rule;
 public final class CheckRules {
 
   public static final Rule OCL_MODEL_UNCONSTRAINED = Rule.warning("ocl.model-unconstrained");
+  public static final Rule OCL_VACUOUS = Rule.error("ocl.vacuous");
   public static final Rule PROJECT_MODEL = Rule.error("project.model");
   public static final Rule PROJECT_MODEL_MISSING =
       Rule.info("project.model.missing", CommonTrait.UNSUPPRESSIBLE);

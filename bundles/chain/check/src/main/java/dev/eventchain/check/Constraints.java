@@ -1,13 +1,14 @@
 package dev.eventchain.check;
 
-import dev.eventchain.constraints.ConstraintRules;
 import dev.eventchain.constraints.ConstraintProof;
+import dev.eventchain.constraints.ConstraintRules;
 import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.constraints.OclResult;
 import dev.eventchain.constraints.OclRules;
 import dev.eventchain.constraints.OclValidator;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.EventChainMetamodel;
@@ -130,14 +131,11 @@ public final class Constraints {
   }
 
   private static Diagnostic unproving(OclConstraint constraint, String text, Set<String> named) {
-    Diagnostic finding =
-        named.isEmpty()
-            ? Diagnostic.warning("ocl.vacuous", text + ".", constraint.location())
-            : Diagnostic.error(
-                "ocl.vacuous",
-                text + ", so it cannot prove " + String.join(" and ", named) + ".",
-                constraint.location());
-    return finding
+    Severity severity = named.isEmpty() ? Severity.WARNING : Severity.ERROR;
+    String proves =
+        named.isEmpty() ? "." : ", so it cannot prove " + String.join(" and ", named) + ".";
+    return Diagnostic.of(CheckRules.OCL_VACUOUS, text + proves, constraint.location())
+        .withSeverity(severity)
         .withRule(constraint.qualifiedName())
         .withHint("State what the requirement demands of the features of self.");
   }

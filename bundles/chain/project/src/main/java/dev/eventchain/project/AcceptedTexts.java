@@ -7,7 +7,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.model.WrittenRequirement;
 import java.nio.file.Path;
@@ -25,8 +25,6 @@ import java.util.Optional;
  * @param entries in the order of the file
  */
 public record AcceptedTexts(List<Entry> entries) {
-
-  private static final String INVALID = "project.accepted";
 
   private static final String HEAD =
       """
@@ -59,7 +57,10 @@ public record AcceptedTexts(List<Entry> entries) {
     List<Diagnostic> problems = new ArrayList<>();
     List<Entry> entries = new ArrayList<>();
     Document.parseIfAny(
-            SourceText.read(file), DocumentFormat.YAML, FindingIds.all(INVALID), problems::add)
+            SourceText.read(file),
+            DocumentFormat.YAML,
+            DocumentRules.all(ProjectRules.PROJECT_ACCEPTED),
+            problems::add)
         .map(document -> document.objects(problems::add))
         .orElse(List.of())
         .forEach(part -> entry(part).ifPresent(entries::add));
@@ -80,7 +81,10 @@ public record AcceptedTexts(List<Entry> entries) {
           ? Optional.empty()
           : Optional.of(new Entry(requirement, text, by, LocalDate.parse(on), part.location()));
     } catch (DateTimeException e) {
-      part.find(INVALID, "'" + on + "' is not a date; write it as 2027-03-31.", part.at("on"));
+      part.find(
+          ProjectRules.PROJECT_ACCEPTED,
+          "'" + on + "' is not a date; write it as 2027-03-31.",
+          part.at("on"));
       return Optional.empty();
     }
   }

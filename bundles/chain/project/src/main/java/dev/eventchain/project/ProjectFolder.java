@@ -236,8 +236,8 @@ public class ProjectFolder {
         .filter(id -> isAbsent(requirements()))
         .map(
             id ->
-                Diagnostic.error(
-                        "file.missing",
+                Diagnostic.of(
+                        FileRules.MISSING,
                         "There is no such file, but the project names the requirement '"
                             + id
                             + "'.",

@@ -32,7 +32,8 @@ final class Reports {
             SourceLocation.of("/abs/ü.json"));
     Diagnostic known = violated.withRule("SoftwareNode::Known");
     Diagnostic info = Diagnostic.of(Rule.info("file.odd"), "Odd.", SourceLocation.of("rules.ocl"));
-    Diagnostic nowhere = Diagnostic.of(Rule.error("python.unavailable"), "No Python.", SourceLocation.NONE);
+    Diagnostic nowhere =
+        Diagnostic.of(Rule.error("python.unavailable"), "No Python.", SourceLocation.NONE);
     Diagnostic missed =
         Diagnostic.of(
             Rule.error("simulation.criterion.failed"),

@@ -62,8 +62,8 @@ public final class ReportFile {
       return Optional.empty();
     } catch (IOException e) {
       return Optional.of(
-          Diagnostic.error(
-              "report.unwritable",
+          Diagnostic.of(
+              PipelineRules.REPORT_UNWRITABLE,
               "The report of an earlier run cannot be removed: " + SourceText.reason(e) + ".",
               SourceLocation.of(file)));
     }

@@ -7,5 +7,7 @@ final class EngineRules {
 
   static final Rule STAGE_OUTDATED = Rule.error("project.stage.outdated");
 
+  static final Rule VERDICT_FAILED = Rule.error("project.verdict.failed");
+
   private EngineRules() {}
 }

@@ -34,8 +34,8 @@ final class LastVerdict {
     }
     String counted = passed + " of " + Coverage.counted(scenarios.size(), "scenario");
     return Optional.of(
-        Diagnostic.error(
-                "project.verdict.failed",
+        Diagnostic.of(
+                EngineRules.VERDICT_FAILED,
                 "The last simulation did not pass (" + counted + " passed). Its report stays.",
                 SourceLocation.of(run.file(SimulateStage.VERDICT)))
             .withHint("Run '" + run.command("") + "' for a verdict about the current files."));
@@ -51,8 +51,8 @@ final class LastVerdict {
 
   /** Returns the finding that no passed verdict is about the current files. */
   static Diagnostic outdated(RunContext run) {
-    return Diagnostic.error(
-            "project.stage.outdated",
+    return Diagnostic.of(
+            EngineRules.STAGE_OUTDATED,
             "There is no verdict about the current files that a report could show.",
             SourceLocation.of(run.file(SimulateStage.VERDICT)))
         .withHint("Run '" + run.command("--from simulate") + "'.");

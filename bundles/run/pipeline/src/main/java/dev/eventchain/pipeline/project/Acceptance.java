@@ -1,11 +1,13 @@
 package dev.eventchain.pipeline.project;
 
+import dev.eventchain.check.CheckRules;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.output.OutputRules;
 import dev.eventchain.project.AcceptedTexts;
 import dev.eventchain.project.ProjectFolder;
 import java.io.IOException;
@@ -50,8 +52,8 @@ public final class Acceptance {
   }
 
   private static Diagnostic unknown(Project project, String id, List<String> known) {
-    return Diagnostic.error(
-            "project.requirement.unknown",
+    return Diagnostic.of(
+            CheckRules.PROJECT_REQUIREMENT_UNKNOWN,
             "'" + id + "' is not a requirement of this project.",
             SourceLocation.of(project.requirements()))
         .withHint(NearestName.hint(id, known));
@@ -69,8 +71,8 @@ public final class Acceptance {
     } catch (IOException e) {
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT,
-          Diagnostic.error(
-              "output.unwritable",
+          Diagnostic.of(
+              OutputRules.OUTPUT_UNWRITABLE,
               "This cannot be written: " + SourceText.reason(e) + ".",
               SourceLocation.of(file)));
     }

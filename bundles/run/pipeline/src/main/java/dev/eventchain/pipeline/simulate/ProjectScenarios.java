@@ -1,6 +1,5 @@
 package dev.eventchain.pipeline.simulate;
 
-import dev.eventchain.check.CheckRules;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;

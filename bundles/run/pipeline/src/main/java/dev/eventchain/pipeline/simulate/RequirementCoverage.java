@@ -88,7 +88,9 @@ final class RequirementCoverage {
     Set<String> listed =
         parted.suppressed().stream()
             .map(Suppressions.Suppressed::finding)
-            .filter(finding -> finding.is(UNTESTED) || finding.is(SimulateRules.PROJECT_REQUIREMENT_STALE))
+            .filter(
+                finding ->
+                    finding.is(UNTESTED) || finding.is(SimulateRules.PROJECT_REQUIREMENT_STALE))
             .map(Diagnostic::rule)
             .collect(Collectors.toSet());
     Set<String> untested = RequirementOutcomes.untested(outcomes);

@@ -6,6 +6,8 @@ import dev.eventchain.diagnostics.Rule;
 /** Rules of the findings about what a simulation of a project leaves open. */
 final class SimulateRules {
 
+  static final Rule PROJECT_REQUIREMENT_STALE =
+      Rule.error("project.requirement.stale", CommonTrait.UNTESTED);
   static final Rule PROJECT_REQUIREMENT_UNTESTED =
       Rule.error("project.requirement.untested", CommonTrait.UNTESTED);
   static final Rule PROJECT_SCENARIO_UNKNOWN = Rule.error("project.scenario.unknown");

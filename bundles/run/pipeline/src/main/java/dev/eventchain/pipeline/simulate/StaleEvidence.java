@@ -16,8 +16,6 @@ import java.util.stream.Collectors;
  */
 final class StaleEvidence {
 
-  static final String STALE = "project.requirement.stale";
-
   private StaleEvidence() {}
 
   /** Returns a finding for each requirement whose text is not the accepted one. */
@@ -45,7 +43,7 @@ final class StaleEvidence {
                         .formatted(item.id(), known.by(), known.on()))
             .orElse("Nobody has looked at the evidence for " + item.id() + " yet.");
     Diagnostic found =
-        Diagnostic.error(STALE, text, item.location())
+        Diagnostic.of(SimulateRules.PROJECT_REQUIREMENT_STALE, text, item.location())
             .withRule(item.id())
             .withHint(
                 "Read the scenarios and constraints that name it, then run 'eventchain accept "

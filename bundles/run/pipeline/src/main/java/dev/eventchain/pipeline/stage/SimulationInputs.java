@@ -1,8 +1,10 @@
 package dev.eventchain.pipeline.stage;
 
+import dev.eventchain.check.CheckRules;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.simulation.fault.FaultPlan;
 import dev.eventchain.simulation.scenario.Scenario;
@@ -98,19 +100,20 @@ public final class SimulationInputs {
   }
 
   private static Diagnostic unrelated(Scenario scenario) {
-    return Diagnostic.warning(
-            "project.requirement.unknown",
+    return Diagnostic.of(
+            CheckRules.PROJECT_REQUIREMENT_UNKNOWN,
             "The scenario '" + scenario.name() + "' names no requirement, so it proves none.",
             scenario.requirementsLocation())
+        .withSeverity(Severity.WARNING)
         .withHint("Name those that it tests: requirements: [ID, ...]");
   }
 
   private static Diagnostic unknown(Scenario scenario, String id, List<String> known) {
-    return Diagnostic.error(
-            "project.requirement.unknown",
+    return Diagnostic.of(
+            CheckRules.PROJECT_REQUIREMENT_UNKNOWN,
             "The scenario '%s' tests '%s', which is not a requirement of this project."
                 .formatted(scenario.name(), id),
-            scenario.requirementsLocation())
+            scenario.locationOf(id))
         .withHint(NearestName.question(id, known));
   }
 
