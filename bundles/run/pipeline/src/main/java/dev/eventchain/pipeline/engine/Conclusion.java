@@ -86,18 +86,25 @@ final class Conclusion {
       throw new IllegalStateException("a scenario did not pass, and no finding says why");
     }
     String summary = summary(verdict, scenarios, found) + suppressedText(suppressed) + attached();
-    Optional<Path> report = Optional.empty();
-    boolean reportable = !run.options().isPartial() && !failure.equals(Optional.of(Reason.WAITING));
-    if (reportStays) {
-      report = Optional.of(run.file(ReportPage.FILE)).filter(Files::isRegularFile);
-    } else if (run.options().runs(Stage.REPORT) && reportable) {
-      report = writeReport(verdict, summary, found);
-      found.addAll(run.takeFindings());
-    }
+    Optional<Path> report = report(verdict, summary, found);
     List<Trial> trials = RunTrials.of(simulated(), found, suppressed, verdict == Verdict.PASSED);
     return new RunResult(verdict, summary, scenarios, found, suppressed, coverage, report, failure)
         .withFaults(faultLines())
         .withTrials(trials);
+  }
+
+  /** Returns the report, written now unless the standing one stays; adds findings about it. */
+  private Optional<Path> report(Verdict verdict, String summary, List<Diagnostic> found) {
+    if (reportStays) {
+      return Optional.of(run.file(ReportPage.FILE)).filter(Files::isRegularFile);
+    }
+    boolean reportable = !run.options().isPartial() && !failure.equals(Optional.of(Reason.WAITING));
+    if (!run.options().runs(Stage.REPORT) || !reportable) {
+      return Optional.empty();
+    }
+    Optional<Path> report = writeReport(verdict, summary, found);
+    found.addAll(run.takeFindings());
+    return report;
   }
 
   /**
