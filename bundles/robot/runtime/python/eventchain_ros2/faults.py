@@ -56,6 +56,10 @@ class Fault:
         """Return the messages on the topic for one published message: none, one or several."""
         return [data]
 
+    def visible(self, process: str, topic: str, time: int) -> int:
+        """Return when others see a message that is published at this time; in a host of all nodes only."""
+        return time
+
     def clock(self, process: str, now: int) -> int:
         """Return the time on the clock of the process."""
         return now

@@ -20,7 +20,7 @@ from typing import Any
 
 from component_client import ComponentError, Limits
 
-from eventchain_ros2 import catalog, context, faults, message_objects
+from eventchain_ros2 import catalog, context, faults, message_objects, output_faults
 from eventchain_ros2.channel import Channel, Kind
 from eventchain_ros2.clock import NANOSECONDS_PER_SECOND, Duration
 from eventchain_ros2.components import Components, Configuration, Environment
@@ -61,7 +61,8 @@ class HostedNodes:
         self._messages = Messages(catalog.read(map(Path, configuration.get("messages", []))))
         self._components = self._make_components()
         self._losses: dict[str, dict[str, Any]] = {}  # names of failed nodes
-        self.simulation.fault = faults.of(configuration.get("fault"))
+        fault = configuration.get("fault")
+        self.simulation.fault = output_faults.of(fault, self._messages.get) or faults.of(fault)
         if "fault" in configuration:
             self.simulation.survives = self._lose
         self._objects: list[object] = []  # keeps the nodes alive

@@ -198,9 +198,10 @@ class Simulation:
         if self.fault is None:
             self._send(publisher, time, data)
         elif time < NEVER:
-            for each in self.fault.sent(process.name, publisher.topic.name, time, data):
+            topic = publisher.topic.name
+            for each in self.fault.sent(process.name, topic, time, data):
                 if each is data or publisher.decodes(each):
-                    self._send(publisher, time, each)
+                    self._send(publisher, self.fault.visible(process.name, topic, time), each)
 
     def _send(self, publisher: Publisher, time: int, data: bytes | bytearray | memoryview) -> None:
         topic, process = publisher.topic, publisher.process

@@ -193,6 +193,7 @@ abstract class ProjectCommand implements Callable<Integer> {
             scenarios.mcap,
             Optional.ofNullable(scenarios.compare),
             Optional.ofNullable(scenarios.faults),
+            !scenarios.noStrength,
             suppressions(project),
             timeLimit());
     return Outcome.of(
@@ -270,6 +271,11 @@ abstract class ProjectCommand implements Callable<Integer> {
     }
     for (RunResult.FaultLine line : result.faults()) {
       console.out().printf(Locale.ROOT, "%-6s  %-28s %s%n", word(line), line.name(), line.text());
+    }
+    for (RunResult.RequirementLine line : result.requirements()) {
+      console
+          .out()
+          .printf(Locale.ROOT, "%-11s %s: %s%n", line.outcome(), line.id(), line.strength());
     }
     boolean judged =
         result.verdict() != RunResult.Verdict.INCOMPLETE

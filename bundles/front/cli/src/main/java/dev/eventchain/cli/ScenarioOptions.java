@@ -84,6 +84,13 @@ final class ScenarioOptions {
   Path faults;
 
   @Option(
+      names = "--no-strength",
+      description =
+          "Do not measure how many standard faults of its components each requirement's criteria"
+              + " notice. The verdict then says so. A project's 'strength: off' does the same.")
+  boolean noStrength;
+
+  @Option(
       names = "--compare",
       paramLabel = "FILE",
       description =

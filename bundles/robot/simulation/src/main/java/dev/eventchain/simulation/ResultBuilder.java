@@ -29,6 +29,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import java.util.zip.CRC32;
@@ -75,7 +76,8 @@ final class ResultBuilder {
         Stream.of(silent, attached(), ignored(), tooOld(), fromBehind(), wire(), warnings())
             .flatMap(List::stream)
             .toList();
-    return new SimulationResult(verdicts, measurements, found, faults(worked), host);
+    return new SimulationResult(
+        verdicts, measurements, found, faults(worked), Optional.empty(), host);
   }
 
   private List<FaultVerdict> faults(boolean worked) {

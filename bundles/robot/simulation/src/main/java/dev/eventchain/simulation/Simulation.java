@@ -12,18 +12,21 @@ import dev.eventchain.simulation.host.HostProgram;
 import dev.eventchain.simulation.host.LockstepProcess;
 import dev.eventchain.simulation.host.NodeHosts;
 import dev.eventchain.simulation.run.FaultRun;
+import dev.eventchain.simulation.run.OutputFaultRun;
 import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.run.ScenarioRunner;
+import dev.eventchain.simulation.strength.FaultTrial;
+import dev.eventchain.simulation.strength.StrengthTrials;
+import dev.eventchain.simulation.verdict.Strength;
 import dev.eventchain.simulation.wire.AttachedHosts;
 import dev.eventchain.simulation.wire.ChainTopics;
 import dev.eventchain.simulation.wire.DdsHosts;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 
 /**
@@ -38,12 +41,8 @@ public final class Simulation {
   private final Consumer<String> progress;
   private final PythonEnvironment python;
   private final Confinement confinement = Confinement.detect();
-  private final AtomicInteger next = new AtomicInteger();
-  private final AtomicBoolean stopped = new AtomicBoolean();
-  private final List<NodeHosts> open = new ArrayList<>();
   private final SortedMap<Integer, ScenarioRun> runs = new TreeMap<>();
   private final SortedMap<Integer, FaultRun> faultRuns = new TreeMap<>();
-  private final SortedMap<Integer, Throwable> failures = new TreeMap<>();
 
   private Simulation(
       SimulationRequest request, PythonEnvironment python, Consumer<String> progress) {
@@ -84,26 +83,56 @@ public final class Simulation {
     long started = System.nanoTime();
     refuseFaultsInRealTime();
     int processes = processes();
-    List<Thread> workers = new ArrayList<>();
-    for (int i = 0; i < processes; i++) {
-      int turn = i;
-      Thread worker = new Thread(() -> work(turn), "simulation " + (i + 1));
-      workers.add(worker);
-      worker.start();
+    NodeConfiguration nodes = new NodeConfiguration(chain, request.nodePackage());
+    new HostPool(runsInAll(), this::start, (number, hosts) -> work(number, hosts, nodes))
+        .run(processes);
+    if (runs.size() + faultRuns.size() != runsInAll()) {
+      throw new IllegalStateException("a scenario was not simulated");
     }
-    try {
-      for (Thread worker : workers) {
-        worker.join();
-      }
-    } catch (InterruptedException e) {
-      stop(workers);
-      throw e;
-    }
-    requireAll();
     double wallSeconds = (System.nanoTime() - started) / 1e9;
-    return new ResultBuilder(
-            request, chain, List.copyOf(runs.values()), List.copyOf(faultRuns.values()))
-        .build(describeConfinement(), processes, wallSeconds);
+    List<ScenarioRun> driven = List.copyOf(runs.values());
+    SimulationResult result =
+        new ResultBuilder(request, chain, driven, List.copyOf(faultRuns.values()))
+            .build(describeConfinement(), processes, wallSeconds);
+    return request.measuresStrength() && result.passed()
+        ? result.withStrength(strength(nodes, driven))
+        : result;
+  }
+
+  /**
+   * Measures the strength of the requirements, by runs with standard faults of the outputs that are
+   * judged as those without.
+   */
+  private Strength strength(NodeConfiguration nodes, List<ScenarioRun> driven)
+      throws InterruptedException {
+    StrengthTrials trials = new StrengthTrials(chain, driven);
+    run(trials.all(), nodes);
+    run(trials.extended(), nodes);
+    return trials.strength();
+  }
+
+  private void run(List<FaultTrial> trials, NodeConfiguration nodes) throws InterruptedException {
+    HostPool.Job job = (number, hosts) -> work(trials.get(number), hosts, nodes);
+    new HostPool(trials.size(), this::start, job).run(request.processes());
+  }
+
+  /** Tries a fault in all its scenarios; returns false if it ended the processes before. */
+  private boolean work(FaultTrial trial, NodeHosts hosts, NodeConfiguration nodes) {
+    ScenarioRunner runner =
+        new ScenarioRunner(chain, nodes, Optional.empty(), hosts.session(), Map.of());
+    Optional<OutputFaultRun> last = trial.next(runner);
+    while (last.isPresent()) {
+      if (last.get().ended().isPresent()) {
+        return false;
+      }
+      last = trial.next(runner);
+    }
+    tried(trial);
+    return true;
+  }
+
+  private synchronized void tried(FaultTrial trial) {
+    progress.accept(trial.words());
   }
 
   /**
@@ -121,33 +150,6 @@ public final class Simulation {
 
   private String describeConfinement() {
     return request.isAttached() ? AttachedHosts.CONFINEMENT : confinement.describe();
-  }
-
-  private static void throwUnchecked(Throwable failure) {
-    if (failure instanceof Error error) {
-      throw error;
-    }
-    throw (RuntimeException) failure;
-  }
-
-  /** Ends the processes, which also ends the threads that wait for their answers. */
-  private void stop(List<Thread> workers) throws InterruptedException {
-    stopped.set(true);
-    synchronized (open) {
-      open.forEach(NodeHosts::close);
-    }
-    for (Thread worker : workers) {
-      worker.join();
-    }
-  }
-
-  private void requireAll() {
-    if (!failures.isEmpty()) {
-      throwUnchecked(failures.get(failures.firstKey()));
-    }
-    if (runs.size() + faultRuns.size() != runsInAll()) {
-      throw new IllegalStateException("a scenario was not simulated");
-    }
   }
 
   private int runsInAll() {
@@ -172,48 +174,22 @@ public final class Simulation {
         .withHint("Leave out --real-time and --attach: in simulated time, all faults can.");
   }
 
-  /** Simulates runs until none is left, with new processes after a run that ended its process. */
-  private void work(int turn) {
-    int[] taken = {-1};
-    try {
-      boolean more = true;
-      while (more) {
-        more = workInOneProcess(turn, taken);
-      }
-    } catch (RuntimeException | Error e) { // rethrown by run(), so that no thread ends unnoticed
-      failed(taken[0], e);
+  /** Simulates a run; returns false if a fault has ended the processes. */
+  private boolean work(int number, NodeHosts hosts, NodeConfiguration nodes) {
+    ScenarioRunner runner =
+        new ScenarioRunner(chain, nodes, request.recordings(), hosts.session(), recorded());
+    int scenarios = request.scenarios().size();
+    if (number < scenarios) {
+      done(number, runner.run(request.scenarios().get(number)));
+      return true;
     }
+    FaultRun run = runner.run(request.faults().faults().get(number - scenarios));
+    done(number, run);
+    return run.ended().isEmpty();
   }
 
-  /**
-   * Simulates runs until none is left or a fault has ended the process.
-   *
-   * @param taken receives the number of each run
-   * @return true if runs may be left but the process was ended by a fault
-   */
-  private boolean workInOneProcess(int turn, int[] taken) {
-    try (NodeHosts process = start(turn)) {
-      synchronized (open) {
-        open.add(process);
-      }
-      NodeConfiguration nodes = new NodeConfiguration(chain, request.nodePackage());
-      ScenarioRunner runner =
-          new ScenarioRunner(chain, nodes, request.recordings(), process.session());
-      int scenarios = request.scenarios().size();
-      while (!stopped.get() && (taken[0] = next.getAndIncrement()) < runsInAll()) {
-        int number = taken[0];
-        if (number < scenarios) {
-          done(number, runner.run(request.scenarios().get(number)));
-        } else {
-          FaultRun run = runner.run(request.faults().faults().get(number - scenarios));
-          done(number, run);
-          if (run.ended().isPresent()) {
-            return !stopped.get() && next.get() < runsInAll();
-          }
-        }
-      }
-      return false;
-    }
+  private Map<String, List<String>> recorded() {
+    return request.measuresStrength() ? StrengthTrials.recorded(chain) : Map.of();
   }
 
   private NodeHosts start(int turn) {
@@ -246,10 +222,5 @@ public final class Simulation {
   private synchronized void done(int number, FaultRun run) {
     faultRuns.put(number, run);
     progress.accept(run.fault().scenario().name() + " with " + run.fault().name());
-  }
-
-  private synchronized void failed(int scenario, Throwable failure) {
-    stopped.set(true);
-    failures.put(scenario, failure);
   }
 }

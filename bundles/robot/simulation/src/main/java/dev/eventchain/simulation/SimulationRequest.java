@@ -39,6 +39,7 @@ import java.util.function.Predicate;
  *     recorded
  * @param driver the driver of the nodes
  * @param faults the faults to inject, each in an additional run of one of the scenarios
+ * @param strength true to measure the strength of requirements, if every scenario passes
  * @param attachment the DDS domain of the nodes; with {@link SimulationDriver#DDS_ATTACHED} only
  */
 public record SimulationRequest(
@@ -55,6 +56,7 @@ public record SimulationRequest(
     Optional<Path> recordings,
     SimulationDriver driver,
     FaultPlan faults,
+    boolean strength,
     Optional<DdsAttachment> attachment) {
 
   /** Copies the lists; refuses a request without scenario or process. */
@@ -94,44 +96,77 @@ public record SimulationRequest(
         Optional.empty(),
         SimulationDriver.LOCKSTEP,
         FaultPlan.NONE,
+        false,
         Optional.empty());
   }
 
   /** Returns a copy with another number of processes. */
   public SimulationRequest withProcesses(int number) {
-    return with(number, generated, limits, accepted, recordings, driver, faults, attachment);
+    return with(
+        number, generated, limits, accepted, recordings, driver, faults, strength, attachment);
   }
 
   /** Returns a copy with other components that count as generated. */
   public SimulationRequest withGenerated(Set<String> names) {
-    return with(processes, names, limits, accepted, recordings, driver, faults, attachment);
+    return with(
+        processes, names, limits, accepted, recordings, driver, faults, strength, attachment);
   }
 
   /** Returns a copy with other limits. */
   public SimulationRequest withLimits(NodeLimits other) {
-    return with(processes, generated, other, accepted, recordings, driver, faults, attachment);
+    return with(
+        processes, generated, other, accepted, recordings, driver, faults, strength, attachment);
   }
 
   /** Returns a copy with other accepted findings. */
   public SimulationRequest withAccepted(Predicate<Diagnostic> other) {
-    return with(processes, generated, limits, other, recordings, driver, faults, attachment);
+    return with(
+        processes, generated, limits, other, recordings, driver, faults, strength, attachment);
   }
 
   /** Returns a copy with recordings in an existing folder. */
   public SimulationRequest withRecordings(Path folder) {
     return with(
-        processes, generated, limits, accepted, Optional.of(folder), driver, faults, attachment);
+        processes,
+        generated,
+        limits,
+        accepted,
+        Optional.of(folder),
+        driver,
+        faults,
+        strength,
+        attachment);
   }
 
   /** Returns a copy with another driver, which starts the nodes. */
   public SimulationRequest withDriver(SimulationDriver other) {
     return with(
-        processes, generated, limits, accepted, recordings, other, faults, Optional.empty());
+        processes,
+        generated,
+        limits,
+        accepted,
+        recordings,
+        other,
+        faults,
+        strength,
+        Optional.empty());
   }
 
   /** Returns a copy with faults, each in a scenario of this request. */
   public SimulationRequest withFaults(FaultPlan other) {
-    return with(processes, generated, limits, accepted, recordings, driver, other, attachment);
+    return with(
+        processes, generated, limits, accepted, recordings, driver, other, strength, attachment);
+  }
+
+  /** Returns a copy that measures the strength of requirements, if every scenario passes. */
+  public SimulationRequest withStrength() {
+    return with(
+        processes, generated, limits, accepted, recordings, driver, faults, true, attachment);
+  }
+
+  /** Returns whether it measures the strength of requirements, which needs lock-step. */
+  boolean measuresStrength() {
+    return strength && driver == SimulationDriver.LOCKSTEP;
   }
 
   /** Returns a copy with nodes that run elsewhere. */
@@ -144,6 +179,7 @@ public record SimulationRequest(
         recordings,
         SimulationDriver.DDS_ATTACHED,
         faults,
+        strength,
         Optional.of(where));
   }
 
@@ -193,6 +229,7 @@ public record SimulationRequest(
       Optional<Path> newRecordings,
       SimulationDriver newDriver,
       FaultPlan newFaults,
+      boolean newStrength,
       Optional<DdsAttachment> newAttachment) {
     return new SimulationRequest(
         chain,
@@ -208,6 +245,7 @@ public record SimulationRequest(
         newRecordings,
         newDriver,
         newFaults,
+        newStrength,
         newAttachment);
   }
 }

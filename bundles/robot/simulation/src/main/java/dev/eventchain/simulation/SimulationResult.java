@@ -6,7 +6,9 @@ import dev.eventchain.simulation.measure.MeasuredModel;
 import dev.eventchain.simulation.verdict.FaultVerdict;
 import dev.eventchain.simulation.verdict.Measurements;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
+import dev.eventchain.simulation.verdict.Strength;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * The result of a simulation. Everything but {@link #host} and the host times of the nodes is the
@@ -17,6 +19,7 @@ import java.util.List;
  * @param diagnostics findings that do not belong to a criterion, such as connections that were not
  *     made ({@code topic.type.mismatch}, {@code qos.incompatible})
  * @param faults the verdicts of the faults, in the order of the request
+ * @param strength the strength of the requirements; empty if it was not measured
  * @param host the execution of the simulation itself
  */
 public record SimulationResult(
@@ -24,6 +27,7 @@ public record SimulationResult(
     Measurements measurements,
     List<Diagnostic> diagnostics,
     List<FaultVerdict> faults,
+    Optional<Strength> strength,
     Host host) {
 
   /** Copies the lists. */
@@ -59,6 +63,12 @@ public record SimulationResult(
     public double realTimeFactor() {
       return steppingSeconds > 0 ? simulatedSeconds / steppingSeconds : 0;
     }
+  }
+
+  /** Returns a copy with the strength of the requirements. */
+  SimulationResult withStrength(Strength measured) {
+    return new SimulationResult(
+        verdicts, measurements, diagnostics, faults, Optional.of(measured), host);
   }
 
   /** Returns whether every scenario passed. */

@@ -98,8 +98,19 @@ public final class RunLogCheck {
     for (SampleId sample : activation.writes()) {
       boolean first = written.add(sample);
       require(
-          first && time(sample) == activation.end(), "a sample that " + node + " could not write");
+          first && time(sample) == activation.end() + delay(node, sample.topic()),
+          "a sample that " + node + " could not write");
     }
+  }
+
+  /** Returns the time, in ns, by which a fault delays the messages of a node on a topic. */
+  private long delay(String node, String topic) {
+    JsonNode fault = configuration.path("fault");
+    boolean delayed =
+        fault.path("change").asText().equals("delayed")
+            && fault.path("target").asText().equals(node)
+            && fault.path("topic").asText().equals(topic);
+    return delayed ? Math.round(fault.path("amount").asDouble() * NANOSECONDS) : 0;
   }
 
   /** Returns the end of an activation, which a fault may stop or delay. */

@@ -69,7 +69,7 @@ public final class ScenarioJudge {
   }
 
   /** Judges the applicable criteria of the run's scenario, as for {@link #verdict}. */
-  List<CriterionResult> criteria(ScenarioRun run, boolean worked) {
+  public List<CriterionResult> criteria(ScenarioRun run, boolean worked) {
     return run.scenario().criteria().stream()
         .filter(this::applies)
         .map(each -> judge(each, run, worked))

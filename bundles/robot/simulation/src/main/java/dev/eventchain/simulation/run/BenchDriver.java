@@ -72,6 +72,7 @@ final class BenchDriver {
   private final ChainSignals chainSignals;
   private final Lidar lidar;
   private final WorldFault fault;
+  private final OutputRecord outputs;
   private final List<Publisher> publishers = new ArrayList<>();
   private final List<Receiver> receivers = new ArrayList<>();
   private final Map<Actuator, Double> demands = new EnumMap<>(Actuator.class);
@@ -86,12 +87,19 @@ final class BenchDriver {
    *
    * @param chain the topics that the nodes read and write
    * @param fault the fault in its messages
+   * @param outputs receives the outputs of the components
    * @param recorded true if all topics of the nodes are recorded
    * @throws DiagnosticException (INPUT) {@code message.unknown} or {@code message.field.missing}: a
    *     message type is undefined, or does not fit the bench
    */
-  BenchDriver(SimulatedChain chain, Scenario scenario, WorldFault fault, boolean recorded) {
+  BenchDriver(
+      SimulatedChain chain,
+      Scenario scenario,
+      WorldFault fault,
+      OutputRecord outputs,
+      boolean recorded) {
     this.fault = fault;
+    this.outputs = outputs;
     this.chain = chain;
     this.catalog = chain.catalog();
     this.bench = chain.bench();
@@ -108,9 +116,9 @@ final class BenchDriver {
         .filter(topic -> written.contains(topic.topic()))
         .forEach(this::receive);
     observe();
-    if (recorded) {
-      chain.typedTopicsWritten().forEach(this::observe);
-    }
+    chain.typedTopicsWritten().stream()
+        .filter(topic -> recorded || outputs.reads(topic.name()))
+        .forEach(this::observe);
   }
 
   private void publish(Provided provided) {
@@ -276,12 +284,15 @@ final class BenchDriver {
   /** Receives a message of the nodes, which the vehicle follows from its publication on. */
   void take(NodeSession.Outbound outbound, World world) {
     Receiver receiver = receivers.get(outbound.topic());
-    if (receiver.effects().isEmpty() && receiver.recorded().isEmpty()) {
+    if (receiver.effects().isEmpty()
+        && receiver.recorded().isEmpty()
+        && !outputs.reads(receiver.topic().name())) {
       return;
     }
     byte[] bytes = new byte[outbound.message().remaining()];
     outbound.message().duplicate().get(bytes);
     MessageValue message = CdrCodec.decode(receiver.type(), bytes);
+    outputs.add(receiver.topic().name(), message);
     expire(receiver, outbound.time(), world);
     values(receiver.recorded(), message)
         .forEach((name, it) -> world.trace().sample(name, outbound.time(), it));

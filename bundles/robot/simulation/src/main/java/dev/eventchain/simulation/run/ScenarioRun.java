@@ -14,6 +14,7 @@ import java.util.Map;
  * @param ready the Python version and the missing connections, as the process reported them
  * @param lost number of messages lost between nodes, by topic
  * @param notices deadline and liveliness events of DDS
+ * @param outputs the outputs of the components, where they are recorded
  * @param overrun largest delay of the world behind the clock, in ns
  * @param hostNanos wall time of the steps, in ns
  */
@@ -24,6 +25,7 @@ public record ScenarioRun(
     JsonNode ready,
     Map<String, Long> lost,
     List<Notice> notices,
+    OutputRecord outputs,
     long overrun,
     long hostNanos) {
 
@@ -32,7 +34,7 @@ public record ScenarioRun(
 
   /** Returns a copy with the criteria of another scenario. */
   public ScenarioRun with(Scenario other) {
-    return new ScenarioRun(other, trace, log, ready, lost, notices, overrun, hostNanos);
+    return new ScenarioRun(other, trace, log, ready, lost, notices, outputs, overrun, hostNanos);
   }
 
   /** Returns whether the world fell too far behind the clock for valid results. */

@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.simulation.chain.NodeConfiguration;
 import dev.eventchain.simulation.chain.SimulatedChain;
 import dev.eventchain.simulation.fault.Fault;
+import dev.eventchain.simulation.fault.OutputFault;
 import dev.eventchain.simulation.fault.WorldFault;
 import dev.eventchain.simulation.host.NodeSession;
 import dev.eventchain.simulation.host.NodeSession.Inbound;
@@ -39,26 +40,31 @@ public final class ScenarioRunner {
   private final NodeConfiguration nodes;
   private final Optional<Path> recordings;
   private final NodeSession session;
+  private final Map<String, List<String>> outputs;
 
   /**
    * Creates a runner.
    *
    * @param nodes their configuration
    * @param recordings the folder of the recordings; empty for none
+   * @param outputs the paths of the fields to record in runs without a fault, by topic
    */
   public ScenarioRunner(
       SimulatedChain chain,
       NodeConfiguration nodes,
       Optional<Path> recordings,
-      NodeSession session) {
+      NodeSession session,
+      Map<String, List<String>> outputs) {
     this.chain = chain;
     this.nodes = nodes;
     this.recordings = recordings;
     this.session = session;
+    this.outputs = outputs;
   }
 
   public ScenarioRun run(Scenario scenario) {
-    BenchDriver driver = driver(scenario, new WorldFault(Optional.empty()));
+    OutputRecord published = new OutputRecord(outputs);
+    BenchDriver driver = driver(scenario, new WorldFault(Optional.empty()), published);
     JsonNode ready = session.configure(configuration(scenario, driver));
     driver.startAt(session.epoch());
     Optional<Recording> recording =
@@ -66,7 +72,7 @@ public final class ScenarioRunner {
     try {
       World world = world(scenario);
       long hostNanos = drive(world, driver, scenario.horizon(), duration(scenario), recording);
-      ScenarioRun run = finish(scenario, world, ready, hostNanos);
+      ScenarioRun run = finish(scenario, world, ready, published, hostNanos);
       recording.ifPresent(it -> it.finish("at its end"));
       return run;
     } catch (DiagnosticException e) {
@@ -87,7 +93,8 @@ public final class ScenarioRunner {
     criteria.addAll(fault.expected());
     Scenario scenario = fault.scenario().with(criteria);
     WorldFault atWorld = new WorldFault(Optional.of(fault));
-    BenchDriver driver = driver(scenario, atWorld);
+    OutputRecord none = new OutputRecord(Map.of());
+    BenchDriver driver = driver(scenario, atWorld, none);
     ObjectNode configuration = configuration(scenario, driver);
     configuration.set("fault", fault.toJson());
     World world = world(scenario);
@@ -97,20 +104,55 @@ public final class ScenarioRunner {
     try {
       long hostNanos = drive(world, driver, horizon, duration(scenario), Optional.empty());
       return new FaultRun(
-          fault, finish(scenario, world, ready, hostNanos), atWorld, Optional.empty());
+          fault, finish(scenario, world, ready, none, hostNanos), atWorld, Optional.empty());
     } catch (DiagnosticException e) {
-      if (e.reason() != DiagnosticException.Reason.FINDINGS) {
-        throw e;
-      }
-      RunLog log = new RunLog(Map.of(), Map.of());
-      ScenarioRun run =
-          new ScenarioRun(scenario, world.trace(), log, ready, Map.of(), List.of(), 0, 0);
-      return new FaultRun(fault, run, atWorld, Optional.of(e.diagnostics().get(0)));
+      return new FaultRun(
+          fault, endedBy(e, scenario, world, ready), atWorld, Optional.of(e.diagnostics().get(0)));
     }
   }
 
-  private BenchDriver driver(Scenario scenario, WorldFault fault) {
-    return new BenchDriver(chain, scenario, fault, recordings.isPresent());
+  /**
+   * Drives a scenario with a fault of an output, until the criteria of the scenario are decided. As
+   * with {@link #run(Fault)}, the run continues without a node that fails, and nothing is recorded.
+   */
+  public OutputFaultRun run(Scenario scenario, OutputFault fault) {
+    OutputRecord none = new OutputRecord(Map.of());
+    BenchDriver driver = driver(scenario, new WorldFault(Optional.empty()), none);
+    ObjectNode configuration = configuration(scenario, driver);
+    configuration.set("fault", fault.toJson(scenario.seed()));
+    World world = world(scenario);
+    JsonNode ready = session.configure(configuration);
+    try {
+      long hostNanos =
+          drive(world, driver, scenario.horizon(), duration(scenario), Optional.empty());
+      ScenarioRun run = finish(scenario, world, ready, none, hostNanos);
+      return new OutputFaultRun(fault, run, Optional.empty());
+    } catch (DiagnosticException e) {
+      return new OutputFaultRun(
+          fault, endedBy(e, scenario, world, ready), Optional.of(e.diagnostics().get(0)));
+    }
+  }
+
+  /** Returns the run until it was ended by a fault; throws what no fault can cause. */
+  private static ScenarioRun endedBy(
+      DiagnosticException end, Scenario scenario, World world, JsonNode ready) {
+    if (end.reason() != DiagnosticException.Reason.FINDINGS) {
+      throw end;
+    }
+    return new ScenarioRun(
+        scenario,
+        world.trace(),
+        new RunLog(Map.of(), Map.of()),
+        ready,
+        Map.of(),
+        List.of(),
+        new OutputRecord(Map.of()),
+        0,
+        0);
+  }
+
+  private BenchDriver driver(Scenario scenario, WorldFault fault, OutputRecord published) {
+    return new BenchDriver(chain, scenario, fault, published, recordings.isPresent());
   }
 
   private ObjectNode configuration(Scenario scenario, BenchDriver driver) {
@@ -154,7 +196,8 @@ public final class ScenarioRunner {
     return System.nanoTime() - started;
   }
 
-  private ScenarioRun finish(Scenario scenario, World world, JsonNode ready, long hostNanos) {
+  private ScenarioRun finish(
+      Scenario scenario, World world, JsonNode ready, OutputRecord published, long hostNanos) {
     RunLog log = session.finish();
     return new ScenarioRun(
         scenario,
@@ -163,6 +206,7 @@ public final class ScenarioRunner {
         ready,
         session.lost(),
         session.notices(),
+        published,
         session.overrun(),
         hostNanos);
   }

@@ -90,7 +90,7 @@ class RecordingTest {
     try (LockstepProcess process =
         new LockstepProcess(program, request.chain().getSoftware().size(), 0)) {
       run =
-          new ScenarioRunner(chain, nodes, request.recordings(), process.session())
+          new ScenarioRunner(chain, nodes, request.recordings(), process.session(), Map.of())
               .run(AebProject.scenario(SCENARIO));
     }
     JsonNode read = read(only());

@@ -12,16 +12,19 @@ import dev.eventchain.llm.chat.AnswerRules;
 import dev.eventchain.pipeline.report.EarlierRun;
 import dev.eventchain.pipeline.report.ReportData;
 import dev.eventchain.pipeline.report.ReportPage;
+import dev.eventchain.pipeline.results.RequirementOutcome;
 import dev.eventchain.pipeline.results.Simulated;
 import dev.eventchain.pipeline.results.SimulatedFault;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.Progress.Status;
 import dev.eventchain.pipeline.run.RunResult;
 import dev.eventchain.pipeline.run.RunResult.FaultLine;
+import dev.eventchain.pipeline.run.RunResult.RequirementLine;
 import dev.eventchain.pipeline.run.RunResult.ScenarioLine;
 import dev.eventchain.pipeline.run.RunResult.Verdict;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.simulate.RequirementOutcomes;
+import dev.eventchain.pipeline.simulate.RequirementStrength;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.pipeline.stage.StageOutcome;
 import java.nio.file.Files;
@@ -90,7 +93,8 @@ final class Conclusion {
     List<Trial> trials = RunTrials.of(simulated(), found, suppressed, verdict == Verdict.PASSED);
     return new RunResult(verdict, summary, scenarios, found, suppressed, coverage, report, failure)
         .withFaults(faultLines())
-        .withTrials(trials);
+        .withTrials(trials)
+        .withRequirements(requirementLines());
   }
 
   /** Returns the report, written now unless the standing one stays; adds findings about it. */
@@ -162,6 +166,17 @@ final class Conclusion {
               ? untested(scenarios, scenarioText) + ": " + counted + errorText
               : failure.isPresent() ? stopped() : unjudged(scenarios, scenarioText);
     };
+  }
+
+  /** Returns the requirements whose strength was measured in this run. */
+  private List<RequirementLine> requirementLines() {
+    List<RequirementLine> lines = new ArrayList<>();
+    for (RequirementOutcome each : simulated().map(Simulated::requirements).orElse(List.of())) {
+      each.strength()
+          .map(RequirementStrength::words)
+          .ifPresent(it -> lines.add(new RequirementLine(each.id(), each.outcome().words(), it)));
+    }
+    return lines;
   }
 
   /** Returns the simulation of this run; an earlier one proves nothing about it. */

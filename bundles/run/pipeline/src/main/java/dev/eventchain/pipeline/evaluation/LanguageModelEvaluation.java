@@ -209,6 +209,7 @@ public final class LanguageModelEvaluation {
         false,
         Optional.empty(),
         Optional.empty(),
+        false,
         options.suppressions(),
         options.timeLimit());
   }

@@ -33,6 +33,7 @@ import java.util.stream.Stream;
  * @param services the locations and prices of models, and the spending limit of a run
  * @param repairs the number of times that failed checks are sent back to the model
  * @param template the folder of the template set, under templates/, or a file *.mtl of the project
+ * @param strength the strength that requirements have to have
  * @param packageFacts the given metadata of the generated package, by template property, such as
  *     {@code package.license}
  */
@@ -45,6 +46,7 @@ public record Configuration(
     ModelServices services,
     int repairs,
     String template,
+    StrengthSettings strength,
     SortedMap<String, String> packageFacts) {
 
   /** Value for no language model. */
@@ -90,6 +92,7 @@ public record Configuration(
             ModelServices.read(settings),
             (int) settings.wholeNumber("repairs", REPAIRS).orElse(DEFAULT_REPAIRS),
             template(settings, folder),
+            StrengthSettings.read(settings),
             settings.object("package").map(Configuration::facts).orElseGet(TreeMap::new));
     settings.refuseOthers();
     return configuration;
@@ -161,7 +164,7 @@ public record Configuration(
     Map<String, List<String>> one = new TreeMap<>();
     TASKS.forEach(task -> one.put(task, List.of(model)));
     return new Configuration(
-        name, title, frequency, llm, one, services, repairs, template, packageFacts);
+        name, title, frequency, llm, one, services, repairs, template, strength, packageFacts);
   }
 
   /** Returns the language models of all tasks, in the order of the tasks. */

@@ -117,6 +117,7 @@ public final class ReportData {
     simulated().ifPresent(it -> provenance.put("confinement", it.confinement()));
     simulated().ifPresent(it -> provenance.put("python", it.python()));
     simulated().ifPresent(it -> provenance.put("driver", it.driver()));
+    simulated().flatMap(Simulated::strength).ifPresent(it -> provenance.put("strength", it));
     provenance.put("java", System.getProperty("java.version"));
     provenance.put("tool", "eventchain " + version());
   }

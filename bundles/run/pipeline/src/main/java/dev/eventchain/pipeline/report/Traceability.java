@@ -6,6 +6,8 @@ import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.generate.GeneratedLines;
 import dev.eventchain.pipeline.results.Criterion;
+import dev.eventchain.pipeline.results.RequirementOutcome;
+import dev.eventchain.pipeline.results.RequirementOutcome.Outcome;
 import dev.eventchain.pipeline.results.Simulated;
 import dev.eventchain.pipeline.results.SimulatedScenario;
 import dev.eventchain.pipeline.results.Validated;
@@ -47,7 +49,9 @@ final class Traceability {
    * @param components the components that satisfy it
    * @param files the files that implement it
    * @param generated the lines generated for these components; empty for a design rule
-   * @param proved true if there are proofs and all of them passed
+   * @param strength the strength of a requirement, if it was measured
+   * @param proved true if there are proofs, all of them passed, and nothing says that they do not
+   *     test it
    */
   record Row(
       String id,
@@ -56,6 +60,7 @@ final class Traceability {
       List<String> files,
       Optional<List<GeneratedLines.Made>> generated,
       List<Proof> proofs,
+      Optional<RequirementOutcome.Strength> strength,
       boolean proved) {}
 
   /** A scenario or constraint that tests a requirement or design rule. */
@@ -90,6 +95,7 @@ final class Traceability {
       }
     }
     proofs.addAll(checks(item));
+    Optional<RequirementOutcome> outcome = outcome(item);
     return new Row(
         item.id(),
         item.text(),
@@ -100,7 +106,8 @@ final class Traceability {
                 .flatMap(node -> generated.madeFor(node, model.orElseThrow()::locate).stream())
                 .toList()),
         proofs,
-        proved(proofs));
+        outcome.flatMap(RequirementOutcome::strength),
+        proved(proofs) && !isUntested(outcome));
   }
 
   /** Returns what the criteria of a scenario say about one of its requirements. */
@@ -124,7 +131,19 @@ final class Traceability {
         proofs.isEmpty() ? List.of() : List.of(ProjectFolder.GENERATED),
         Optional.empty(),
         proofs,
+        Optional.empty(),
         proved(proofs));
+  }
+
+  /** Returns the outcome of a requirement in the simulation of all scenarios. */
+  private Optional<RequirementOutcome> outcome(WrittenRequirement item) {
+    return simulated().map(Simulated::requirements).orElse(List.of()).stream()
+        .filter(each -> each.id().equals(item.id()))
+        .findFirst();
+  }
+
+  private static boolean isUntested(Optional<RequirementOutcome> outcome) {
+    return outcome.map(RequirementOutcome::outcome).filter(Outcome.NOT_TESTED::equals).isPresent();
   }
 
   private static boolean proved(List<Proof> proofs) {

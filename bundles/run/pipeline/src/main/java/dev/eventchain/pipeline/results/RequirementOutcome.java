@@ -1,14 +1,43 @@
 package dev.eventchain.pipeline.results;
 
 import com.fasterxml.jackson.annotation.JsonValue;
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /**
  * The outcome of a requirement.
  *
  * @param text the SHA-256 of the text that it is about, in which only white space does not count
+ * @param strength the strength of its evidence, if it was measured
  */
-public record RequirementOutcome(String id, Outcome outcome, String text) {
+public record RequirementOutcome(
+    String id, Outcome outcome, String text, Optional<Strength> strength) {
+
+  /**
+   * The standard faults of its components that its criteria notice.
+   *
+   * @param noticed the number of noticed faults
+   * @param faults the number of all
+   * @param unnoticed the others
+   */
+  public record Strength(int noticed, int faults, List<Unnoticed> unnoticed) {
+
+    /** Copies the list. */
+    public Strength {
+      unnoticed = List.copyOf(unnoticed);
+    }
+  }
+
+  /**
+   * A fault that was not noticed.
+   *
+   * @param nearest the criterion that came nearest; empty if none could be judged
+   */
+  public record Unnoticed(String fault, Optional<Nearest> nearest) {}
+
+  /** A criterion that came near to noticing a fault, with its margin if that has a size. */
+  public record Nearest(String scenario, String criterion, Optional<Criterion.Margin> margin) {}
 
   /** The possible outcomes. */
   public enum Outcome {

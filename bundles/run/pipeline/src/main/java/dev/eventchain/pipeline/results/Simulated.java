@@ -16,6 +16,7 @@ import java.util.OptionalLong;
  * @param untested the qualified names of constraints that implement a requirement and were not
  *     tested
  * @param requirements the outcome of each requirement; empty in a simulation of some scenarios
+ * @param strength why the strength of requirements was not measured, if it was not
  * @param validation the results of the constraints on the measured model
  */
 public record Simulated(
@@ -30,6 +31,7 @@ public record Simulated(
     List<Topic> topics,
     List<String> untested,
     List<RequirementOutcome> requirements,
+    Optional<String> strength,
     Validation validation)
     implements StageReport {
 

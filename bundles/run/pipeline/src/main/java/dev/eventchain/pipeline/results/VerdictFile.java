@@ -12,6 +12,7 @@ import java.util.OptionalLong;
  * @param driver the driver of nodes that were started elsewhere, if they were
  * @param suppressed the number of suppressed findings, if there are any
  * @param violated the rules that errors name
+ * @param strength why the strength of requirements was not measured, if it was not
  * @param requirements the outcome of each requirement; empty if there is no verdict
  */
 public record VerdictFile(
@@ -21,6 +22,7 @@ public record VerdictFile(
     Optional<String> driver,
     OptionalLong suppressed,
     @JsonInclude(JsonInclude.Include.NON_EMPTY) List<String> violated,
+    Optional<String> strength,
     Optional<List<RequirementOutcome>> requirements,
     List<Scenario> scenarios,
     @JsonInclude(JsonInclude.Include.NON_EMPTY) List<SimulatedFault> faults) {
@@ -53,6 +55,7 @@ public record VerdictFile(
         Optional.empty(),
         OptionalLong.empty(),
         List.of(),
+        Optional.empty(),
         Optional.empty(),
         List.of(),
         List.of());

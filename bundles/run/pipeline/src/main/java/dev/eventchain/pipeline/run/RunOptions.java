@@ -24,6 +24,7 @@ import java.util.Optional;
  * @param compare the measurements of another run, which the report compares with this one's: its
  *     {@code measurements.json} or its folder
  * @param faults a file of faults for additional simulations of the scenarios
+ * @param strength true to measure the strength of requirements, unless the project does not want it
  * @param suppressions the findings that do not count
  * @param timeLimit the processor time that a constraint may take on the whole model
  */
@@ -40,6 +41,7 @@ public record RunOptions(
     boolean mcap,
     Optional<Path> compare,
     Optional<Path> faults,
+    boolean strength,
     Suppressions suppressions,
     Duration timeLimit) {
 
@@ -75,6 +77,7 @@ public record RunOptions(
         false,
         Optional.empty(),
         Optional.empty(),
+        true,
         Suppressions.NONE,
         OclValidator.TIME_LIMIT);
   }
@@ -103,6 +106,27 @@ public record RunOptions(
         mcap,
         compare,
         faults,
+        strength,
+        suppressions,
+        timeLimit);
+  }
+
+  /** Returns options that do not measure the strength of requirements. */
+  public RunOptions withoutStrength() {
+    return new RunOptions(
+        output,
+        first,
+        last,
+        again,
+        llm,
+        record,
+        overwrite,
+        scenarios,
+        driver,
+        mcap,
+        compare,
+        faults,
+        false,
         suppressions,
         timeLimit);
   }

@@ -23,6 +23,7 @@ import java.util.Optional;
  * @param recordings the messages of scenarios, where they were recorded
  * @param faults a line for each run with a fault
  * @param trials the scenarios, criteria, requirements and faults as tests with outcomes
+ * @param requirements a line for each requirement that was judged
  */
 public record RunResult(
     Verdict verdict,
@@ -35,7 +36,8 @@ public record RunResult(
     Optional<DiagnosticException.Reason> failure,
     List<Path> recordings,
     List<FaultLine> faults,
-    List<Trial> trials) {
+    List<Trial> trials,
+    List<RequirementLine> requirements) {
 
   /** Creates a result without recordings. */
   public RunResult(
@@ -74,7 +76,8 @@ public record RunResult(
         failure,
         files,
         faults,
-        trials);
+        trials,
+        requirements);
   }
 
   /** Returns a copy with results of faults. */
@@ -90,7 +93,8 @@ public record RunResult(
         failure,
         recordings,
         lines,
-        trials);
+        trials,
+        requirements);
   }
 
   /** Returns a copy with tests. */
@@ -106,7 +110,25 @@ public record RunResult(
         failure,
         recordings,
         faults,
-        tests);
+        tests,
+        requirements);
+  }
+
+  /** Returns a copy with outcomes of requirements. */
+  public RunResult withRequirements(List<RequirementLine> lines) {
+    return new RunResult(
+        verdict,
+        summary,
+        scenarios,
+        diagnostics,
+        suppressed,
+        coverage,
+        report,
+        failure,
+        recordings,
+        faults,
+        trials,
+        lines);
   }
 
   /** The verdicts of a run. */
@@ -141,4 +163,13 @@ public record RunResult(
    * @param text the course of events, in a sentence
    */
   public record FaultLine(String name, boolean tested, boolean passed, String text) {}
+
+  /**
+   * The outcome of a requirement in one line.
+   *
+   * @param id the requirement's identifier
+   * @param outcome "proved", "violated" or "not tested"
+   * @param strength the faults that its criteria notice, in words
+   */
+  public record RequirementLine(String id, String outcome, String strength) {}
 }

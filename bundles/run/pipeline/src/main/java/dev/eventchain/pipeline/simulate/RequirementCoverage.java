@@ -30,6 +30,10 @@ final class RequirementCoverage {
 
   private static final Rule UNTESTED = SimulateRules.PROJECT_REQUIREMENT_UNTESTED;
 
+  /** Findings that name an untested requirement. */
+  private static final Set<String> NAMING =
+      Set.of(UNTESTED, "simulation.strength.none", "simulation.strength.idle");
+
   private final EventChain chain;
   private final TopicIndex topics;
   private final Bench bench;
@@ -88,9 +92,7 @@ final class RequirementCoverage {
     Set<String> listed =
         parted.suppressed().stream()
             .map(Suppressions.Suppressed::finding)
-            .filter(
-                finding ->
-                    finding.is(UNTESTED) || finding.is(SimulateRules.PROJECT_REQUIREMENT_STALE))
+            .filter(finding -> NAMING.stream().anyMatch(finding::is))
             .map(Diagnostic::rule)
             .collect(Collectors.toSet());
     Set<String> untested = RequirementOutcomes.untested(outcomes);

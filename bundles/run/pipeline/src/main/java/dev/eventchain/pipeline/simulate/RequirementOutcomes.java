@@ -22,21 +22,30 @@ public final class RequirementOutcomes {
    * @param unproven requirements that no criterion can prove, see {@link
    *     RequirementCoverage#unproven}
    * @param evidence the evidence from their constraints on the measured model
+   * @param strength the strength of the evidence from their scenarios
    */
   static List<RequirementOutcome> of(
       List<WrittenRequirement> requirements,
       List<ScenarioVerdict> verdicts,
       Set<String> unproven,
-      RuleEvidence evidence) {
+      RuleEvidence evidence,
+      RequirementStrength strength) {
     List<RequirementOutcome> outcomes = new ArrayList<>();
     for (WrittenRequirement item : requirements) {
       List<CriterionResult> about =
           verdicts.stream().flatMap(each -> each.criteriaOf(item.id())).toList();
-      boolean untested = unproven.contains(item.id()) || evidence.untestedIds().contains(item.id());
+      boolean untested =
+          unproven.contains(item.id())
+              || evidence.untestedIds().contains(item.id())
+              || strength.isUntested(item.id());
       Outcome outcome =
           evidence.violatedIds().contains(item.id()) ? Outcome.VIOLATED : outcome(about, untested);
       outcomes.add(
-          new RequirementOutcome(item.id(), outcome, AcceptedTexts.fingerprint(item.text())));
+          new RequirementOutcome(
+              item.id(),
+              outcome,
+              AcceptedTexts.fingerprint(item.text()),
+              strength.of(item.id())));
     }
     return outcomes;
   }

@@ -65,6 +65,8 @@ public final class SimulateStage implements StageWork {
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     Project project = run.project();
     fingerprint.add(run.options().driver()).add(Confinement.demanded());
+    fingerprint.add(run.options().strength());
+    fingerprint.addSetting("strength", project.configuration().strength().asValue());
     run.options().faults().ifPresent(fingerprint::addFile);
     fingerprint.addFile(run.model());
     for (Path file : Scenario.filesIn(project.scenarios())) {
@@ -108,7 +110,9 @@ public final class SimulateStage implements StageWork {
     OclResult validation = ProjectChecks.constraints(run).check(measured, locator);
     RuleEvidence evidence = RuleEvidence.of(run, measured, validation);
     found.addAll(evidence.findings());
-    List<RequirementOutcome> outcomes = outcomes(run, chain, scenarios, result, evidence);
+    RequirementStrength strength = RequirementStrength.of(run, result);
+    found.addAll(strength.findings());
+    List<RequirementOutcome> outcomes = outcomes(run, chain, scenarios, result, evidence, strength);
     if (!run.options().isPartial()) {
       addUntested(run, chain, scenarios, result, outcomes, found);
       // Last, so that it never exists without the results it refers to.
@@ -116,7 +120,7 @@ public final class SimulateStage implements StageWork {
     }
     Coverage coverage = Constraints.coverage(List.of(measuredFile(run)), validation).and(ecore);
     Simulated report = report(run, result, validation, outcomes, evidence);
-    return new StageResult(details(result), results(run), found, report, coverage);
+    return new StageResult(details(run, result), results(run), found, report, coverage);
   }
 
   private static void writeMeasurements(RunContext run, EventChain chain, SimulationResult result) {
@@ -154,6 +158,7 @@ public final class SimulateStage implements StageWork {
         result,
         evidence.untestedConstraints(),
         run.options().isPartial() ? List.of() : outcomes,
+        RequirementStrength.unmeasured(run, result),
         ProjectChecks.report(measuredFile(run), validation));
   }
 
@@ -162,11 +167,13 @@ public final class SimulateStage implements StageWork {
       EventChain chain,
       List<Scenario> scenarios,
       SimulationResult result,
-      RuleEvidence evidence) {
+      RuleEvidence evidence,
+      RequirementStrength strength) {
     Set<String> unproven =
         new TreeSet<>(RequirementCoverage.unproven(run, chain, scenarios).keySet());
     unproven.addAll(StaleEvidence.ids(StaleEvidence.of(run)));
-    return RequirementOutcomes.of(run.writtenRequirements(), result.verdicts(), unproven, evidence);
+    return RequirementOutcomes.of(
+        run.writtenRequirements(), result.verdicts(), unproven, evidence, strength);
   }
 
   private static void addUntested(
@@ -231,16 +238,21 @@ public final class SimulateStage implements StageWork {
       List<Diagnostic> found,
       List<RequirementOutcome> outcomes) {
     return SimulationReport.verdict(
-        chain, result, outcomes, run.options().suppressions().part(found));
+        chain,
+        result,
+        outcomes,
+        RequirementStrength.unmeasured(run, result),
+        run.options().suppressions().part(found));
   }
 
-  private static String details(SimulationResult result) {
+  private static String details(RunContext run, SimulationResult result) {
     long passed = result.verdicts().stream().filter(ScenarioVerdict::passed).count();
     return String.format(
         Locale.ROOT,
-        "%d of %d scenarios passed,%s %s",
+        "%d of %d scenarios passed,%s%s %s",
         passed,
         result.verdicts().size(),
+        RequirementStrength.details(run, result),
         result.faults().isEmpty() ? "" : " " + result.faults().size() + " runs with faults,",
         result.host().attached() ? result.host().driver() : how(result.host()));
   }
@@ -267,8 +279,9 @@ public final class SimulateStage implements StageWork {
     GeneratedPackage generated = GeneratedPackage.required(run);
     Recordings recordings = new Recordings(run, scenarios);
     FaultPlan faults = ProjectFaults.selected(run, chain, scenarios);
+    SimulationRequest plain = request(run, chain, generated, scenarios).withFaults(faults);
     SimulationRequest request =
-        recordings.begin(request(run, chain, generated, scenarios).withFaults(faults));
+        recordings.begin(RequirementStrength.isMeasured(run) ? plain.withStrength() : plain);
     int all = scenarios.size() + faults.size();
     AtomicInteger done = new AtomicInteger();
     try {
@@ -276,8 +289,9 @@ public final class SimulateStage implements StageWork {
           request,
           run.python(Stage.SIMULATE),
           name -> {
-            String count = done.incrementAndGet() + " of " + all;
-            run.progress().step(Stage.SIMULATE, count + ": " + name);
+            int count = done.incrementAndGet();
+            String which = count <= all ? count + " of " + all : "fault " + (count - all);
+            run.progress().step(Stage.SIMULATE, which + ": " + name);
           });
     } catch (DiagnosticException e) {
       throw new DiagnosticException(

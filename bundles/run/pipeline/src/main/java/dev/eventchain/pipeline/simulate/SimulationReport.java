@@ -46,12 +46,14 @@ public final class SimulationReport {
    *
    * @param untested the qualified names of untested constraints
    * @param outcomes the outcome of each requirement; empty in a simulation of some scenarios
+   * @param unmeasured why the strength of requirements was not measured; empty if it was
    * @param validation the results of the constraints on the measured model
    */
   static Simulated of(
       SimulationResult result,
       List<String> untested,
       List<RequirementOutcome> outcomes,
+      Optional<String> unmeasured,
       Validation validation) {
     SimulationResult.Host host = result.host();
     MessageFlow flow = result.measurements().flow();
@@ -68,6 +70,7 @@ public final class SimulationReport {
         flow.topics().stream().map(SimulationReport::topic).toList(),
         untested,
         outcomes,
+        unmeasured,
         validation);
   }
 
@@ -115,6 +118,7 @@ public final class SimulationReport {
    * Returns the content of {@code verdict.json}: the same bytes for the same nodes and scenarios.
    *
    * @param outcomes the outcome of each requirement
+   * @param unmeasured why the strength of requirements was not measured; empty if it was
    * @param found all findings about scenarios and measurements, suppressed ones apart; each
    *     scenario that did not pass has one
    */
@@ -122,6 +126,7 @@ public final class SimulationReport {
       EventChain chain,
       SimulationResult result,
       List<RequirementOutcome> outcomes,
+      Optional<String> unmeasured,
       Suppressions.Parted found) {
     List<Diagnostic> errors =
         found.remaining().stream().filter(each -> each.severity() == Severity.ERROR).toList();
@@ -142,6 +147,7 @@ public final class SimulationReport {
             attached(result.host()),
             suppressed > 0 ? OptionalLong.of(suppressed) : OptionalLong.empty(),
             violated,
+            unmeasured,
             Optional.of(outcomes),
             result.verdicts().stream().map(SimulationReport::outcome).toList(),
             FaultReport.of(result)));
@@ -231,7 +237,7 @@ public final class SimulationReport {
             .filter(named -> !named.equals(verdict.requirements())));
   }
 
-  private static Criterion.Margin margin(ScenarioVerdict.Margin margin) {
+  static Criterion.Margin margin(ScenarioVerdict.Margin margin) {
     return new Criterion.Margin(
         Double.isFinite(margin.value())
             ? OptionalDouble.of(rounded(margin.value()))

@@ -207,6 +207,19 @@ function proofItem(proof) {
     html("span", { class: "small muted" }, kind ? " " + kind : ""), passed ? null : html("strong", { class: tone }, " " + word)));
 }
 
+/** The number of standard faults that the criteria of a requirement notice, and which they do not. */
+function strengthItem(strength) {
+  const noticed = number(strength?.noticed);
+  if (noticed === null) {
+    return null;
+  }
+  const words = `Notices ${noticed} of ${count(number(strength.faults), "fault")}`;
+  const missed = records(strength.unnoticed).map((one) => html("li", null, text(one.fault),
+    one.nearest ? html("span", { class: "muted" }, `; nearest: ${text(one.nearest.criterion)} in ${text(one.nearest.scenario)}`) : null));
+  return missed.length === 0 ? html("p", { class: "small" }, words)
+    : html("details", { class: "small" }, html("summary", null, words), html("p", null, "Not noticed:"), html("ul", null, missed));
+}
+
 /** Adds files and proofs to the requirements of the model, and the design rules, which it does not hold. */
 function completeRequirements() {
   const all = document.getElementById("requirements");
@@ -218,7 +231,7 @@ function completeRequirements() {
     row.classList.toggle("unproved", !proved);
     row.cells[2].append(html("ul", null, list(requirement.files).map((file) => html("li", null, code(file))), records(requirement.generated).map(generatedItem)));
     row.cells[3].append(...[proved ? null : status("warn", proofs.length === 0 ? "Not proved: nothing tests it" : "Not proved"),
-      html("ul", null, proofs.map(proofItem))].filter(Boolean));
+      html("ul", null, proofs.map(proofItem)), strengthItem(requirement.strength)].filter(Boolean));
   });
   all.hidden = body.rows.length === 0;
   if (unproved.length > 0) {
@@ -385,7 +398,7 @@ function duration(time) {
 function provenanceSection() {
   const origin = record(data.provenance);
   const models = Object.entries(record(origin.models)).map(([task, model]) => [`LLM for ${text(task)}`, text(model)]);
-  const pairs = [["Tool", text(origin.tool)], ["Simulation driver", text(origin.driver)], ["LLM provider", text(origin.llm)], ["Recordings", text(origin.recordings)],
+  const pairs = [["Tool", text(origin.tool)], ["Simulation driver", text(origin.driver)], ["Strength of requirements", text(origin.strength)], ["LLM provider", text(origin.llm)], ["Recordings", text(origin.recordings)],
     ...models, ["Confinement of components", text(origin.confinement)], ["Python", text(origin.python)], ["Java", text(origin.java)]];
   return pairs.every(([, value]) => value === "") ? null : section("provenance", "Provenance", null, figures("provenance", pairs));
 }

@@ -1,0 +1,125 @@
+package dev.eventchain.simulation;
+
+import dev.eventchain.simulation.host.NodeHosts;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.IntFunction;
+
+/** Processes that do numbered jobs in parallel. */
+final class HostPool {
+
+  private final int jobs;
+  private final IntFunction<NodeHosts> start;
+  private final Job job;
+  private final AtomicInteger next = new AtomicInteger();
+  private final AtomicBoolean stopped = new AtomicBoolean();
+  private final List<NodeHosts> open = new ArrayList<>();
+  private final SortedMap<Integer, Throwable> failures = new TreeMap<>();
+
+  /** A job on nodes in some processes. */
+  interface Job {
+
+    /**
+     * Does the job, or goes on with it in new processes.
+     *
+     * @return true if it is done; false if the processes have ended before
+     */
+    boolean work(int number, NodeHosts hosts);
+  }
+
+  /**
+   * Creates a pool.
+   *
+   * @param jobs the number of jobs
+   * @param start starts processes, given their index among those in parallel
+   */
+  HostPool(int jobs, IntFunction<NodeHosts> start, Job job) {
+    this.jobs = jobs;
+    this.start = start;
+    this.job = job;
+  }
+
+  /**
+   * Does all jobs. The first failure, in the order of the jobs, is thrown after all have ended.
+   *
+   * @throws InterruptedException if the calling thread was interrupted; the processes are ended
+   */
+  void run(int parallel) throws InterruptedException {
+    List<Thread> workers = new ArrayList<>();
+    for (int i = 0; i < Math.min(parallel, jobs); i++) {
+      int turn = i;
+      Thread worker = new Thread(() -> work(turn), "simulation " + (i + 1));
+      workers.add(worker);
+      worker.start();
+    }
+    try {
+      for (Thread worker : workers) {
+        worker.join();
+      }
+    } catch (InterruptedException e) {
+      stop(workers);
+      throw e;
+    }
+    if (!failures.isEmpty()) {
+      throwUnchecked(failures.get(failures.firstKey()));
+    }
+  }
+
+  /** Ends the processes, which also ends the threads that wait for their answers. */
+  private void stop(List<Thread> workers) throws InterruptedException {
+    stopped.set(true);
+    synchronized (open) {
+      open.forEach(NodeHosts::close);
+    }
+    for (Thread worker : workers) {
+      worker.join();
+    }
+  }
+
+  private static void throwUnchecked(Throwable failure) {
+    if (failure instanceof Error error) {
+      throw error;
+    }
+    throw (RuntimeException) failure;
+  }
+
+  /** Does jobs until none is left, with new processes after a job that ended its processes. */
+  private void work(int turn) {
+    int[] taken = {next.getAndIncrement()};
+    try {
+      while (!stopped.get() && taken[0] < jobs) {
+        workInOneProcess(turn, taken);
+      }
+    } catch (RuntimeException | Error e) { // rethrown by run(), so that no thread ends unnoticed
+      failed(taken[0], e);
+    }
+  }
+
+  /**
+   * Does jobs until none is left or one has ended the processes.
+   *
+   * @param taken the number of the current job; receives that of each further one
+   */
+  private void workInOneProcess(int turn, int[] taken) {
+    try (NodeHosts hosts = start.apply(turn)) {
+      synchronized (open) {
+        open.add(hosts);
+      }
+      while (!stopped.get() && taken[0] < jobs) {
+        if (!job.work(taken[0], hosts)) {
+          return;
+        }
+        taken[0] = next.getAndIncrement();
+      }
+    }
+  }
+
+  private synchronized void failed(int number, Throwable failure) {
+    stopped.set(true);
+    failures.put(number, failure);
+  }
+}

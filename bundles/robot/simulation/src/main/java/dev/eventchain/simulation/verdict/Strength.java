@@ -1,0 +1,67 @@
+package dev.eventchain.simulation.verdict;
+
+import dev.eventchain.simulation.verdict.ScenarioVerdict.Margin;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Strength of the evidence for requirements: which standard faults of the components that satisfy a
+ * requirement its criteria notice.
+ *
+ * @param requirements one for each requirement that a simulated component satisfies and a scenario
+ *     names, in the order of their identifiers
+ * @param runs the number of runs with a fault
+ */
+public record Strength(List<Requirement> requirements, int runs) {
+
+  /** Copies the list. */
+  public Strength {
+    requirements = List.copyOf(requirements);
+  }
+
+  /**
+   * The strength of a requirement.
+   *
+   * @param id the identifier of the requirement
+   * @param components the components that satisfy it
+   * @param needed true if a criterion of any scenario notices that one of them does nothing, or
+   *     always the same
+   * @param reactions one for each fault that changed a message in one of its scenarios
+   */
+  public record Requirement(
+      String id, List<String> components, boolean needed, List<Reaction> reactions) {
+
+    /** Copies the lists. */
+    public Requirement {
+      components = List.copyOf(components);
+      reactions = List.copyOf(reactions);
+    }
+
+    /** Returns the number of noticed faults. */
+    public int noticed() {
+      return (int) reactions.stream().filter(Reaction::noticed).count();
+    }
+
+    /** Returns the number of faults. */
+    public int faults() {
+      return reactions.size();
+    }
+
+    /** Returns the faults that were not noticed. */
+    public List<Reaction> unnoticed() {
+      return reactions.stream().filter(each -> !each.noticed()).toList();
+    }
+  }
+
+  /**
+   * The reaction of a requirement's criteria to a fault.
+   *
+   * @param fault the fault, for users
+   * @param noticed true if a criterion that holds without the fault fails with it
+   * @param scenario the scenario that noticed it, or else the one that came nearest
+   * @param criterion the criterion that noticed it, or came nearest; empty if none could be judged
+   * @param margin the margin of that criterion with the fault; empty if it has no size
+   */
+  public record Reaction(
+      String fault, boolean noticed, String scenario, String criterion, Optional<Margin> margin) {}
+}

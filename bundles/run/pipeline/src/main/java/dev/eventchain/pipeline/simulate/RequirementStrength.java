@@ -1,0 +1,198 @@
+package dev.eventchain.pipeline.simulate;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.pipeline.project.StrengthSettings;
+import dev.eventchain.pipeline.results.RequirementOutcome;
+import dev.eventchain.pipeline.results.RequirementOutcome.Nearest;
+import dev.eventchain.pipeline.results.RequirementOutcome.Unnoticed;
+import dev.eventchain.pipeline.run.RunOptions;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.simulation.SimulationResult;
+import dev.eventchain.simulation.verdict.Strength;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/** The strength of the evidence for a project's requirements, and what is missing. */
+public final class RequirementStrength {
+
+  private static final String NONE = "simulation.strength.none";
+  private static final String IDLE = "simulation.strength.idle";
+  private static final String LOW = "simulation.strength.low";
+  private static final double PERCENT = 100;
+
+  /** The number of unnoticed faults that a line names. */
+  private static final int NAMED = 3;
+
+  private final Optional<Strength> strength;
+  private final StrengthSettings settings;
+  private final List<WrittenRequirement> written;
+
+  private RequirementStrength(
+      Optional<Strength> strength, StrengthSettings settings, List<WrittenRequirement> written) {
+    this.strength = strength;
+    this.settings = settings;
+    this.written = written;
+  }
+
+  static RequirementStrength of(RunContext run, SimulationResult result) {
+    return new RequirementStrength(
+        result.strength(), run.project().configuration().strength(), run.writtenRequirements());
+  }
+
+  /** Returns whether a run measures strength. */
+  static boolean isMeasured(RunContext run) {
+    return whyNot(run).isEmpty();
+  }
+
+  /** Returns why a run does not measure strength, whatever its result; empty if it does. */
+  static String whyNot(RunContext run) {
+    RunOptions options = run.options();
+    if (!options.strength() || !run.project().configuration().strength().measured()) {
+      return "switched off";
+    }
+    if (options.isPartial()) {
+      return "only some scenarios were simulated";
+    }
+    return options.driver() == RunOptions.Driver.LOCKSTEP ? "" : "only the driver lockstep can";
+  }
+
+  /** Returns whether a requirement is not tested although its scenarios passed. */
+  boolean isUntested(String id) {
+    return find(id).filter(each -> each.noticed() == 0 || !each.needed()).isPresent();
+  }
+
+  private List<Strength.Requirement> measured() {
+    return strength.map(Strength::requirements).orElse(List.of());
+  }
+
+  /** Returns a finding for each requirement whose criteria notice too little. */
+  List<Diagnostic> findings() {
+    List<Diagnostic> found = new ArrayList<>();
+    for (WrittenRequirement item : written) {
+      find(item.id()).ifPresent(each -> finding(item, each).ifPresent(found::add));
+    }
+    return found;
+  }
+
+  private Optional<Strength.Requirement> find(String id) {
+    return measured().stream().filter(each -> each.id().equals(id)).findFirst();
+  }
+
+  private Optional<Diagnostic> finding(WrittenRequirement item, Strength.Requirement measured) {
+    if (measured.noticed() == 0) {
+      return Optional.of(
+          finding(
+              item,
+              NONE,
+              measured.faults() == 0
+                  ? "No standard fault of %s changes anything in the scenarios that name %s, so its criteria cannot notice any."
+                      .formatted(components(measured), item.id())
+                  : "The criteria of %s notice none of %d standard faults of %s: %s."
+                      .formatted(
+                          item.id(), measured.faults(), components(measured), named(measured)),
+              "Let a scenario that names it need what the component does, with a criterion that fails without it"));
+    }
+    if (!measured.needed()) {
+      return Optional.of(
+          finding(
+              item,
+              IDLE,
+              "No criterion of any scenario notices when %s sends nothing, or always the same, so nothing shows that it does what %s asks for."
+                  .formatted(components(measured), item.id()),
+              "Add a scenario in which the component has to react, with a criterion that fails if it does not"));
+    }
+    double part = PERCENT * measured.noticed() / measured.faults();
+    double minimum = settings.minimumOf(item.id());
+    return part >= minimum
+        ? Optional.empty()
+        : Optional.of(
+            finding(
+                item,
+                LOW,
+                String.format(
+                    Locale.ROOT,
+                    "The criteria of %s notice %d of %d standard faults, which is %.0f %% and not %.0f %%. Not: %s.",
+                    item.id(),
+                    measured.noticed(),
+                    measured.faults(),
+                    part,
+                    minimum,
+                    named(measured)),
+                "Add criteria that notice them"));
+  }
+
+  private static Diagnostic finding(
+      WrittenRequirement item, String id, String message, String hint) {
+    return Diagnostic.error(id, message, item.location())
+        .withRule(item.id())
+        .withHint(hint + ", or suppress this finding with a reason and an expiry date.");
+  }
+
+  private static String components(Strength.Requirement measured) {
+    return String.join(
+        " and ", measured.components().stream().map(name -> "'" + name + "'").toList());
+  }
+
+  private static String named(Strength.Requirement measured) {
+    return named(measured.unnoticed().stream().map(Strength.Reaction::fault).toList());
+  }
+
+  /** Returns the first of some faults and the number of the others. */
+  private static String named(List<String> faults) {
+    String first = String.join("; ", faults.subList(0, Math.min(NAMED, faults.size())));
+    return faults.size() <= NAMED ? first : first + "; and " + (faults.size() - NAMED) + " more";
+  }
+
+  /** Returns the strength of a requirement; empty if it was not measured. */
+  Optional<RequirementOutcome.Strength> of(String id) {
+    return find(id).map(RequirementStrength::strength);
+  }
+
+  private static RequirementOutcome.Strength strength(Strength.Requirement measured) {
+    return new RequirementOutcome.Strength(
+        measured.noticed(),
+        measured.faults(),
+        measured.unnoticed().stream().map(RequirementStrength::unnoticed).toList());
+  }
+
+  private static Unnoticed unnoticed(Strength.Reaction reaction) {
+    Nearest nearest =
+        new Nearest(
+            reaction.scenario(),
+            reaction.criterion(),
+            reaction.margin().map(SimulationReport::margin));
+    return new Unnoticed(
+        reaction.fault(), reaction.criterion().isEmpty() ? Optional.empty() : Optional.of(nearest));
+  }
+
+  /** Returns why strength was not measured, for people; empty if it was. */
+  static Optional<String> unmeasured(RunContext run, SimulationResult result) {
+    if (result.strength().isPresent()) {
+      return Optional.empty();
+    }
+    String why = whyNot(run);
+    return Optional.of("not measured: " + (why.isEmpty() ? "not every scenario passed" : why));
+  }
+
+  /** Returns what a stage says of it: the number of runs, or that there is no measurement. */
+  static String details(RunContext run, SimulationResult result) {
+    if (result.strength().isPresent()) {
+      return " " + result.strength().get().runs() + " runs with standard faults,";
+    }
+    return run.options().isPartial() || !result.passed() ? "" : " strength not measured,";
+  }
+
+  /**
+   * Returns the strength of a requirement in words, "notices 9 of 11 faults", with those that it
+   * does not notice.
+   */
+  public static String words(RequirementOutcome.Strength strength) {
+    String words = "notices %d of %d faults".formatted(strength.noticed(), strength.faults());
+    return strength.unnoticed().isEmpty()
+        ? words
+        : words + ", not: " + named(strength.unnoticed().stream().map(Unnoticed::fault).toList());
+  }
+}

@@ -1,0 +1,144 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Tests the strength of requirements on the radar example: what notices nothing is not tested, and
+ * its sharp twin is proved with numbers.
+ */
+class StrengthTest {
+
+  private static final String SCENARIO = "scenarios/stopped-vehicle-50.yaml";
+  private static final String SHORT_SIGHT = "scenarios/short-sight.yaml";
+  private static final String ALL = "requirements: [RAD-1, RAD-2, RAD-3, RAD-4]\n";
+
+  /** A drive in which nothing happens, about the requirement on warnings. */
+  private static final String CREEPING =
+      """
+      name: creeping
+      title: Behind a slow vehicle
+      requirements: [RAD-2]
+      seed: 5
+      duration_s: 2
+      ego: {speed_kmh: 4, coasting_deceleration_mps2: 0}
+      actors: [{gap_m: 50, speed_kmh: 4}]
+      accept:
+        never_brakes: true
+      """;
+
+  @TempDir private Path folder;
+  private ProjectCopy project;
+
+  @BeforeEach
+  void copyProject() throws IOException {
+    project = ProjectCopy.of("radar-aeb", folder);
+    project.replace(SHORT_SIGHT, "duration_s: 14", "duration_s: 13");
+  }
+
+  private Program.Ended run(Object... more) {
+    Object[] all = new Object[more.length + 2];
+    all[0] = "run";
+    all[1] = project.path();
+    System.arraycopy(more, 0, all, 2, more.length);
+    return new Program().measuringStrength().run(all);
+  }
+
+  private JsonNode verdict() throws IOException {
+    return new ObjectMapper().readTree(project.path().resolve("out/verdict.json").toFile());
+  }
+
+  private JsonNode requirement(String id) throws IOException {
+    for (JsonNode each : verdict().path("requirements")) {
+      if (each.path("id").asText().equals(id)) {
+        return each;
+      }
+    }
+    throw new AssertionError("no requirement " + id);
+  }
+
+  /** A criterion that cannot notice what the warning does, beside others that can. */
+  @Test
+  void requirementWhoseOnlyCriterionNoticesNothing() throws IOException {
+    project.replace(SCENARIO, ALL, "requirements: [RAD-1, RAD-3, RAD-4]\n");
+    project.write("scenarios/creeping.yaml", CREEPING);
+    run()
+        .expect(1)
+        .says("INCOMPLETE: 3 of 3 scenarios passed, but not all was tested")
+        .says("The criteria of RAD-2 notice none of")
+        .says("[simulation.strength.none RAD-2]")
+        .says("not tested  RAD-2: notices 0 of ");
+    assertEquals("not tested", requirement("RAD-2").path("outcome").asText());
+    assertEquals("proved", requirement("RAD-3").path("outcome").asText());
+  }
+
+  @Test
+  void itsSharpTwinIsProvedWithNumbers() throws IOException {
+    project.replace(SCENARIO, ALL, "requirements: [RAD-1, RAD-3, RAD-4]\n");
+    project.write(
+        "scenarios/creeping.yaml",
+        CREEPING.replace(
+            "  never_brakes: true\n",
+            "  never_brakes: true\n"
+                + "  formulas:\n"
+                + "    - formula: always[0.2, 1.9] not /cluster/collision_warning.data\n"));
+    run()
+        .expect(0)
+        .says("PASSED: 3 of 3 scenarios passed, 4 requirements proved")
+        .says("proved      RAD-2: notices ");
+    JsonNode strength = requirement("RAD-2").path("strength");
+    assertTrue(strength.path("noticed").asInt() >= 2, strength.toString());
+    assertTrue(Files.readString(project.path().resolve("out/report.html")).contains("\"noticed\""));
+  }
+
+  /** One scenario that names all requirements, in which the software has nothing to do. */
+  @Test
+  void prohibitionsAloneProveNothing() throws IOException {
+    project.write(SCENARIO, CREEPING.replace("[RAD-2]", "[RAD-1, RAD-2, RAD-3, RAD-4]"));
+    project.onlyScenario(SCENARIO);
+    run().expect(1).says("INCOMPLETE: 1 of 1 scenarios passed, but not all was tested");
+    for (String id : new String[] {"RAD-1", "RAD-2", "RAD-3", "RAD-4"}) {
+      assertEquals("not tested", requirement(id).path("outcome").asText(), id);
+    }
+  }
+
+  @Test
+  void strengthBelowWhatTheProjectAsksFor() throws IOException {
+    Path settings = project.path().resolve("eventchain.yaml");
+    String before = Files.readString(settings);
+    Files.writeString(
+        settings, before + "strength: {minimum_percent: 10, requirements: {RAD-2: 95}}\n");
+    project.onlyScenario(SCENARIO);
+    run()
+        .expect(1)
+        .says("INCOMPLETE: 1 of 1 scenarios passed")
+        .says("[simulation.strength.low RAD-2]");
+    byte[] first = Files.readAllBytes(project.path().resolve("out/verdict.json"));
+    run("--again").expect(1);
+    assertArrayEquals(first, Files.readAllBytes(project.path().resolve("out/verdict.json")));
+  }
+
+  @Test
+  void withoutAMeasurementTheVerdictSaysSo() throws IOException {
+    project.onlyScenario(SCENARIO);
+    run("--no-strength").expect(0).says("strength not measured");
+    assertEquals("not measured: switched off", verdict().path("strength").asText());
+    assertFalse(requirement("RAD-1").has("strength"));
+    project.write(
+        "eventchain.yaml",
+        Files.readString(project.path().resolve("eventchain.yaml")) + "strength: off\n");
+    run().expect(0).says("strength not measured");
+    assertEquals("not measured: switched off", verdict().path("strength").asText());
+  }
+}
