@@ -83,45 +83,54 @@ public final class RequirementStrength {
 
   private Optional<Diagnostic> finding(WrittenRequirement item, Strength.Requirement measured) {
     if (measured.noticed() == 0) {
-      return Optional.of(
-          finding(
-              item,
-              NONE,
-              measured.faults() == 0
-                  ? "No standard fault of %s changes anything in the scenarios that name %s, so its criteria cannot notice any."
-                      .formatted(components(measured), item.id())
-                  : "The criteria of %s notice none of %d standard faults of %s: %s."
-                      .formatted(
-                          item.id(), measured.faults(), components(measured), named(measured)),
-              "Let a scenario that names it need what the component does, with a criterion that fails without it"));
+      return Optional.of(none(item, measured));
     }
     if (!measured.needed()) {
-      return Optional.of(
-          finding(
-              item,
-              IDLE,
-              "No criterion of any scenario notices when %s sends nothing, or always the same, so nothing shows that it does what %s asks for."
-                  .formatted(components(measured), item.id()),
-              "Add a scenario in which the component has to react, with a criterion that fails if it does not"));
+      return Optional.of(idle(item, measured));
     }
     double part = PERCENT * measured.noticed() / measured.faults();
-    double minimum = settings.minimumOf(item.id());
-    return part >= minimum
+    return part >= settings.minimumOf(item.id())
         ? Optional.empty()
-        : Optional.of(
-            finding(
-                item,
-                LOW,
-                String.format(
-                    Locale.ROOT,
-                    "The criteria of %s notice %d of %d standard faults, which is %.0f %% and not %.0f %%. Not: %s.",
-                    item.id(),
-                    measured.noticed(),
-                    measured.faults(),
-                    part,
-                    minimum,
-                    named(measured)),
-                "Add criteria that notice them"));
+        : Optional.of(low(item, measured, part));
+  }
+
+  private static Diagnostic none(WrittenRequirement item, Strength.Requirement measured) {
+    String message =
+        measured.faults() == 0
+            ? "No standard fault of %s changes anything in the scenarios that name %s, so its criteria cannot notice any."
+                .formatted(components(measured), item.id())
+            : "The criteria of %s notice none of %d standard faults of %s: %s."
+                .formatted(item.id(), measured.faults(), components(measured), named(measured));
+    return finding(
+        item,
+        NONE,
+        message,
+        "Let a scenario that names it need what the component does, with a criterion that fails without it");
+  }
+
+  private static Diagnostic idle(WrittenRequirement item, Strength.Requirement measured) {
+    return finding(
+        item,
+        IDLE,
+        "No criterion of any scenario notices when %s sends nothing, or always the same, so nothing shows that it does what %s asks for."
+            .formatted(components(measured), item.id()),
+        "Add a scenario in which the component has to react, with a criterion that fails if it does not");
+  }
+
+  private Diagnostic low(WrittenRequirement item, Strength.Requirement measured, double part) {
+    return finding(
+        item,
+        LOW,
+        String.format(
+            Locale.ROOT,
+            "The criteria of %s notice %d of %d standard faults, which is %.1f %% and not %.1f %%. Not: %s.",
+            item.id(),
+            measured.noticed(),
+            measured.faults(),
+            part,
+            settings.minimumOf(item.id()),
+            named(measured)),
+        "Add criteria that notice them");
   }
 
   private static Diagnostic finding(
