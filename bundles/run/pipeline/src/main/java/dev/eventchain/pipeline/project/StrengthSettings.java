@@ -4,7 +4,6 @@ import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import java.util.Map;
-import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
@@ -30,11 +29,7 @@ public record StrengthSettings(boolean measured, double minimum, SortedMap<Strin
   }
 
   static StrengthSettings read(ObjectReader settings) {
-    Optional<JsonNode> value = settings.value(KEY);
-    if (value.isEmpty()) {
-      return DEFAULT;
-    }
-    if (value.filter(StrengthSettings::isOff).isPresent()) {
+    if (settings.value(KEY).filter(StrengthSettings::isOff).isPresent()) {
       return new StrengthSettings(false, 0, new TreeMap<>());
     }
     return settings.object(KEY).map(StrengthSettings::section).orElse(DEFAULT);

@@ -33,6 +33,20 @@ class ProjectTest {
   }
 
   @Test
+  void strengthIsMeasuredUnlessTheProjectSaysOtherwise() throws IOException {
+    StrengthSettings usual = open("name: aeb\n").configuration().strength();
+    assertEquals(StrengthSettings.DEFAULT, usual);
+    assertTrue(usual.measured());
+    assertFalse(open("name: aeb\nstrength: off\n").configuration().strength().measured());
+    StrengthSettings stricter =
+        open("name: aeb\nstrength: {minimum_percent: 60, requirements: {AEB-2: 40}}\n")
+            .configuration()
+            .strength();
+    assertEquals(60, stricter.minimumOf("AEB-1"));
+    assertEquals(40, stricter.minimumOf("AEB-2"));
+  }
+
+  @Test
   void whatThePackageSaysOfItselfIsForTheTemplates() throws IOException {
     String yaml = "name: aeb\npackage: {license: EPL-2.0, maintainer: Åsa, email: a@b.example}\n";
     assertEquals(
@@ -81,6 +95,11 @@ class ProjectTest {
         "name: aeb; models: {design: }|2:17|there is nothing here",
         "name: aeb; models: {design: ''}|2:18|'design' is empty",
         "name: aeb; models: &m {design: *m}|2:21|Aliases are not read",
+        "name: aeb; strength:|2:10|there is nothing here",
+        "name: aeb; strength: 50|2:11|a mapping",
+        "name: aeb; strength: {minimum: 50}|2:12|no key 'minimum'",
+        "name: aeb; strength: {minimum_percent: 101}|2:29|from 0 to 100, not 101",
+        "name: aeb; strength: {requirements: {A: -1}}|2:30|from 0 to 100, not -1",
         "name: aeb; package: MIT|2:10|a mapping",
         "name: aeb; package: {licence: MIT}|2:11|no key 'licence'",
         "name: aeb; ---; name: b|2:1|A second document",
