@@ -111,6 +111,9 @@ class RulesTest {
                 "simulation.latency.unmeasured",
                 "simulation.node.silent",
                 "simulation.rule.untested",
+                "simulation.strength.idle",
+                "simulation.strength.low",
+                "simulation.strength.none",
                 "simulation.wire.unmatched")),
         ids(rules));
   }

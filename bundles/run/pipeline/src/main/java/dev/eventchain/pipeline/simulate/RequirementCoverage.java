@@ -31,8 +31,12 @@ final class RequirementCoverage {
   private static final Rule UNTESTED = SimulateRules.PROJECT_REQUIREMENT_UNTESTED;
 
   /** Findings that name an untested requirement. */
-  private static final Set<String> NAMING =
-      Set.of(UNTESTED, "simulation.strength.none", "simulation.strength.idle");
+  private static final Set<Rule> NAMING =
+      Set.of(
+          UNTESTED,
+          SimulateRules.PROJECT_REQUIREMENT_STALE,
+          SimulateRules.SIMULATION_STRENGTH_NONE,
+          SimulateRules.SIMULATION_STRENGTH_IDLE);
 
   private final EventChain chain;
   private final TopicIndex topics;

@@ -42,10 +42,7 @@ public final class RequirementOutcomes {
           evidence.violatedIds().contains(item.id()) ? Outcome.VIOLATED : outcome(about, untested);
       outcomes.add(
           new RequirementOutcome(
-              item.id(),
-              outcome,
-              AcceptedTexts.fingerprint(item.text()),
-              strength.of(item.id())));
+              item.id(), outcome, AcceptedTexts.fingerprint(item.text()), strength.of(item.id())));
     }
     return outcomes;
   }

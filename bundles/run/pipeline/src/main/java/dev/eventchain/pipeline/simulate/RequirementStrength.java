@@ -1,6 +1,7 @@
 package dev.eventchain.pipeline.simulate;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.pipeline.project.StrengthSettings;
 import dev.eventchain.pipeline.results.RequirementOutcome;
@@ -18,9 +19,6 @@ import java.util.Optional;
 /** The strength of the evidence for a project's requirements, and what is missing. */
 public final class RequirementStrength {
 
-  private static final String NONE = "simulation.strength.none";
-  private static final String IDLE = "simulation.strength.idle";
-  private static final String LOW = "simulation.strength.low";
   private static final double PERCENT = 100;
 
   /** The number of unnoticed faults that a line names. */
@@ -103,7 +101,7 @@ public final class RequirementStrength {
                 .formatted(item.id(), measured.faults(), components(measured), named(measured));
     return finding(
         item,
-        NONE,
+        SimulateRules.SIMULATION_STRENGTH_NONE,
         message,
         "Let a scenario that names it need what the component does, with a criterion that fails without it");
   }
@@ -111,7 +109,7 @@ public final class RequirementStrength {
   private static Diagnostic idle(WrittenRequirement item, Strength.Requirement measured) {
     return finding(
         item,
-        IDLE,
+        SimulateRules.SIMULATION_STRENGTH_IDLE,
         "No criterion of any scenario notices when %s sends nothing, or always the same, so nothing shows that it does what %s asks for."
             .formatted(components(measured), item.id()),
         "Add a scenario in which the component has to react, with a criterion that fails if it does not");
@@ -120,7 +118,7 @@ public final class RequirementStrength {
   private Diagnostic low(WrittenRequirement item, Strength.Requirement measured, double part) {
     return finding(
         item,
-        LOW,
+        SimulateRules.SIMULATION_STRENGTH_LOW,
         String.format(
             Locale.ROOT,
             "The criteria of %s notice %d of %d standard faults, which is %.1f %% and not %.1f %%. Not: %s.",
@@ -134,8 +132,8 @@ public final class RequirementStrength {
   }
 
   private static Diagnostic finding(
-      WrittenRequirement item, String id, String message, String hint) {
-    return Diagnostic.error(id, message, item.location())
+      WrittenRequirement item, Rule rule, String message, String hint) {
+    return Diagnostic.of(rule, message, item.location())
         .withRule(item.id())
         .withHint(hint + ", or suppress this finding with a reason and an expiry date.");
   }

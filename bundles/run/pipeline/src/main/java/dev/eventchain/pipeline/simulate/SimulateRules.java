@@ -17,5 +17,12 @@ final class SimulateRules {
   static final Rule SIMULATION_RULE_UNTESTED =
       Rule.error("simulation.rule.untested", CommonTrait.UNTESTED);
 
+  static final Rule SIMULATION_STRENGTH_IDLE =
+      Rule.error("simulation.strength.idle", CommonTrait.UNTESTED);
+  static final Rule SIMULATION_STRENGTH_LOW =
+      Rule.error("simulation.strength.low", CommonTrait.UNTESTED);
+  static final Rule SIMULATION_STRENGTH_NONE =
+      Rule.error("simulation.strength.none", CommonTrait.UNTESTED);
+
   private SimulateRules() {}
 }
