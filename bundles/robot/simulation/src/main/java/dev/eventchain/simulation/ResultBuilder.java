@@ -58,7 +58,7 @@ final class ResultBuilder {
   SimulationResult build(String confinement, int processes, double wallSeconds) {
     List<Diagnostic> silent = silent();
     boolean worked = silent.stream().allMatch(request.accepted());
-    ScenarioJudge judge = new ScenarioJudge(chain);
+    ScenarioJudge judge = new ScenarioJudge(chain, runs);
     List<ScenarioVerdict> verdicts =
         runs.stream().map(run -> judge.verdict(run, worked(run, silent))).toList();
     Measurements measurements = measurements(verdicts);
@@ -73,15 +73,23 @@ final class ResultBuilder {
             wallSeconds,
             runs.stream().mapToDouble(run -> World.seconds(run.hostNanos())).sum());
     List<Diagnostic> found =
-        Stream.of(silent, attached(), ignored(), tooOld(), fromBehind(), wire(), warnings())
+        Stream.of(
+                silent,
+                attached(),
+                ignored(),
+                tooOld(),
+                impacts(),
+                fromBehind(),
+                wire(),
+                warnings())
             .flatMap(List::stream)
             .toList();
     return new SimulationResult(
-        verdicts, measurements, found, faults(worked), Optional.empty(), host);
+        verdicts, measurements, found, faults(judge, worked), Optional.empty(), host);
   }
 
-  private List<FaultVerdict> faults(boolean worked) {
-    FaultJudge judge = new FaultJudge(chain, request.userFiles(), worked);
+  private List<FaultVerdict> faults(ScenarioJudge scenarios, boolean worked) {
+    FaultJudge judge = new FaultJudge(chain, request.userFiles(), scenarios, worked);
     return faultRuns.stream().map(run -> judge.verdict(run, without(run.fault()))).toList();
   }
 
@@ -187,6 +195,31 @@ final class ResultBuilder {
   /** Returns the writer of the commands, if only one topic commands the vehicle. */
   private String onlyCommander() {
     return chain.commands().size() == 1 ? chain.writer(chain.exit()) : "";
+  }
+
+  /** Returns findings on impacts that no criterion is about. */
+  private List<Diagnostic> impacts() {
+    return runs.stream()
+        .filter(run -> run.trace().impactSpeed().isPresent() && !run.scenario().judgesImpact())
+        .map(ResultBuilder::impact)
+        .toList();
+  }
+
+  private static Diagnostic impact(ScenarioRun run) {
+    return Diagnostic.error(
+            "simulation.impact.unjudged",
+            RootLocale.format(
+                "Scenario %s ended after %.2f s of %.2f s by an impact at %.1f km/h that no criterion"
+                    + " is about: %s.",
+                run.scenario().name(),
+                World.seconds(run.trace().end().time()),
+                run.scenario().duration(),
+                run.trace().impactSpeed().getAsDouble() * 3.6,
+                run.trace().impact()),
+            run.scenario().location())
+        .withHint(
+            "Write no_impact: true if there must be none, or maximal_impact_speed_kmh if there may"
+                + " be one.");
   }
 
   /**

@@ -224,6 +224,7 @@ final class BenchInputs implements Signal.Source {
           return samples;
         },
         term::absence,
-        term.signals());
+        term.signals(),
+        term::range);
   }
 }

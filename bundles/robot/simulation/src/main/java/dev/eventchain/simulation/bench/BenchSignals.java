@@ -4,6 +4,7 @@ import dev.eventchain.messages.FieldType;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.Unit;
+import dev.eventchain.simulation.formula.Range;
 import dev.eventchain.simulation.formula.Signal;
 import dev.eventchain.simulation.formula.WorldSignals;
 import java.util.ArrayList;
@@ -109,6 +110,42 @@ public final class BenchSignals implements Signal.Source {
     return type.flatMap(known -> known.resolve(path).type())
         .filter(BenchSignals::isNumberOrTruth)
         .map(field -> signal(topic, path, field.kind() == FieldType.Kind.BOOL));
+  }
+
+  /** Returns the values that a field of a topic can have, in coherent units: those of its type. */
+  public Range rangeOf(String signal) {
+    Topic topic = topics.get(Signal.topicOf(signal));
+    int dot = signal.indexOf('.');
+    if (topic == null || dot < 0) {
+      return Range.ALL;
+    }
+    return catalog
+        .find(topic.type())
+        .flatMap(type -> type.resolve(signal.substring(dot + 1)).type())
+        .map(field -> rangeOf(field.kind()))
+        .map(range -> coherent(range, ofTopic(signal)))
+        .orElse(Range.ALL);
+  }
+
+  private static Range coherent(Range range, Optional<Signal> signal) {
+    return signal
+        .map(Signal::dimension)
+        .map(unit -> new Range(unit.coherent(range.least()), unit.coherent(range.most())))
+        .orElse(Range.ALL);
+  }
+
+  private static Range rangeOf(FieldType.Kind kind) {
+    return switch (kind) {
+      case BOOL -> Range.upTo(1.0);
+      case BYTE, CHAR, UINT8 -> Range.upTo(255.0);
+      case UINT16 -> Range.upTo(65535.0);
+      case UINT32 -> Range.upTo(4294967295.0);
+      case UINT64 -> Range.upTo(0x1p64);
+      case INT8 -> new Range(-128.0, 127.0);
+      case INT16 -> new Range(-32768.0, 32767.0);
+      case INT32 -> new Range(-2147483648.0, 2147483647.0);
+      default -> Range.ALL;
+    };
   }
 
   private static Signal signal(Topic topic, String path, boolean truth) {

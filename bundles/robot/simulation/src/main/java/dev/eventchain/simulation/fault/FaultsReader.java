@@ -284,7 +284,8 @@ final class FaultsReader {
 
   private List<Expectation> criteria(ObjectReader part, double shortest, boolean detection) {
     FormulasReader formulas =
-        new FormulasReader(text, bench.signals(), shortest, NamedRequirements.none());
+        new FormulasReader(
+            text, bench.signals(), shortest, NamedRequirements.none(), Optional.empty());
     List<Expectation> criteria = CriteriaReader.readWritten(part, formulas);
     part.refuseOthers();
     if (criteria.isEmpty() && !detection && problems.isEmpty()) {

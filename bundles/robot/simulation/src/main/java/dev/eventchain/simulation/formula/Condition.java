@@ -27,8 +27,10 @@ public interface Condition extends FormulaParser.Part {
   /**
    * Returns the part, and its sample, that decides the truth at a sample: of several the first one,
    * but of an implication the conclusion.
+   *
+   * @param cut true if intervals without a bound reach beyond the last sample
    */
-  default Step decisive(List<double[]> parts, int sample) {
+  default Step decisive(List<double[]> parts, int sample, boolean cut) {
     throw new IllegalStateException("It has no parts.");
   }
 
@@ -52,12 +54,15 @@ public interface Condition extends FormulaParser.Part {
                     && it.ofTruth() == comparisons.get(0).ofTruth());
   }
 
-  /** Returns the last sample that its bounded intervals reach from a sample. */
+  /** Sample beyond every run. */
+  long NO_END = 1L << 32;
+
+  /** Returns the last sample that its intervals reach from a sample. */
   default long horizon(long sample) {
     long last = sample;
     for (int i = 0; i < parts().size(); i++) {
       Interval interval = window(i);
-      long from = interval.bounded() ? sample + interval.to() : sample;
+      long from = interval.bounded() ? sample + interval.to() : NO_END;
       last = Math.max(last, parts().get(i).horizon(from));
     }
     return last;
@@ -116,6 +121,20 @@ public interface Condition extends FormulaParser.Part {
       return Stream.of(this);
     }
 
+    /** Returns the difference of its sides, which is positive where it is true. */
+    Sum difference() {
+      return right.sum().plus(left.sum(), -1.0);
+    }
+
+    /** Returns what is known of its sides, for users. */
+    String values(Range.Source ranges) {
+      return signals()
+          .map(signal -> signal.values(signal.range().apply(ranges)))
+          .filter(text -> !text.isEmpty())
+          .findFirst()
+          .orElse("Compare it with something that could be otherwise.");
+    }
+
     /** Returns the limit of a signal, if one side is a signal and the other depends on none. */
     Optional<ScenarioVerdict.Limit> limit(SampledRun run) {
       return ofTruth() ? Optional.empty() : left.limit(right, run).or(() -> right.limit(left, run));
@@ -141,7 +160,7 @@ public interface Condition extends FormulaParser.Part {
     }
 
     @Override
-    public Step decisive(List<double[]> parts, int sample) {
+    public Step decisive(List<double[]> parts, int sample, boolean cut) {
       return new Step(0, sample);
     }
   }
@@ -162,7 +181,7 @@ public interface Condition extends FormulaParser.Part {
     }
 
     @Override
-    public Step decisive(List<double[]> parts, int sample) {
+    public Step decisive(List<double[]> parts, int sample, boolean cut) {
       double one = parts.get(0)[sample];
       double other = parts.get(1)[sample];
       return new Step((all ? one <= other : one >= other) ? 0 : 1, sample);
@@ -183,7 +202,7 @@ public interface Condition extends FormulaParser.Part {
     }
 
     @Override
-    public Step decisive(List<double[]> parts, int sample) {
+    public Step decisive(List<double[]> parts, int sample, boolean cut) {
       return new Step(-parts.get(0)[sample] > parts.get(1)[sample] ? 0 : 1, sample);
     }
 
@@ -215,7 +234,9 @@ public interface Condition extends FormulaParser.Part {
     @Override
     public double[] truth(SampledRun run, List<double[]> parts) {
       double[] truth = parts.get(0);
-      return always ? Robustness.always(truth, interval) : Robustness.eventually(truth, interval);
+      return always
+          ? Robustness.always(truth, interval, run.isCut())
+          : Robustness.eventually(truth, interval, run.isCut());
     }
 
     @Override
@@ -227,7 +248,7 @@ public interface Condition extends FormulaParser.Part {
      * Returns the first sample of the window with the extreme value; none if that is unknown there.
      */
     @Override
-    public Step decisive(List<double[]> parts, int sample) {
+    public Step decisive(List<double[]> parts, int sample, boolean cut) {
       double[] truth = parts.get(0);
       double extreme = always ? Double.POSITIVE_INFINITY : Double.NEGATIVE_INFINITY;
       int found = -1;
@@ -237,8 +258,8 @@ public interface Condition extends FormulaParser.Part {
           found = i;
         }
       }
-      boolean cut = interval.bounded() && sample + interval.to() >= truth.length;
-      boolean beyond = cut && (always ? extreme > 0.0 : extreme < 0.0);
+      boolean open = interval.bounded() ? sample + interval.to() >= truth.length : cut;
+      boolean beyond = open && (always ? extreme > 0.0 : extreme < 0.0);
       return found < 0 || beyond ? Step.OUTSIDE : new Step(0, found);
     }
   }
@@ -258,7 +279,7 @@ public interface Condition extends FormulaParser.Part {
 
     @Override
     public double[] truth(SampledRun run, List<double[]> parts) {
-      return Robustness.until(parts.get(0), parts.get(1), interval);
+      return Robustness.until(parts.get(0), parts.get(1), interval, run.isCut());
     }
 
     @Override
@@ -268,7 +289,7 @@ public interface Condition extends FormulaParser.Part {
 
     /** Applies the definition: the best sample for {@code reached}, or the worst one before it. */
     @Override
-    public Step decisive(List<double[]> parts, int sample) {
+    public Step decisive(List<double[]> parts, int sample, boolean cut) {
       double best = Double.NEGATIVE_INFINITY;
       Step found = Step.OUTSIDE;
       double worst = Double.POSITIVE_INFINITY;
@@ -286,8 +307,8 @@ public interface Condition extends FormulaParser.Part {
           worstAt = i;
         }
       }
-      boolean cut = interval.bounded() && sample + interval.to() >= parts.get(0).length;
-      if (!cut || best >= Robustness.UNKNOWN) {
+      boolean open = interval.bounded() ? sample + interval.to() >= parts.get(0).length : cut;
+      if (!open || best >= Robustness.UNKNOWN) {
         return found;
       }
       // After the run, "reached" may still come unless "kept" failed before.
@@ -322,7 +343,7 @@ public interface Condition extends FormulaParser.Part {
     }
 
     @Override
-    public Step decisive(List<double[]> parts, int sample) {
+    public Step decisive(List<double[]> parts, int sample, boolean cut) {
       if (sample == 0) {
         return Step.OUTSIDE;
       }

@@ -12,6 +12,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 
@@ -51,7 +52,24 @@ public final class Formula {
    *     scenario.formula.syntax}, {@code scenario.formula.unit}, {@code scenario.formula.signal}
    */
   public static Formula parse(SourceRange range, Signal.Source signals, double duration) {
-    Condition condition = FormulaParser.parse(range, signals, duration);
+    return parse(range, signals, duration, Optional.empty());
+  }
+
+  /**
+   * Reads a formula as {@link #parse(SourceRange, Signal.Source, double)} does, and also rejects
+   * one that is true or false in every run ({@code scenario.formula.constant}), or judged at a
+   * single moment.
+   *
+   * @param ranges the values that signals can have
+   */
+  public static Formula parse(
+      SourceRange range, Signal.Source signals, double duration, Range.Source ranges) {
+    return parse(range, signals, duration, Optional.of(ranges));
+  }
+
+  private static Formula parse(
+      SourceRange range, Signal.Source signals, double duration, Optional<Range.Source> ranges) {
+    Condition condition = FormulaParser.parse(range, signals, duration, ranges);
     return new Formula(condition, FormulaParser.plain(range.text()));
   }
 
@@ -81,10 +99,35 @@ public final class Formula {
   }
 
   /**
-   * Returns the end of the part of a run that the verdict needs, in ns: the reach of its intervals.
+   * Returns the end of the part of a run that the verdict needs, in ns: the reach of its intervals,
+   * which without a bound is beyond every run.
    */
   public long horizon() {
     return condition.horizon(0) * World.TRACE_STEP;
+  }
+
+  /** Returns whether it only says what must always hold. */
+  public boolean isLimit() {
+    return isLimit(condition);
+  }
+
+  private static boolean isLimit(Condition condition) {
+    if (condition instanceof Condition.Junction junction && junction.all()) {
+      return isLimit(junction.first()) && isLimit(junction.second());
+    }
+    return condition instanceof Condition.Temporal temporal && temporal.always();
+  }
+
+  /** Returns whether what must always hold from a later time on held at each sample before it. */
+  public boolean heldBefore(SampledRun run) {
+    if (!(condition instanceof Condition.Temporal temporal)
+        || !temporal.always()
+        || temporal.interval().from() == 0) {
+      return false;
+    }
+    Interval before = new Interval(0, temporal.interval().from(), true);
+    Condition held = new Condition.Temporal(true, before, temporal.operand());
+    return FormulaEvaluation.of(held, run).verdict() > 0.0;
   }
 
   /** Returns the parsed condition. */
@@ -121,7 +164,14 @@ public final class Formula {
     return decision
         .comparison()
         .map(it -> valueless(it, run, decision.sample()))
-        .orElse(format("the run ended %s, before it was decided", after(run, run.size() - 1)));
+        .orElse(
+            format(
+                "the run ended %s%s, before it was decided",
+                after(run, run.size() - 1), byAnImpact(run.trace())));
+  }
+
+  private static String byAnImpact(Trace trace) {
+    return trace.impact().isEmpty() ? "" : " by an impact (" + trace.impact() + ")";
   }
 
   private static String valueless(Condition.Comparison comparison, SampledRun run, int sample) {

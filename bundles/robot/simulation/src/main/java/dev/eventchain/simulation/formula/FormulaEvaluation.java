@@ -15,6 +15,7 @@ final class FormulaEvaluation {
   private final double[] truth;
   private final List<FormulaEvaluation> parts;
   private final Optional<String> vacuity;
+  private final boolean cut;
 
   /** Margins of a comparison, also where its parents have verdicts only. */
   private final double[] margins;
@@ -24,12 +25,14 @@ final class FormulaEvaluation {
       double[] margins,
       boolean oneUnit,
       List<FormulaEvaluation> parts,
-      Optional<String> vacuity) {
+      Optional<String> vacuity,
+      boolean cut) {
     this.condition = condition;
     this.margins = margins;
     this.truth = oneUnit ? margins : verdicts(margins);
     this.parts = parts;
     this.vacuity = vacuity;
+    this.cut = cut;
   }
 
   /** Evaluates a condition at the start of a run. */
@@ -73,7 +76,7 @@ final class FormulaEvaluation {
       Optional<String> vacuity =
           strictly ? condition.vacuity(run, inner, first, last) : Optional.empty();
       double[] truth = vacuity.isPresent() ? new double[size] : condition.truth(run, inner);
-      return new FormulaEvaluation(condition, truth, oneUnit, parts, vacuity);
+      return new FormulaEvaluation(condition, truth, oneUnit, parts, vacuity, run.isCut());
     }
   }
 
@@ -108,7 +111,7 @@ final class FormulaEvaluation {
             Optional.of(comparison), sample, here.margins[sample], Optional.empty());
       }
       List<double[]> inner = here.parts.stream().map(part -> part.truth).toList();
-      Condition.Step step = here.condition.decisive(inner, sample);
+      Condition.Step step = here.condition.decisive(inner, sample, cut);
       if (step.part() < 0) {
         return new Decision(Optional.empty(), sample, Robustness.UNKNOWN, Optional.empty());
       }

@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.simulation.formula.FormulaTokens.Kind;
 import dev.eventchain.simulation.formula.FormulaTokens.Token;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * Parses the conditions of a formula. From loose to tight: {@code implies} (right-associative),
@@ -24,22 +25,35 @@ public final class FormulaParser {
   private final TermParser terms;
   private final IntervalParser intervals;
 
+  private final Optional<Range.Source> ranges;
+
   private FormulaParser(
-      SourceRange range, FormulaTokens.Place place, Signal.Source signals, double duration) {
+      SourceRange range,
+      FormulaTokens.Place place,
+      Signal.Source signals,
+      double duration,
+      Optional<Range.Source> ranges) {
+    this.ranges = ranges;
     this.tokens = new FormulaTokens(range, place);
     this.terms = new TermParser(tokens, signals, this::part);
     this.intervals = new IntervalParser(tokens, duration);
   }
 
-  static Condition parse(SourceRange range, Signal.Source signals, double duration) {
-    Part part =
-        new FormulaParser(range, FormulaTokens.Place.SCENARIO, signals, duration).formula(true);
-    return (Condition) part;
+  /**
+   * Parses a formula.
+   *
+   * @param ranges the values of signals, to find what cannot be otherwise; empty to allow that
+   */
+  static Condition parse(
+      SourceRange range, Signal.Source signals, double duration, Optional<Range.Source> ranges) {
+    FormulaTokens.Place place = FormulaTokens.Place.SCENARIO;
+    return (Condition) new FormulaParser(range, place, signals, duration, ranges).formula(true);
   }
 
   /** Parses a quantity or a condition of the bench, which has no temporal operators. */
   public static Part parseMoment(SourceRange range, Signal.Source signals) {
-    FormulaParser parser = new FormulaParser(range, FormulaTokens.Place.BENCH, signals, 0);
+    FormulaParser parser =
+        new FormulaParser(range, FormulaTokens.Place.BENCH, signals, 0, Optional.empty());
     Token first = parser.tokens.peek();
     Part part = parser.formula(false);
     if (part instanceof Condition condition && !condition.ofOneMoment()) {
@@ -74,6 +88,10 @@ public final class FormulaParser {
     }
     if (formula instanceof Condition condition) {
       intervals.requireReached(condition);
+      ranges.ifPresent(known -> requireVarying(condition, known, first));
+      if (ranges.isPresent()) {
+        intervals.requireLong(condition);
+      }
     }
     return formula;
   }
@@ -239,9 +257,25 @@ public final class FormulaParser {
       throw tokens.syntax(tokens.peek(), "Comparisons cannot be chained.", "Join two by `and`.");
     }
     boolean strict = relation.text().length() == 1;
-    return relation.text().startsWith("<")
-        ? new Condition.Comparison(before, after, strict, text)
-        : new Condition.Comparison(after, before, strict, text);
+    Condition.Comparison comparison =
+        relation.text().startsWith("<")
+            ? new Condition.Comparison(before, after, strict, text)
+            : new Condition.Comparison(after, before, strict, text);
+    ranges.ifPresent(known -> requireVarying(comparison, known, first));
+    return comparison;
+  }
+
+  /** Rejects what is true or false in every run. */
+  private void requireVarying(Condition condition, Range.Source known, Token first) {
+    Optional<Boolean> always = Constancy.of(condition, known);
+    if (always.isPresent()) {
+      throw tokens.constant(
+          first,
+          "'%s' is %s in every run.".formatted(plain(tokens.textSince(first)), always.get()),
+          condition instanceof Condition.Comparison comparison
+              ? comparison.values(known)
+              : "Leave out what makes it so, or say what could be otherwise.");
+    }
   }
 
   private boolean isRelation(Token token) {

@@ -212,6 +212,10 @@ public final class FormulaTokens {
     return problem(place.unit, token, message, hint);
   }
 
+  DiagnosticException constant(Token token, String message, String hint) {
+    return problem("constant", token, message, hint);
+  }
+
   DiagnosticException unknownSignal(Token token, String message, String hint) {
     return problem(place.signal, token, message, hint);
   }

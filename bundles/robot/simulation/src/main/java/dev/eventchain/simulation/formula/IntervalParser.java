@@ -91,6 +91,21 @@ final class IntervalParser {
     requireReached(condition, 0);
   }
 
+  /** Rejects a formula that is judged at a single sample, though it says that it always holds. */
+  void requireLong(Condition condition) {
+    if (condition instanceof Condition.Temporal temporal
+        && temporal.interval().bounded()
+        && temporal.interval().to() == temporal.interval().from()) {
+      throw tokens.syntax(
+          places.get(temporal.interval()),
+          "The interval is a single moment.",
+          "Begin it when the condition must hold, and end it as late as it must hold.");
+    }
+    if (condition instanceof Condition.Junction || condition instanceof Condition.Negation) {
+      condition.parts().forEach(this::requireLong);
+    }
+  }
+
   private void requireReached(Condition condition, long start) {
     for (int i = 0; i < condition.parts().size(); i++) {
       Interval interval = condition.window(i);

@@ -52,10 +52,14 @@ final class Robustness {
     return not(and(not(first), not(second)));
   }
 
-  /** Returns whether the condition is true at some sample of the interval, for each sample. */
-  static double[] eventually(double[] values, Interval interval) {
+  /**
+   * Returns whether the condition is true at some sample of the interval, for each sample.
+   *
+   * @param cut true if an interval without a bound reaches beyond the last sample
+   */
+  static double[] eventually(double[] values, Interval interval, boolean cut) {
     if (!interval.bounded()) {
-      return eventuallyUntilTheEnd(values);
+      return eventuallyUntilTheEnd(values, cut);
     }
     int size = values.length;
     double[] result = new double[size];
@@ -80,16 +84,18 @@ final class Robustness {
     return result;
   }
 
-  private static double[] eventuallyUntilTheEnd(double[] values) {
+  private static double[] eventuallyUntilTheEnd(double[] values, boolean cut) {
     double[] result = values.clone();
+    int last = values.length - 1;
+    result[last] = cut ? Math.max(values[last], UNKNOWN) : values[last];
     for (int i = values.length - 2; i >= 0; i--) {
       result[i] = Math.max(values[i], result[i + 1]);
     }
     return result;
   }
 
-  static double[] always(double[] values, Interval interval) {
-    return not(eventually(not(values), interval));
+  static double[] always(double[] values, Interval interval, boolean cut) {
+    return not(eventually(not(values), interval, cut));
   }
 
   /**
@@ -97,10 +103,10 @@ final class Robustness {
    * before it. This equals: the second is true in the interval at all, and the first holds until
    * the second at any time. Each of the two takes one pass.
    */
-  static double[] until(double[] first, double[] second, Interval interval) {
+  static double[] until(double[] first, double[] second, Interval interval, boolean cut) {
     int size = first.length;
     double[] whenever = new double[size];
-    double after = interval.bounded() ? UNKNOWN : Double.NEGATIVE_INFINITY;
+    double after = interval.bounded() || cut ? UNKNOWN : Double.NEGATIVE_INFINITY;
     for (int i = size - 1; i >= 0; i--) {
       after = Math.max(second[i], Math.min(first[i], after));
       whenever[i] = after;
@@ -109,7 +115,7 @@ final class Robustness {
       return whenever;
     }
     int from = interval.from();
-    double[] soon = eventually(second, new Interval(0, interval.to() - from, true));
+    double[] soon = eventually(second, new Interval(0, interval.to() - from, true), cut);
     double[] fromThere = and(whenever, soon);
     if (from == 0) {
       return fromThere;
@@ -118,7 +124,7 @@ final class Robustness {
     for (int i = 0; i + from < size; i++) {
       shifted[i] = fromThere[i + from];
     }
-    return and(always(first, new Interval(0, from - 1, true)), shifted);
+    return and(always(first, new Interval(0, from - 1, true), cut), shifted);
   }
 
   /**

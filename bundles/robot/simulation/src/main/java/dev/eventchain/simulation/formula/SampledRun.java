@@ -27,6 +27,11 @@ public final class SampledRun {
     return World.seconds(trace.states().get(sample).time());
   }
 
+  /** Returns whether the run ended before its time, so that what comes after it is unknown. */
+  boolean isCut() {
+    return trace.isCut();
+  }
+
   Trace trace() {
     return trace;
   }

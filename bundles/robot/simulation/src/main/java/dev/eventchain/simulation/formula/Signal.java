@@ -2,6 +2,8 @@ package dev.eventchain.simulation.formula;
 
 import dev.eventchain.messages.Unit;
 import dev.eventchain.simulation.world.Trace;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
@@ -19,6 +21,7 @@ import java.util.stream.Stream;
  * @param samples its values in coherent units, one for each state of the trace; NaN for no value
  * @param absence why it has no values in a trace, such as "nothing ahead"; empty if it has some
  * @param basis the signals that it is computed from; may be empty
+ * @param range all its values, from those of other signals
  */
 public record Signal(
     String name,
@@ -27,7 +30,8 @@ public record Signal(
     String meaning,
     Function<Trace, double[]> samples,
     Function<Trace, Optional<String>> absence,
-    Set<Signal> basis) {
+    Set<Signal> basis,
+    Function<Range.Source, Range> range) {
 
   /** Lookup of signals by name. */
   public interface Source {
@@ -47,7 +51,15 @@ public record Signal(
       String meaning,
       Function<Trace, double[]> samples,
       Function<Trace, Optional<String>> absence) {
-    this(name, unit, truth, meaning, samples, absence, Set.of());
+    this(
+        name,
+        unit,
+        truth,
+        meaning,
+        samples,
+        absence,
+        Set.of(),
+        ranges -> truth ? Range.upTo(1.0) : ranges.apply(name));
   }
 
   /** Returns this signal and all signals that it is computed from. */
@@ -69,6 +81,34 @@ public record Signal(
   public static String topicOf(String signal) {
     int dot = signal.indexOf('.');
     return dot < 0 ? signal : signal.substring(0, dot);
+  }
+
+  /** Returns in words which values it can have; empty if nothing is known. */
+  String values(Range known) {
+    boolean open = Double.isInfinite(known.least());
+    boolean endless = Double.isInfinite(known.most());
+    if (open && endless) {
+      return "";
+    }
+    String least = rounded(known.least());
+    String most = rounded(known.most());
+    String values =
+        open
+            ? "at most " + most
+            : endless
+                ? "at least " + least
+                : least.equals(most) ? "always " + least : "from " + least + " to " + most;
+    return "In this scenario, "
+        + name
+        + " is "
+        + values
+        + (unit.equals("1") ? "." : " " + unit + ".");
+  }
+
+  private String rounded(double coherent) {
+    BigDecimal value = BigDecimal.valueOf(inUnit(Double.isInfinite(coherent) ? 0.0 : coherent));
+    BigDecimal hundredths = value.setScale(2, RoundingMode.HALF_EVEN);
+    return hundredths.signum() == 0 ? "0" : hundredths.stripTrailingZeros().toPlainString();
   }
 
   /** Converts a coherent value into its own unit. */

@@ -19,8 +19,10 @@ import java.util.function.IntToDoubleFunction;
  * @param truth true if it is a single Boolean signal
  * @param signals the signals that it depends on
  * @param values its values in coherent units
+ * @param sum its value as a sum
  */
-public record Term(Unit dimension, String unit, boolean truth, Set<Signal> signals, Values values)
+public record Term(
+    Unit dimension, String unit, boolean truth, Set<Signal> signals, Values values, Sum sum)
     implements FormulaParser.Part {
 
   /** Provides the values in a run. */
@@ -30,12 +32,17 @@ public record Term(Unit dimension, String unit, boolean truth, Set<Signal> signa
 
   static Term number(double number, Unit unit, String text) {
     double value = unit.coherent(number);
-    return new Term(unit, text, false, Set.of(), run -> sample -> value);
+    return new Term(unit, text, false, Set.of(), run -> sample -> value, Sum.number(value));
   }
 
   static Term of(Signal signal) {
     return new Term(
-        signal.dimension(), signal.unit(), signal.truth(), Set.of(signal), new Reading(signal));
+        signal.dimension(),
+        signal.unit(),
+        signal.truth(),
+        Set.of(signal),
+        new Reading(signal),
+        Sum.of(signal.name(), signal.range()::apply));
   }
 
   /** Values of a single signal, unchanged. */
@@ -58,7 +65,20 @@ public record Term(Unit dimension, String unit, boolean truth, Set<Signal> signa
         : Optional.empty();
   }
 
-  Term mapped(DoubleUnaryOperator operator) {
+  /** Returns the range of all its values. */
+  public Range range(Range.Source ranges) {
+    return sum.range(ranges);
+  }
+
+  Term negative() {
+    return mapped(value -> 0.0 - value, Sum.number(0.0).plus(sum, -1.0));
+  }
+
+  Term absolute() {
+    return mapped(Math::abs, Sum.of(new Object(), ranges -> range(ranges).absolute()));
+  }
+
+  private Term mapped(DoubleUnaryOperator operator, Sum result) {
     return new Term(
         dimension,
         unit,
@@ -67,12 +87,34 @@ public record Term(Unit dimension, String unit, boolean truth, Set<Signal> signa
         run -> {
           IntToDoubleFunction inner = values.in(run);
           return sample -> operator.applyAsDouble(inner.applyAsDouble(sample));
-        });
+        },
+        result);
   }
 
-  /** Combines two terms of one dimension, such as to their sum or minimum. */
-  Term with(Term other, DoubleBinaryOperator operator) {
-    return combined(other, dimension, commonUnit(other), operator);
+  /** Returns the sum with a term of the same dimension. */
+  Term plus(Term other) {
+    return combined(other, dimension, commonUnit(other), Double::sum, sum.plus(other.sum, 1.0));
+  }
+
+  /** Returns the difference from a term of the same dimension. */
+  Term minus(Term other) {
+    return combined(
+        other, dimension, commonUnit(other), (a, b) -> a - b, sum.plus(other.sum, -1.0));
+  }
+
+  /** Returns the larger or the smaller of two terms of one dimension. */
+  Term extreme(Term other, boolean larger) {
+    Range.Of range =
+        ranges ->
+            larger
+                ? range(ranges).maximum(other.range(ranges))
+                : range(ranges).minimum(other.range(ranges));
+    return combined(
+        other,
+        dimension,
+        commonUnit(other),
+        larger ? Math::max : Math::min,
+        Sum.of(new Object(), range));
   }
 
   /** Returns the product, or with power -1 the quotient. */
@@ -82,10 +124,27 @@ public record Term(Unit dimension, String unit, boolean truth, Set<Signal> signa
         other,
         dimension.times(other.dimension, power),
         name,
-        power == 1 ? (a, b) -> a * b : (a, b) -> a / b);
+        power == 1 ? (a, b) -> a * b : (a, b) -> a / b,
+        power == 1 ? product(other) : quotient(other));
   }
 
-  private Term combined(Term other, Unit newDimension, String name, DoubleBinaryOperator operator) {
+  private Sum product(Term other) {
+    if (other.sum.isNumber()) {
+      return Sum.number(0.0).plus(sum, other.sum.number());
+    }
+    return sum.isNumber()
+        ? Sum.number(0.0).plus(other.sum, sum.number())
+        : Sum.of(new Object(), ranges -> range(ranges).times(other.range(ranges)));
+  }
+
+  private Sum quotient(Term other) {
+    return other.sum.isNumber() && other.sum.number() != 0.0
+        ? Sum.number(0.0).plus(sum, 1.0 / other.sum.number())
+        : Sum.of(new Object(), ranges -> range(ranges).by(other.range(ranges)));
+  }
+
+  private Term combined(
+      Term other, Unit newDimension, String name, DoubleBinaryOperator operator, Sum result) {
     Set<Signal> all = new LinkedHashSet<>(signals);
     all.addAll(other.signals);
     return new Term(
@@ -98,7 +157,8 @@ public record Term(Unit dimension, String unit, boolean truth, Set<Signal> signa
           IntToDoubleFunction second = other.values.in(run);
           return sample ->
               operator.applyAsDouble(first.applyAsDouble(sample), second.applyAsDouble(sample));
-        });
+        },
+        result);
   }
 
   /**

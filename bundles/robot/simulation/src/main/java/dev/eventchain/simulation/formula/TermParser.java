@@ -7,7 +7,6 @@ import dev.eventchain.simulation.formula.FormulaTokens.Kind;
 import dev.eventchain.simulation.formula.FormulaTokens.Token;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.DoubleBinaryOperator;
 import java.util.function.Supplier;
 
 /** Parses the quantities of a formula, and checks their units. */
@@ -41,7 +40,7 @@ final class TermParser {
       Token second = tokens.peek();
       Term after = term(product(), second);
       requireSameDimension(before, after, second);
-      left = before.with(after, plus ? Double::sum : (a, b) -> a - b);
+      left = plus ? before.plus(after) : before.minus(after);
     }
     return left;
   }
@@ -63,7 +62,7 @@ final class TermParser {
       return primary();
     }
     Token first = tokens.peek();
-    return term(negative(), first).mapped(value -> 0.0 - value);
+    return term(negative(), first).negative();
   }
 
   private Part primary() {
@@ -79,8 +78,8 @@ final class TermParser {
     if (token.kind() == Kind.WORD) {
       return switch (token.text()) {
         case "abs" -> absolute();
-        case "min" -> extreme(Math::min);
-        case "max" -> extreme(Math::max);
+        case "min" -> extreme(false);
+        case "max" -> extreme(true);
         default -> signal(token);
       };
     }
@@ -114,10 +113,10 @@ final class TermParser {
     tokens.require("(", "Write, for example, `abs(ego.acceleration)`.");
     Term inner = argument();
     tokens.require(")", "`abs` takes one argument.");
-    return inner.mapped(Math::abs);
+    return inner.absolute();
   }
 
-  private Term extreme(DoubleBinaryOperator operator) {
+  private Term extreme(boolean larger) {
     tokens.require("(", "Write, for example, `min(gap, 10 m)`.");
     Term all = argument();
     tokens.require(",", "`min` and `max` take two or more arguments.");
@@ -125,7 +124,7 @@ final class TermParser {
       Token second = tokens.peek();
       Term other = argument();
       requireSameDimension(all, other, second);
-      all = all.with(other, operator);
+      all = all.extreme(other, larger);
     } while (tokens.take(","));
     tokens.require(")", "");
     return all;

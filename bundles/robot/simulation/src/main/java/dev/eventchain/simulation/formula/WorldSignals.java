@@ -86,7 +86,8 @@ public final class WorldSignals implements Signal.Source {
   private static void addCommand(
       String name, String meaning, ToDoubleFunction<Trace.Command> value) {
     SIGNALS.put(
-        name, new Signal(name, "1", false, meaning, ofCommands(value), WorldSignals::noCommand));
+        name,
+        new Signal(name, "1", false, meaning, ofCommands(name, value), WorldSignals::noCommand));
   }
 
   private static Function<Trace, double[]> ofStates(ToDoubleFunction<Trace.State> value) {
@@ -97,15 +98,21 @@ public final class WorldSignals implements Signal.Source {
     return ofStates(state -> value.applyAsDouble(state.pose()));
   }
 
-  /** Returns values of commands, which hold until the next one; before the first one they are 0. */
-  private static Function<Trace, double[]> ofCommands(ToDoubleFunction<Trace.Command> value) {
+  /**
+   * Returns values of commands, which hold until the next one; before the first one they are 0, and
+   * in a trace without the signal there are none.
+   */
+  private static Function<Trace, double[]> ofCommands(
+      String name, ToDoubleFunction<Trace.Command> value) {
     return trace ->
-        Signal.held(
-            trace,
-            trace.commands().stream()
-                .map(each -> new Trace.Sample(each.time(), value.applyAsDouble(each)))
-                .toList(),
-            0.0);
+        trace.isWithout(name)
+            ? Signal.held(trace, List.of(), Double.NaN)
+            : Signal.held(
+                trace,
+                trace.commands().stream()
+                    .map(each -> new Trace.Sample(each.time(), value.applyAsDouble(each)))
+                    .toList(),
+                0.0);
   }
 
   private static Optional<String> nothingAhead(Trace trace) {

@@ -27,17 +27,20 @@ public final class FaultJudge {
 
   private final SimulatedChain chain;
   private final UserFiles files;
+  private final ScenarioJudge judge;
   private final boolean worked;
 
   /**
    * Creates a judge.
    *
    * @param files the files with the user's code
+   * @param judge the judge of the runs without faults
    * @param worked true if every component works without faults, or its finding is accepted
    */
-  public FaultJudge(SimulatedChain chain, UserFiles files, boolean worked) {
+  public FaultJudge(SimulatedChain chain, UserFiles files, ScenarioJudge judge, boolean worked) {
     this.chain = chain;
     this.files = files;
+    this.judge = judge;
     this.worked = worked;
   }
 
@@ -99,7 +102,7 @@ public final class FaultJudge {
   private List<CriterionResult> criteria(FaultRun faulty, List<Expectation> criteria) {
     ScenarioRun run = faulty.run().with(faulty.run().scenario().with(criteria));
     if (faulty.ended().isEmpty()) {
-      return new ScenarioJudge(chain).criteria(run, worked);
+      return judge.criteria(run, worked);
     }
     String why = endedEarly(faulty.ended().get());
     return criteria.stream().map(each -> untested(each, why)).toList();

@@ -2,12 +2,10 @@ package dev.eventchain.simulation.judge;
 
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.LatencyKind;
-import dev.eventchain.simulation.bench.BenchSignals;
 import dev.eventchain.simulation.chain.SimulatedChain;
 import dev.eventchain.simulation.formula.Outcome;
 import dev.eventchain.simulation.formula.RootLocale;
 import dev.eventchain.simulation.formula.Signal;
-import dev.eventchain.simulation.formula.WorldSignals;
 import dev.eventchain.simulation.host.RunLog;
 import dev.eventchain.simulation.measure.ChainLatency;
 import dev.eventchain.simulation.measure.MessageFlows;
@@ -22,21 +20,29 @@ import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import dev.eventchain.simulation.world.Actuator;
 import dev.eventchain.simulation.world.Trace;
+import dev.eventchain.simulation.world.World;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
-import java.util.TreeSet;
-import java.util.stream.Collectors;
 
 /** Judges the run of a scenario. */
 public final class ScenarioJudge {
 
   private static final double MILLISECOND = 1e6;
 
-  private final SimulatedChain chain;
+  /** Shortest run that says something, in ns. */
+  private static final long SHORTEST = 1_000_000_000L;
 
-  public ScenarioJudge(SimulatedChain chain) {
+  private final SimulatedChain chain;
+  private final Evidence evidence;
+
+  /**
+   * Creates a judge of a simulation.
+   *
+   * @param runs all its runs without faults
+   */
+  public ScenarioJudge(SimulatedChain chain, List<ScenarioRun> runs) {
     this.chain = chain;
+    this.evidence = new Evidence(chain, runs);
   }
 
   /**
@@ -102,13 +108,33 @@ public final class ScenarioJudge {
       outcome = Outcome.untested("no component's output changes what it reads");
     } else {
       outcome = criterion.judge(trace);
-      if (outcome.passed() && criterion instanceof FormulaCriterion formula) {
-        outcome = unlessItHoldsAnyway(formula, trace).orElse(outcome);
-      } else if (outcome.passed() && isAboutMotion(criterion)) {
-        outcome = unlessNothingWasDone(run).orElse(outcome);
+      if (outcome.passed()) {
+        outcome =
+            unlessItEndedEarly(criterion, run)
+                .or(() -> evidence.lackOf(criterion, run))
+                .orElse(outcome);
       }
     }
     return result(criterion, outcome);
+  }
+
+  /** Returns untested if too little was driven for a criterion that was not violated. */
+  private static Optional<Outcome> unlessItEndedEarly(Expectation criterion, ScenarioRun run) {
+    Trace trace = run.trace();
+    double end = World.seconds(trace.end().time());
+    if (criterion.isOfEveryScenario()) {
+      return Optional.empty();
+    }
+    if (criterion instanceof Criterion && trace.isCut()) {
+      return Optional.of(
+          Outcome.untested(
+              RootLocale.format(
+                  "the run ended after %.2f s of %.2f s by an impact (%s)",
+                  end, run.scenario().duration(), trace.impact())));
+    }
+    return trace.end().time() < SHORTEST && trace.impactSpeed().isEmpty()
+        ? Optional.of(Outcome.untested(RootLocale.format("the run lasts %.2f s only", end)))
+        : Optional.empty();
   }
 
   private static Outcome overrun(ScenarioRun run) {
@@ -129,50 +155,11 @@ public final class ScenarioJudge {
         criterion.requirements());
   }
 
-  /** Returns untested if a formula on signals that components write holds without them, too. */
-  private Optional<Outcome> unlessItHoldsAnyway(FormulaCriterion formula, Trace trace) {
-    Set<String> written =
-        formula.signals().stream()
-            .flatMap(Signal::origins)
-            .filter(it -> it.topic().isPresent() && dependsOnSoftware(it))
-            .map(Signal::name)
-            .collect(Collectors.toCollection(TreeSet::new));
-    return !written.isEmpty() && formula.holds(trace.without(written))
-        ? Optional.of(Outcome.untested("it holds whatever is in " + String.join(" and ", written)))
-        : Optional.empty();
-  }
-
-  private static boolean isAboutMotion(Expectation expectation) {
-    return expectation instanceof Criterion criterion && criterion.kind().isAboutMotion();
-  }
-
-  /** Returns untested if the vehicle moved as it does without the software. */
-  private static Optional<Outcome> unlessNothingWasDone(ScenarioRun run) {
-    return UntouchedVehicle.movedAs(run.trace(), run.scenario().situation())
-        ? Optional.of(
-            Outcome.untested(
-                "it holds without any command, as the software did not change how the vehicle moves"))
-        : Optional.empty();
-  }
-
   /** Returns whether the chain can influence a signal that a formula reads. */
   private boolean dependsOnSoftware(FormulaCriterion criterion) {
-    return criterion.signals().stream().flatMap(Signal::origins).anyMatch(this::dependsOnSoftware);
-  }
-
-  private boolean dependsOnSoftware(Signal signal) {
-    Optional<BenchSignals.Topic> topic = chain.bench().signals().topicOf(signal);
-    if (topic.isPresent()) {
-      return chain.isWritten(topic.get().name(), signal.field());
-    }
-    return switch (signal.name()) {
-      case "brake" -> chain.drives(Actuator.BRAKE, Actuator.ACCELERATION);
-      case "throttle" -> chain.drives(Actuator.THROTTLE, Actuator.ACCELERATION);
-      case "lane.width" -> false;
-      case "steering", "ego.offset", "ego.heading", "ego.yaw_rate", "lane.left", "lane.right" ->
-          chain.drives(Actuator.STEERING, Actuator.STEERING_ANGLE);
-      default -> WorldSignals.isKnown(signal.name()) && chain.drives(Actuator.values());
-    };
+    return criterion.signals().stream()
+        .flatMap(Signal::origins)
+        .anyMatch(evidence.outputs()::dependsOnSoftware);
   }
 
   /** Returns whether a named criterion needs the brake while no component drives it. */

@@ -168,7 +168,10 @@ public final class ScenarioRunner {
     return World.nanoseconds(scenario.duration());
   }
 
-  /** Advances time; returns the wall time that this took, in ns. */
+  /**
+   * Advances time to the end, or to an impact, or until the ego and all others have come to rest
+   * and no criterion needs more; returns the wall time that this took, in ns.
+   */
   private long drive(
       World world, BenchDriver driver, long least, long end, Optional<Recording> recording) {
     long stoppedAt = world.egoSpeed() > 0 ? Long.MAX_VALUE : end;
@@ -176,7 +179,7 @@ public final class ScenarioRunner {
     long horizon = Math.min(end, least);
     while (world.now() < end
         && !world.impacted()
-        && (world.now() < horizon || world.now() - AFTER_STOP < stoppedAt)) {
+        && (world.now() < horizon || world.now() - AFTER_STOP < stoppedAt || !othersRest(world))) {
       List<Inbound> sensed = driver.sense(world);
       recording.ifPresent(it -> it.sensed(world, sensed));
       long until = Math.min(end, driver.nextDue());
@@ -196,9 +199,17 @@ public final class ScenarioRunner {
     return System.nanoTime() - started;
   }
 
+  private static boolean othersRest(World world) {
+    double now = World.seconds(world.now());
+    return world.actors().stream().allMatch(each -> each.restsFrom(now));
+  }
+
   private ScenarioRun finish(
       Scenario scenario, World world, JsonNode ready, OutputRecord published, long hostNanos) {
     RunLog log = session.finish();
+    if (world.impacted() && !scenario.allowsImpact()) {
+      world.trace().cutShort();
+    }
     return new ScenarioRun(
         scenario,
         world.trace(),

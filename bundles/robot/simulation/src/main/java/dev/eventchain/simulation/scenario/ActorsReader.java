@@ -184,7 +184,10 @@ final class ActorsReader {
   HumanDriver driver(ObjectReader ego, double speed, double offset) {
     SpeedProfile profile = new SpeedProfile(speed, speeds(ego));
     List<LateralProfile.Change> changes = line(ego, offset, profile);
-    return new HumanDriver(profile, new LateralProfile(offset, changes), !changes.isEmpty());
+    boolean steers = ego.has("driver_steers");
+    ego.requireTrue("driver_steers");
+    return new HumanDriver(
+        profile, new LateralProfile(offset, changes), steers || !changes.isEmpty());
   }
 
   private List<ObjectReader> maneuvers(ObjectReader section, String key, String other) {

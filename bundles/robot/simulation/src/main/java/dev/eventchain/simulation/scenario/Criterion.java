@@ -56,6 +56,14 @@ public record Criterion(
     return commanding && !kind.always();
   }
 
+  /**
+   * Returns beyond every run if nothing may happen up to its end; otherwise standstill is enough.
+   */
+  @Override
+  public long horizon() {
+    return kind == CriterionKind.NEVER_BRAKES ? Long.MAX_VALUE : 0;
+  }
+
   @Override
   public boolean isOfEveryScenario() {
     return kind.always();

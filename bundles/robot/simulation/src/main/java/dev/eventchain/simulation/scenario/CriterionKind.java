@@ -52,14 +52,6 @@ public enum CriterionKind {
     return key.endsWith("_ttc_s");
   }
 
-  /** Returns whether it is about the motion of the vehicle, and not about its commands. */
-  public boolean isAboutMotion() {
-    return switch (this) {
-      case NO_IMPACT, STOPS, MINIMAL_GAP, MAXIMAL_IMPACT_SPEED -> true;
-      default -> false;
-    };
-  }
-
   /** Returns whether it holds for every scenario and has no key. */
   public boolean always() {
     return unit < 0;

@@ -15,12 +15,23 @@ import java.util.Set;
  * A formula that must hold in a scenario.
  *
  * @param name its name for users; may be empty
+ * @param form what it asks for, as far as its key says so
  * @param location its location in the scenario
  * @param requirements ids of the requirements that it tests
  */
 public record FormulaCriterion(
-    String name, Formula formula, SourceLocation location, List<String> requirements)
+    String name, Formula formula, Form form, SourceLocation location, List<String> requirements)
     implements Expectation {
+
+  /** What a criterion asks for. */
+  enum Form {
+    /** What its formula says. */
+    WRITTEN,
+    /** That the software brings something about. */
+    GOAL,
+    /** That the software brings a signal to its target. */
+    SETTLES
+  }
 
   /** Copies the list. */
   public FormulaCriterion {
@@ -29,7 +40,7 @@ public record FormulaCriterion(
 
   @Override
   public FormulaCriterion testing(List<String> ids) {
-    return new FormulaCriterion(name, formula, location, ids);
+    return new FormulaCriterion(name, formula, form, location, ids);
   }
 
   @Override
@@ -62,6 +73,19 @@ public record FormulaCriterion(
   @Override
   public long horizon() {
     return formula.horizon();
+  }
+
+  /**
+   * Returns whether it asks for something that the software has to bring about, and not only for a
+   * limit that it must not exceed.
+   */
+  public boolean isGoal() {
+    return form == Form.GOAL || !formula.isLimit();
+  }
+
+  /** Returns whether a signal was at the target that it is to settle at from the start of a run. */
+  public boolean isSettled(Trace trace) {
+    return form == Form.SETTLES && formula.heldBefore(new SampledRun(trace));
   }
 
   /** Returns whether it is certainly true. */

@@ -8,7 +8,9 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.simulation.bench.YamlText;
 import dev.eventchain.simulation.formula.Formula;
+import dev.eventchain.simulation.formula.Range;
 import dev.eventchain.simulation.formula.Signal;
+import dev.eventchain.simulation.scenario.FormulaCriterion.Form;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -22,6 +24,7 @@ public final class FormulasReader {
   private final Signal.Source signals;
   private final double duration;
   private final NamedRequirements requirements;
+  private final Optional<Range.Source> ranges;
 
   /**
    * Creates a reader.
@@ -30,9 +33,16 @@ public final class FormulasReader {
    * @param signals the signals that the formulas may read
    * @param duration of the scenario, in s
    * @param requirements reads the requirements that formulas name
+   * @param ranges the values that signals can have, to reject formulas that cannot be otherwise;
+   *     empty to allow these
    */
   public FormulasReader(
-      SourceText source, Signal.Source signals, double duration, NamedRequirements requirements) {
+      SourceText source,
+      Signal.Source signals,
+      double duration,
+      NamedRequirements requirements,
+      Optional<Range.Source> ranges) {
+    this.ranges = ranges;
     this.source = new YamlText(source);
     this.signals = signals;
     this.duration = duration;
@@ -51,7 +61,9 @@ public final class FormulasReader {
       section
           .text(KEY)
           .flatMap(text -> formula(section, KEY, source.range(section.at(KEY), text)))
-          .map(formula -> new FormulaCriterion(name, formula, section.atKey(KEY), tested))
+          .map(
+              formula ->
+                  new FormulaCriterion(name, formula, Form.WRITTEN, section.atKey(KEY), tested))
           .ifPresent(criteria::add);
       section.refuseOthers();
     }
@@ -72,18 +84,22 @@ public final class FormulasReader {
    * Parses a criterion whose formula is derived from a key; problems are reported at the key.
    *
    * @param key the key of the section from which the formula is derived
+   * @param form what it asks for
    * @param tested ids of the requirements that it names
    */
   Optional<FormulaCriterion> parse(
-      ObjectReader section, String key, String name, String text, List<String> tested) {
+      ObjectReader section, String key, String name, Form form, String text, List<String> tested) {
     SourceRange range = SourceText.within(section.at(key), text).whole();
     return formula(section, key, range)
-        .map(formula -> new FormulaCriterion(name, formula, section.atKey(key), tested));
+        .map(formula -> new FormulaCriterion(name, formula, form, section.atKey(key), tested));
   }
 
   private Optional<Formula> formula(ObjectReader section, String key, SourceRange range) {
     try {
-      return Optional.of(Formula.parse(range, signals, duration));
+      return Optional.of(
+          ranges.isPresent()
+              ? Formula.parse(range, signals, duration, ranges.get())
+              : Formula.parse(range, signals, duration));
     } catch (DiagnosticException e) {
       for (Diagnostic problem : e.diagnostics()) {
         SourceLocation place = problem.location().withElement(section.pointerTo(key));

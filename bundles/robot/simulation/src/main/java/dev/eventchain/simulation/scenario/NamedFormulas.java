@@ -2,6 +2,7 @@ package dev.eventchain.simulation.scenario;
 
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.simulation.scenario.FormulaCriterion.Form;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.ArrayList;
@@ -33,19 +34,20 @@ final class NamedFormulas {
     named.limit(
         "minimal_time_gap_s",
         TIME_GAP,
+        Form.WRITTEN,
         "always (ego.speed > 1 m/s implies gap / ego.speed >= %s s)");
-    named.limit("maximal_lane_offset_m", OFFSET, "always abs(ego.offset) <= %s m");
+    named.limit("maximal_lane_offset_m", OFFSET, Form.GOAL, "always abs(ego.offset) <= %s m");
     section.objects("settles").forEach(named::settles);
     section.objects("overshoots").forEach(named::overshoots);
     return named.criteria;
   }
 
-  private void limit(String key, NumberRange range, String pattern) {
+  private void limit(String key, NumberRange range, Form form, String pattern) {
     OptionalDouble limit = section.number(key, range);
     if (limit.isPresent()) {
       String text = pattern.formatted(BigDecimal.valueOf(limit.getAsDouble()).toPlainString());
       List<String> tested = formulas.requirements().of(section, key);
-      formulas.parse(section, key, key, text, tested).ifPresent(criteria::add);
+      formulas.parse(section, key, key, form, text, tested).ifPresent(criteria::add);
     }
   }
 
@@ -60,6 +62,7 @@ final class NamedFormulas {
     add(
         part,
         tested,
+        Form.SETTLES,
         "%s settles at %s".formatted(signal, target),
         "always[%s, %s] abs((%s) - (%s)) <= %s"
             .formatted(plain(from), plain(formulas.duration()), signal, target, band));
@@ -75,14 +78,15 @@ final class NamedFormulas {
     add(
         part,
         tested,
+        Form.WRITTEN,
         "%s overshoots %s by at most %s".formatted(signal, target, most),
         "(eventually abs((%1$s) - (%2$s)) <= %3$s) and (always (%1$s) - (%2$s) <= %3$s)"
             .formatted(signal, target, most));
   }
 
-  private void add(ObjectReader part, List<String> tested, String name, String text) {
+  private void add(ObjectReader part, List<String> tested, Form form, String name, String text) {
     if (!text.contains("()") && !text.endsWith("<= ") && !text.contains("<= )")) {
-      formulas.parse(part, "signal", name, text, tested).ifPresent(criteria::add);
+      formulas.parse(part, "signal", name, form, text, tested).ifPresent(criteria::add);
     }
   }
 

@@ -9,6 +9,7 @@ import dev.eventchain.simulation.bench.BenchReader;
 import dev.eventchain.simulation.formula.Signal;
 import dev.eventchain.simulation.world.Script;
 import dev.eventchain.simulation.world.Situation;
+import dev.eventchain.simulation.world.World;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -196,9 +197,27 @@ public final class Scenario {
         .collect(Collectors.toCollection(LinkedHashSet::new));
   }
 
+  /** Returns whether a criterion says how fast an impact may be, so that one may end a run. */
+  public boolean allowsImpact() {
+    return criteria.stream().anyMatch(each -> isOf(each, CriterionKind.MAXIMAL_IMPACT_SPEED));
+  }
+
+  /** Returns whether a criterion is about impacts, so that none goes unnoticed. */
+  public boolean judgesImpact() {
+    return allowsImpact()
+        || criteria.stream()
+            .anyMatch(
+                each -> isOf(each, CriterionKind.NO_IMPACT) || isOf(each, CriterionKind.STOPS));
+  }
+
+  private static boolean isOf(Expectation expectation, CriterionKind kind) {
+    return expectation instanceof Criterion criterion && criterion.kind() == kind;
+  }
+
   /** Returns the end of the part of a run that the criteria need without an impact, in ns. */
   public long horizon() {
-    return criteria.stream().mapToLong(Expectation::horizon).max().orElse(0);
+    long longest = World.nanoseconds(duration);
+    return Math.min(longest, criteria.stream().mapToLong(Expectation::horizon).max().orElse(0));
   }
 
   public List<Expectation> criteria() {

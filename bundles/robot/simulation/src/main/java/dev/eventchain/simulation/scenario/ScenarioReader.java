@@ -80,7 +80,12 @@ final class ScenarioReader {
         section.object("inputs").map(part -> InputsReader.read(part, bench)).orElse(Map.of());
     Optional<ObjectReader> accept = section.requiredObject("accept");
     FormulasReader formulas =
-        new FormulasReader(text, bench.signals(), longest(section), requirements);
+        new FormulasReader(
+            text,
+            bench.signals(),
+            longest(section),
+            requirements,
+            Optional.of(new SignalRanges(situation, inputs, bench, longest(section))));
     List<Expectation> criteria =
         accept.map(part -> CriteriaReader.read(part, formulas)).orElse(List.of());
     if (sound.getAsBoolean()) { // A criterion with an error may be the one that needs an input.

@@ -134,8 +134,13 @@ public final class Actor {
         turned, size.length(), size.width(), size.bottom(), size.top(), kind.intensity());
   }
 
+  /** Returns whether it stands from a time on, in s. */
+  public boolean restsFrom(double seconds) {
+    return speed.restsFrom(seconds) && offset.restsFrom(seconds);
+  }
+
   /** Returns an upper bound of the speed of any of its points, in m/s. */
-  double fastest() {
+  public double fastest() {
     double turning = offset.constant() ? 0.0 : TURNING * (size.length() + size.width()) / 2;
     return speed.fastest() + offset.fastest() + turning;
   }

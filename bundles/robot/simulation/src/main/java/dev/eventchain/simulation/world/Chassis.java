@@ -37,6 +37,11 @@ public record Chassis(
   /** Distance from the front axle to the bumper, in m; assumed. */
   private static final double FRONT = 0.9;
 
+  /** Returns the largest curvature of its path, in 1/m. */
+  public double tightest() {
+    return curvature(-1.0);
+  }
+
   /** Returns the curvature of the path for a steering position, -1 (left) to 1 (right), in 1/m. */
   double curvature(double steering) {
     return steering == 0.0 ? 0.0 : -StrictMath.tan(steering * maximalSteeringAngle) / wheelbase;

@@ -147,13 +147,16 @@ public final class EgoMotion {
   /**
    * Puts a command into effect. The driver controls the pedals until the software first demands
    * throttle, brake, hand brake or another gear, and then releases them: without any, the vehicle
-   * coasts. The driver controls the wheel until the software first steers. Braking overrides
+   * coasts. Software that steers has the wheel from its first command on, also if that is 0; only a
+   * driver who is said to steer keeps it until the command first differs from 0. Braking overrides
    * driving; the throttle adds to coasting in proportion, up to the maximal acceleration. Another
    * direction is engaged at standstill.
+   *
+   * @param driverSteers true if the driver is said to steer
    */
-  void follow(VehicleCommand newCommand) {
+  void follow(VehicleCommand newCommand, boolean driverSteers) {
     command = newCommand;
-    steered &= command.limitedSteering() == 0.0;
+    steered &= command.limitedSteering() == 0.0 && (driverSteers || !command.steers());
     if (!steered) {
       curvature = chassis.curvature(command.limitedSteering());
     }
@@ -162,6 +165,15 @@ public final class EgoMotion {
             && command.limitedThrottle() == 0.0
             && !command.handBrake()
             && command.gear() == 1;
+  }
+
+  /** Lets the driver release the pedals or the wheel, which then is straight. */
+  void release(boolean pedals, boolean wheel) {
+    held &= !pedals;
+    if (wheel && steered) {
+      steered = false;
+      curvature = chassis.curvature(0.0);
+    }
   }
 
   /** Returns the deceleration that the command demands, in m/s2. */

@@ -6,7 +6,8 @@ package dev.eventchain.simulation.world;
  *
  * @param speed the desired speed
  * @param line the desired position in the lane
- * @param scripted true if the driver steers; in a bend this is always so
+ * @param scripted true if the driver is said to steer, and not only follows a bend as long as the
+ *     software does not steer
  */
 public record HumanDriver(SpeedProfile speed, LateralProfile line, boolean scripted) {
 

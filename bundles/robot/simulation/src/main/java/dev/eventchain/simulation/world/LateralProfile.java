@@ -90,6 +90,11 @@ public final class LateralProfile {
     return moves.isEmpty() ? 0.0 : moves.get(moves.size() - 1).end();
   }
 
+  /** Returns whether the offset is constant from a time on, in s. */
+  boolean restsFrom(double seconds) {
+    return end() <= seconds;
+  }
+
   /** Returns the largest lateral speed, in m/s. */
   double fastest() {
     return fastest;

@@ -72,6 +72,14 @@ public final class SpeedProfile {
     return at(seconds).rate();
   }
 
+  /** Returns whether it is 0 from a time on, in s. */
+  boolean restsFrom(double seconds) {
+    return speed(seconds) == 0.0
+        && pieces.stream()
+            .filter(each -> each.time() >= seconds)
+            .allMatch(each -> each.speed() == 0.0 && each.rate() == 0.0);
+  }
+
   /** Returns the distance since the start, in m. */
   double way(double seconds) {
     return at(seconds).wayAt(seconds);

@@ -3,11 +3,13 @@ package dev.eventchain.simulation.world;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalLong;
 import java.util.Set;
 
 /** Recording of a scenario: states at fixed intervals, and every command. */
@@ -92,6 +94,10 @@ public final class Trace {
   private OptionalDouble impactSpeed = OptionalDouble.empty();
   private String impact = "";
   private String ignored = "";
+  private boolean cut;
+  private OptionalLong pedalsTaken = OptionalLong.empty();
+  private OptionalLong wheelTaken = OptionalLong.empty();
+  private final Set<String> hidden = new HashSet<>();
 
   /** Creates a trace without inputs. */
   public Trace() {
@@ -133,17 +139,63 @@ public final class Trace {
     samples.computeIfAbsent(signal, name -> new ArrayList<>()).add(new Sample(time, value));
   }
 
-  /** Returns a copy without the samples of some signals of topics. */
+  /** Returns a copy without the values of some signals of topics or commands. */
   public Trace without(Set<String> signals) {
+    return without(signals, this);
+  }
+
+  /**
+   * Returns a copy with the messages of another trace, without the values of some signals of topics
+   * or commands.
+   */
+  public Trace without(Set<String> signals, Trace messages) {
     Trace other = new Trace(inputs, road);
     other.states.addAll(states);
     other.commands.addAll(commands);
-    other.samples.putAll(samples);
+    other.samples.putAll(messages.samples);
     other.samples.keySet().removeAll(signals);
+    other.hidden.addAll(hidden);
+    other.hidden.addAll(signals);
     other.impactSpeed = impactSpeed;
     other.impact = impact;
+    other.cut = cut;
     other.fromBehind.addAll(fromBehind);
     return other;
+  }
+
+  /** Returns whether it was copied without the values of a signal. */
+  public boolean isWithout(String signal) {
+    return hidden.contains(signal);
+  }
+
+  /** Records that the run ended before its time: what would have come after it is unknown. */
+  public void cutShort() {
+    cut = true;
+  }
+
+  /** Returns whether the run ended before its time. */
+  public boolean isCut() {
+    return cut;
+  }
+
+  /** Records when the software first took the pedals or the wheel from the driver, in ns. */
+  void taken(long time, boolean pedals, boolean wheel) {
+    if (pedals && pedalsTaken.isEmpty()) {
+      pedalsTaken = OptionalLong.of(time);
+    }
+    if (wheel && wheelTaken.isEmpty()) {
+      wheelTaken = OptionalLong.of(time);
+    }
+  }
+
+  /** Returns when the software took the pedals from the driver, in ns; empty if it did not. */
+  public OptionalLong pedalsTaken() {
+    return pedalsTaken;
+  }
+
+  /** Returns when the software took the wheel from the driver, in ns; empty if it did not. */
+  public OptionalLong wheelTaken() {
+    return wheelTaken;
   }
 
   /**

@@ -11,9 +11,16 @@ import java.util.Map;
  * @param handBrake true if it is set
  * @param gear -1 backwards, 0 neutral, 1 forwards
  * @param ignored the demands that the simulated vehicle ignores, in words; empty if there are none
+ * @param steers true if the software steers, so that a steering of 0 is a command as well
  */
 public record VehicleCommand(
-    double throttle, double brake, double steering, boolean handBrake, int gear, String ignored) {
+    double throttle,
+    double brake,
+    double steering,
+    boolean handBrake,
+    int gear,
+    String ignored,
+    boolean steers) {
 
   /** Maximum rounding error of a float32 acceleration, in m/s2. */
   private static final double ROUNDING = 1e-3;
@@ -30,7 +37,16 @@ public record VehicleCommand(
 
   /** Returns a command for the pedals that keeps the initial state of everything else. */
   static VehicleCommand pedals(double throttle, double brake) {
-    return new VehicleCommand(throttle, brake, 0.0, false, 1, "");
+    return new VehicleCommand(throttle, brake, 0.0, false, 1, "", false);
+  }
+
+  /**
+   * Returns the command of software that demands nothing.
+   *
+   * @param steers true if it steers, and so holds the wheels straight
+   */
+  public static VehicleCommand idle(boolean steers) {
+    return new VehicleCommand(0.0, 0.0, 0.0, false, 1, "", steers);
   }
 
   /**
@@ -61,7 +77,8 @@ public record VehicleCommand(
         steering,
         of(demands, Actuator.HAND_BRAKE) != 0.0,
         gear,
-        ignored(demands, vehicle, throttle, steering));
+        ignored(demands, vehicle, throttle, steering),
+        demands.containsKey(Actuator.STEERING) || demands.containsKey(Actuator.STEERING_ANGLE));
   }
 
   private static double of(Map<Actuator, Double> demands, Actuator actuator) {

@@ -6,6 +6,7 @@ import java.util.Deque;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Set;
 
 /**
@@ -25,6 +26,11 @@ public final class World {
   private final Set<Actor> gone = new HashSet<>();
   private EgoMotion ego;
   private long now;
+
+  /** Times at which the driver lets go of the pedals and of the wheel, in ns. */
+  private long pedalsReleased = Long.MAX_VALUE;
+
+  private long wheelReleased = Long.MAX_VALUE;
 
   /** Approximate position of the ego along the road, in m: a bend may exceed a full circle. */
   private double travelled;
@@ -109,20 +115,37 @@ public final class World {
     trace.command(time, command);
   }
 
+  /**
+   * Lets the driver release the pedals and the wheel at some times, in ns, without a demand of the
+   * software.
+   */
+  public void release(OptionalLong pedals, OptionalLong wheel) {
+    pedalsReleased = pedals.orElse(Long.MAX_VALUE);
+    wheelReleased = wheel.orElse(Long.MAX_VALUE);
+  }
+
   /** Advances time, or stops at an impact. */
   public void advanceTo(long until) {
     while (now < until && !impacted()) {
       long next = Math.min(until, (now / TRACE_STEP + 1) * TRACE_STEP);
       Pending following = pending.peek();
       if (following != null && following.effectiveAt() <= now) {
-        ego.follow(pending.remove().command());
+        follow(pending.remove().command());
         continue;
       }
+      ego.release(pedalsReleased <= now, wheelReleased <= now);
       if (following != null) {
         next = Math.min(next, following.effectiveAt());
       }
+      next = pedalsReleased > now ? Math.min(next, pedalsReleased) : next;
+      next = wheelReleased > now ? Math.min(next, wheelReleased) : next;
       advancePiece(next);
     }
+  }
+
+  private void follow(VehicleCommand command) {
+    ego.follow(command, situation.driver().scripted());
+    trace.taken(now, !ego.held(), !ego.steered());
   }
 
   private void advancePiece(long until) {
