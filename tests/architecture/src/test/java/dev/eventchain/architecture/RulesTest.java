@@ -108,6 +108,7 @@ class RulesTest {
                 "simulation.criterion.untested",
                 "simulation.fault.no-effect",
                 "simulation.fault.untested",
+                "simulation.impact.unjudged",
                 "simulation.latency.unmeasured",
                 "simulation.node.silent",
                 "simulation.rule.untested",

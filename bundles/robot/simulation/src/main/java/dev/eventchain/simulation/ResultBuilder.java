@@ -206,8 +206,8 @@ final class ResultBuilder {
   }
 
   private static Diagnostic impact(ScenarioRun run) {
-    return Diagnostic.error(
-            "simulation.impact.unjudged",
+    return Diagnostic.of(
+            SimulationRules.SIMULATION_IMPACT_UNJUDGED,
             RootLocale.format(
                 "Scenario %s ended after %.2f s of %.2f s by an impact at %.1f km/h that no criterion"
                     + " is about: %s.",

@@ -9,6 +9,8 @@ final class SimulationRules {
   static final Rule FAULT_DRIVER = Rule.error("fault.driver");
   static final Rule SIMULATION_COMMAND_IGNORED =
       Rule.error("simulation.command.ignored", CommonTrait.UNTESTED);
+  static final Rule SIMULATION_IMPACT_UNJUDGED =
+      Rule.error("simulation.impact.unjudged", CommonTrait.UNTESTED);
   static final Rule SIMULATION_EGO_HIT_FROM_BEHIND = Rule.warning("simulation.ego.hit-from-behind");
 
   private SimulationRules() {}

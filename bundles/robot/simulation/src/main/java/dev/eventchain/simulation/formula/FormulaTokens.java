@@ -213,7 +213,7 @@ public final class FormulaTokens {
   }
 
   DiagnosticException constant(Token token, String message, String hint) {
-    return problem("constant", token, message, hint);
+    return problem(FormulaRules.SCENARIO_FORMULA_CONSTANT, token, message, hint);
   }
 
   DiagnosticException unknownSignal(Token token, String message, String hint) {

@@ -4,7 +4,6 @@ import dev.eventchain.simulation.fault.OutputFault;
 import dev.eventchain.simulation.judge.ScenarioJudge;
 import dev.eventchain.simulation.run.OutputRecord;
 import dev.eventchain.simulation.run.ScenarioRun;
-import dev.eventchain.simulation.scenario.Criterion;
 import dev.eventchain.simulation.scenario.Expectation;
 import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
@@ -23,15 +22,11 @@ final class JudgedScenario {
 
   JudgedScenario(ScenarioRun run, ScenarioJudge judge) {
     List<Expectation> own =
-        run.scenario().criteria().stream().filter(JudgedScenario::isOwn).toList();
+        run.scenario().criteria().stream().filter(each -> !each.isOfEveryScenario()).toList();
     this.scenario = run.scenario().with(own);
     this.judge = judge;
     this.published = run.outputs();
     this.results = results(run);
-  }
-
-  private static boolean isOwn(Expectation expectation) {
-    return !(expectation instanceof Criterion criterion) || !criterion.kind().always();
   }
 
   /** Returns the scenario with its own criteria only. */
@@ -51,7 +46,8 @@ final class JudgedScenario {
 
   /** Returns whether a criterion belongs to a requirement and holds without faults. */
   boolean proves(int criterion, String requirement) {
-    return results.get(criterion).passed() && names(requirement);
+    CriterionResult result = results.get(criterion);
+    return result.passed() && result.requirements().contains(requirement);
   }
 
   /** Returns the result of a criterion without faults. */
