@@ -60,6 +60,7 @@ public record RunResult(
         failure,
         List.of(),
         List.of(),
+        List.of(),
         List.of());
   }
 
