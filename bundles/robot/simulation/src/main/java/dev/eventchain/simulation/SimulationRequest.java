@@ -158,10 +158,10 @@ public record SimulationRequest(
         processes, generated, limits, accepted, recordings, driver, other, strength, attachment);
   }
 
-  /** Returns a copy that measures the strength of requirements, if every scenario passes. */
-  public SimulationRequest withStrength() {
+  /** Returns a copy that measures the strength of requirements or not. */
+  public SimulationRequest withStrength(boolean measured) {
     return with(
-        processes, generated, limits, accepted, recordings, driver, faults, true, attachment);
+        processes, generated, limits, accepted, recordings, driver, faults, measured, attachment);
   }
 
   /** Returns whether it measures the strength of requirements, which needs lock-step. */

@@ -110,9 +110,7 @@ public final class SimulateStage implements StageWork {
     OclResult validation = ProjectChecks.constraints(run).check(measured, locator);
     RuleEvidence evidence = RuleEvidence.of(run, measured, validation);
     found.addAll(evidence.findings());
-    RequirementStrength strength = RequirementStrength.of(run, result);
-    found.addAll(strength.findings());
-    List<RequirementOutcome> outcomes = outcomes(run, chain, scenarios, result, evidence, strength);
+    List<RequirementOutcome> outcomes = outcomes(run, chain, scenarios, result, evidence);
     if (!run.options().isPartial()) {
       addUntested(run, chain, scenarios, result, outcomes, found);
       // Last, so that it never exists without the results it refers to.
@@ -167,13 +165,16 @@ public final class SimulateStage implements StageWork {
       EventChain chain,
       List<Scenario> scenarios,
       SimulationResult result,
-      RuleEvidence evidence,
-      RequirementStrength strength) {
+      RuleEvidence evidence) {
     Set<String> unproven =
         new TreeSet<>(RequirementCoverage.unproven(run, chain, scenarios).keySet());
     unproven.addAll(StaleEvidence.ids(StaleEvidence.of(run)));
     return RequirementOutcomes.of(
-        run.writtenRequirements(), result.verdicts(), unproven, evidence, strength);
+        run.writtenRequirements(),
+        result.verdicts(),
+        unproven,
+        evidence,
+        RequirementStrength.of(run, result));
   }
 
   private static void addUntested(
@@ -271,6 +272,7 @@ public final class SimulateStage implements StageWork {
     found.addAll(result.diagnostics());
     result.verdicts().forEach(verdict -> found.addAll(verdict.diagnostics()));
     result.faults().forEach(fault -> found.addAll(fault.diagnostics()));
+    found.addAll(RequirementStrength.of(run, result).findings());
     return result;
   }
 
@@ -279,9 +281,8 @@ public final class SimulateStage implements StageWork {
     GeneratedPackage generated = GeneratedPackage.required(run);
     Recordings recordings = new Recordings(run, scenarios);
     FaultPlan faults = ProjectFaults.selected(run, chain, scenarios);
-    SimulationRequest plain = request(run, chain, generated, scenarios).withFaults(faults);
     SimulationRequest request =
-        recordings.begin(RequirementStrength.isMeasured(run) ? plain.withStrength() : plain);
+        recordings.begin(request(run, chain, generated, scenarios).withFaults(faults));
     int all = scenarios.size() + faults.size();
     AtomicInteger done = new AtomicInteger();
     try {
@@ -289,9 +290,8 @@ public final class SimulateStage implements StageWork {
           request,
           run.python(Stage.SIMULATE),
           name -> {
-            int count = done.incrementAndGet();
-            String which = count <= all ? count + " of " + all : "fault " + (count - all);
-            run.progress().step(Stage.SIMULATE, which + ": " + name);
+            String count = counted(done.incrementAndGet(), all);
+            run.progress().step(Stage.SIMULATE, count + ": " + name);
           });
     } catch (DiagnosticException e) {
       throw new DiagnosticException(
@@ -308,6 +308,11 @@ public final class SimulateStage implements StageWork {
     }
   }
 
+  /** Returns the number of a run; those with standard faults come after all others. */
+  private static String counted(int count, int all) {
+    return count <= all ? count + " of " + all : "fault " + (count - all);
+  }
+
   private static SimulationRequest request(
       RunContext run, EventChain chain, GeneratedPackage generated, List<Scenario> scenarios) {
     SimulationRequest request =
@@ -319,7 +324,8 @@ public final class SimulateStage implements StageWork {
                 run.bench(),
                 scenarios)
             .withGenerated(written(run, chain))
-            .withAccepted(run.options().suppressions()::accepts);
+            .withAccepted(run.options().suppressions()::accepts)
+            .withStrength(RequirementStrength.isMeasured(run));
     return switch (run.options().driver()) {
       case LOCKSTEP -> request;
       case DDS -> request.withDriver(SimulationDriver.DDS);
