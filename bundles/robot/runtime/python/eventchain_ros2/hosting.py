@@ -35,18 +35,26 @@ from eventchain_ros2.simulation import Process, Simulation
 
 SOURCES = str(Path(__file__).resolve().parents[1])
 
-OFFERS_EVERYTHING = QoSProfile(
-    depth=1,
-    durability=DurabilityPolicy.TRANSIENT_LOCAL,
-    deadline=Duration(nanoseconds=1),
-    liveliness=LivelinessPolicy.MANUAL_BY_TOPIC,
-    liveliness_lease_duration=Duration(nanoseconds=1),
-)
-"""Whoever is outside a simulation offers everything that a node may request."""
-REQUESTS_NOTHING = QoSProfile(history=HistoryPolicy.KEEP_ALL, reliability=ReliabilityPolicy.BEST_EFFORT)
-"""... and requests nothing that a node may not offer."""
+OBSERVES = QoSProfile(history=HistoryPolicy.KEEP_ALL, reliability=ReliabilityPolicy.BEST_EFFORT)
+"""Quality of service of a subscription that observes a topic: whatever is offered."""
 
 _UNLIMITED = 1e9  # s
+
+
+def world_profile(entry: dict[str, Any], unstated: QoSProfile) -> QoSProfile:
+    """Return the quality of service of the world on a topic of the configuration."""
+    stated = entry.get("qos")
+    if stated is None:
+        return unstated
+    return QoSProfile(
+        history=unstated.history,
+        depth=unstated.depth,
+        reliability=ReliabilityPolicy.BEST_EFFORT if stated["best_effort"] else ReliabilityPolicy.RELIABLE,
+        durability=DurabilityPolicy.TRANSIENT_LOCAL if stated["transient"] else DurabilityPolicy.VOLATILE,
+        liveliness=LivelinessPolicy.MANUAL_BY_TOPIC if stated["manual"] else LivelinessPolicy.AUTOMATIC,
+        deadline=Duration(nanoseconds=stated["deadline"]),
+        liveliness_lease_duration=Duration(nanoseconds=stated["lease"]),
+    )
 
 
 class HostedNodes:

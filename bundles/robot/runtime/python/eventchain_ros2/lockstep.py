@@ -12,7 +12,8 @@ from typing import Any
 from eventchain_ros2.channel import Channel, Kind
 from eventchain_ros2.endpoints import Publisher, Subscription
 from eventchain_ros2.failures import HostError
-from eventchain_ros2.hosting import OFFERS_EVERYTHING, REQUESTS_NOTHING, Host, HostedNodes, parse, unexpected
+from eventchain_ros2.hosting import OBSERVES, Host, HostedNodes, parse, unexpected, world_profile
+from eventchain_ros2.qos import qos_profile_default
 from eventchain_ros2.simulation import LimitError, Process, Sample
 
 MOST_COMMANDS = 10_000
@@ -56,10 +57,12 @@ class Scenario(HostedNodes):
         process = self.simulation.add_process("")
         for entry in self.configuration.get("world_publishes", []):
             topic, message_type = entry["topic"], self.message_type(entry["type"], entry["topic"])
-            self._inlets.append(Publisher(self.simulation, process, message_type, topic, OFFERS_EVERYTHING))
+            profile = world_profile(entry, qos_profile_default)
+            self._inlets.append(Publisher(self.simulation, process, message_type, topic, profile))
         for index, entry in enumerate(self.configuration.get("world_subscribes", [])):
             topic, message_type = entry["topic"], self.message_type(entry["type"], entry["topic"])
-            _Outlet(index, self._outbox, self.simulation, process, message_type, topic, print, REQUESTS_NOTHING)
+            profile = world_profile(entry, OBSERVES)
+            _Outlet(index, self._outbox, self.simulation, process, message_type, topic, print, profile)
 
     def ready(self) -> dict[str, Any]:
         """Return the content of the READY frame."""

@@ -3,6 +3,7 @@ package dev.eventchain.contracts;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.QosSettings;
 import dev.eventchain.messages.QosSettings.Incompatibility;
+import dev.eventchain.model.QosProfiles;
 import dev.eventchain.model.Signal;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventchainPackage.Literals;
@@ -22,7 +23,7 @@ final class QosContracts {
   /**
    * One side of a topic.
    *
-   * @param profile the stated profile; null if there is none
+   * @param profile the stated profile; null if there is none, so that the default of ROS 2 applies
    */
   private record Side(String name, QosProfile profile, Supplier<SourceLocation> place) {
 
@@ -63,7 +64,7 @@ final class QosContracts {
     for (Data data : endpoint.data()) {
       if (data.getQos() != null && data != holder) {
         findings.checked(ContractRule.QOS_AMBIGUOUS);
-        if (!Qos.settings(data.getQos()).equals(Qos.settings(holder.getQos()))) {
+        if (!QosProfiles.settings(data.getQos()).equals(QosProfiles.settings(holder.getQos()))) {
           findings.warning(
               ContractRule.QOS_AMBIGUOUS,
               findings.at(data, Literals.DATA__QOS),
@@ -87,15 +88,15 @@ final class QosContracts {
     }
     topic
         .signal()
-        .filter(signal -> signal.direction() == vehicle && signal.qos().isPresent())
-        .map(signal -> new Side(VEHICLE, signal.qos().get(), signal::location))
+        .filter(signal -> signal.direction() == vehicle)
+        .map(signal -> new Side(VEHICLE, signal.qos().orElse(null), signal::location))
         .ifPresent(sides::add);
     return sides;
   }
 
   private void compare(String topic, Side offer, Side request) {
-    QosSettings offered = Qos.settings(offer.profile());
-    QosSettings requested = Qos.settings(request.profile());
+    QosSettings offered = QosProfiles.settings(offer.profile());
+    QosSettings requested = QosProfiles.settings(request.profile());
     for (Incompatibility gap : QosSettings.incompatibilities(offered, requested)) {
       // The finding is at the chain, because the vehicle cannot be changed.
       Side here = request.isVehicle() ? offer : request;
@@ -142,13 +143,36 @@ final class QosContracts {
     } else {
       change = offer.isVehicle() ? lower : lower + ", or " + raise;
     }
-    return "%s %s, %s %s: %s."
+    return "%s %s, %s %s: %s%s."
         .formatted(
             sentenceStart(request.name()),
-            Qos.words(request.profile()),
+            words(request.profile()),
             offer.name(),
-            Qos.words(offer.profile()),
-            change);
+            words(offer.profile()),
+            change,
+            unlessStated(offer, request));
+  }
+
+  /** Returns the profile in words: "has the profile sensor_data". */
+  private static String words(QosProfile profile) {
+    if (profile == null) {
+      return "has the default profile, as it states none";
+    }
+    String name = profile.getName();
+    return name == null || name.isEmpty()
+        ? "states its policies without a profile"
+        : "has the profile " + name;
+  }
+
+  /** Returns the end of a hint: for users, the missing profile of a signal. */
+  private static String unlessStated(Side offer, Side request) {
+    Side vehicle = request.isVehicle() ? request : offer;
+    Side component = request.isVehicle() ? offer : request;
+    boolean isUnstated = vehicle.isVehicle() && vehicle.profile() == null;
+    return isUnstated && !component.place().get().file().endsWith(".json")
+        ? "; if the vehicle %s otherwise, state its qos_profile in signals.json"
+            .formatted(request.isVehicle() ? "reads it" : "sends it")
+        : "";
   }
 
   /** Returns the requests that the offer satisfies. Longer times are weaker. */

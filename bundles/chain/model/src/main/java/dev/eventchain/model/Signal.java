@@ -1,6 +1,7 @@
 package dev.eventchain.model;
 
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.messages.QosSettings;
 import dev.eventchain.model.eventchain.QosProfile;
 import java.util.List;
 import java.util.Optional;
@@ -46,6 +47,11 @@ public record Signal(
   /** Copies the list. */
   public Signal {
     fields = List.copyOf(fields);
+  }
+
+  /** Returns the QoS of the vehicle; the default of ROS 2 if none is stated. */
+  public QosSettings quality() {
+    return QosProfiles.settings(qos.orElse(null));
   }
 
   /** Returns the described field with a path. */

@@ -2,6 +2,7 @@ package dev.eventchain.simulation;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.messages.RosNames;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.sandbox.Confinement;
 import dev.eventchain.sandbox.PythonEnvironment;
@@ -28,6 +29,7 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 
 /**
  * Simulates the generated nodes of a chain in a closed loop with a vehicle on a road. In lock-step
@@ -208,8 +210,12 @@ public final class Simulation {
   }
 
   private NodeHosts attached() {
+    Set<String> nodes =
+        chain.nodes().stream()
+            .map(node -> RosNames.nodeName(node.getName()))
+            .collect(Collectors.toUnmodifiableSet());
     ChainTopics topics =
-        new ChainTopics(chain.topicsWritten(), Set.copyOf(chain.taken()), chain.catalog());
+        new ChainTopics(chain.topicsWritten(), Set.copyOf(chain.taken()), nodes, chain.catalog());
     return new AttachedHosts(
         request.attachment().orElseThrow(), topics, request.limits().wallTime(), python);
   }

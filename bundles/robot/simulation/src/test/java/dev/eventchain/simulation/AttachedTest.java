@@ -47,6 +47,7 @@ import org.junit.jupiter.api.io.TempDir;
 class AttachedTest {
 
   private static final QosSettings QOS = QosSettings.named("default").orElseThrow();
+  private static final QosSettings SENSOR = QosSettings.named("sensor_data").orElseThrow();
   private static final MessageCatalog MESSAGES =
       MessageCatalog.of(List.of(AebProject.EXAMPLE.resolve("software-base/msg")));
   private static final String LIDAR = "/carla/ego_vehicle/lidar";
@@ -56,6 +57,9 @@ class AttachedTest {
   private static final String NUMBER = "std_msgs/msg/Float32";
   private static final NodeLimits AT_ONCE =
       new NodeLimits(Duration.ofSeconds(10), Duration.ofMillis(1), Duration.ofHours(1));
+
+  private static final NodeLimits SOON =
+      new NodeLimits(Duration.ofSeconds(10), Duration.ofSeconds(1), Duration.ofHours(1));
 
   private final DdsDomain domain = DdsDomain.find();
   private final DdsAttachment where =
@@ -115,7 +119,8 @@ class AttachedTest {
   }
 
   private void reads(String topic, String type, Consumer<DdsSample> listener) {
-    others.reader(topic, type(type), QOS.withHistory(QosSettings.History.KEEP_ALL), listener);
+    QosSettings qos = topic.equals(LIDAR) ? SENSOR : QOS;
+    others.reader(topic, type(type), qos.withHistory(QosSettings.History.KEEP_ALL), listener);
   }
 
   /** Returns a node that answers each scan with this demand on the brake. */
@@ -172,6 +177,42 @@ class AttachedTest {
             + " by node /brakes with another definition of carla_msgs/msg/CarlaEgoVehicleStatus;"
             + " /clock is written by node /brakes, too. Nodes found: /brakes.",
         found.message());
+  }
+
+  @Test
+  void aReliableReaderOfABestEffortSensorGetsNothing() throws Exception {
+    others.announce("brakes");
+    others.writer(CONTROL, type(CONTROL_TYPE), QOS);
+    reads(STATUS, "carla_msgs/msg/CarlaEgoVehicleStatus", sample -> {});
+    others.reader(LIDAR, type("sensor_msgs/msg/PointCloud2"), QOS);
+    requireMisfit(refusal(request("misfit").withLimits(SOON)), "brakes");
+  }
+
+  @Test
+  void aReliableNodeOfTheChainIsNotReplacedByAnotherReader() throws Exception {
+    brakes(0);
+    try (DdsParticipant second = another("object_detection")) {
+      second.reader(LIDAR, type("sensor_msgs/msg/PointCloud2"), QOS);
+      requireMisfit(refusal(request("misfit").withLimits(SOON)), "object_detection");
+    }
+    try (DdsParticipant second = another("recorder")) {
+      second.reader(LIDAR, type("sensor_msgs/msg/PointCloud2"), QOS);
+      assertEquals(1, run(request("recorded")).verdicts().size());
+    }
+  }
+
+  private DdsParticipant another(String node) {
+    DdsParticipant participant =
+        DdsParticipant.on(
+            DdsLibrary.load(python.cycloneDds()), where.domain(), where.configuration());
+    participant.announce(node);
+    return participant;
+  }
+
+  private static void requireMisfit(Diagnostic found, String node) {
+    assertEquals("simulation.wire.unmatched", found.id());
+    String misfit = " is read by node /%s with an incompatible quality of service: reliability";
+    assertTrue(found.message().contains(LIDAR + misfit.formatted(node)), found::message);
   }
 
   @Test
@@ -241,7 +282,7 @@ class AttachedTest {
         CompletableFuture.supplyAsync(
             () -> refusal(requestUnchecked("vanishes")), command -> new Thread(command).start());
     Diagnostic found;
-    try (DdsReader scans = others.reader(LIDAR, type("sensor_msgs/msg/PointCloud2"), QOS)) {
+    try (DdsReader scans = others.reader(LIDAR, type("sensor_msgs/msg/PointCloud2"), SENSOR)) {
       boolean driven = false;
       while (!driven && !running.isDone()) {
         driven = !scans.take(Duration.ofMillis(100)).isEmpty();

@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.MessageValue;
+import dev.eventchain.messages.QosSettings;
 import dev.eventchain.messages.Unit;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.simulation.formula.Formula;
@@ -320,6 +321,25 @@ public final class Bench {
   public boolean isOwn(String topic) {
     boolean nothingSaid = own.isEmpty() && declared.isEmpty();
     return nothingSaid || own.contains(topic) || declared.find(topic).isPresent();
+  }
+
+  /**
+   * Returns the QoS that the vehicle offers on a topic that it provides: as declared, otherwise the
+   * default of ROS 2. All policies are decided.
+   *
+   * @param topic its full name
+   */
+  public QosSettings offered(String topic) {
+    return VehicleQos.offered(declared.quality(topic));
+  }
+
+  /**
+   * Returns the QoS that the vehicle requests on a topic that it consumes; as {@link #offered}.
+   *
+   * @param topic its full name
+   */
+  public QosSettings requested(String topic) {
+    return VehicleQos.requested(declared.quality(topic));
   }
 
   DeclaredSignals declared() {

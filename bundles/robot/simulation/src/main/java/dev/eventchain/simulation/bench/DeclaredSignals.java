@@ -1,5 +1,6 @@
 package dev.eventchain.simulation.bench;
 
+import dev.eventchain.messages.QosSettings;
 import dev.eventchain.messages.RosNames;
 import dev.eventchain.model.Signal.Direction;
 import java.util.ArrayList;
@@ -37,6 +38,11 @@ final class DeclaredSignals {
   /** Returns the declared signal of a topic, by its full name. */
   Optional<dev.eventchain.model.Signal> find(String topic) {
     return Optional.ofNullable(topics.get(topic));
+  }
+
+  /** Returns the QoS of the vehicle on a topic; the default of ROS 2 if none is declared. */
+  QosSettings quality(String topic) {
+    return find(topic).map(dev.eventchain.model.Signal::quality).orElseGet(QosSettings::defaults);
   }
 
   /** Returns the full names of all topics. */

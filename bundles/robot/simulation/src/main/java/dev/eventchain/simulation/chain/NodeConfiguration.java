@@ -3,12 +3,17 @@ package dev.eventchain.simulation.chain;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.messages.QosSettings;
+import dev.eventchain.messages.QosSettings.Durability;
+import dev.eventchain.messages.QosSettings.Liveliness;
+import dev.eventchain.messages.QosSettings.Reliability;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.simulation.bench.TypedTopic;
 import dev.eventchain.simulation.node.NodeManifest;
 import dev.eventchain.simulation.node.NodePackage;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.zip.CRC32;
@@ -45,9 +50,10 @@ public final class NodeConfiguration {
       chain.nodes().forEach(node -> configured.add(configuration(node, seed)));
     }
     ArrayNode publishes = json.putArray("world_publishes");
-    published.forEach(topic -> publishes.add(configuration(topic)));
+    published.forEach(
+        topic -> publishes.add(configuration(topic, chain.bench().offered(topic.name()))));
     ArrayNode subscribes = json.putArray("world_subscribes");
-    received.forEach(topic -> subscribes.add(configuration(topic)));
+    received.forEach(topic -> subscribes.add(received(topic)));
     json.put("step_limit_s", generated.limits().processorTime().toNanos() / 1e9);
     json.put("wall_limit_s", generated.limits().wallTime().toNanos() / 1e9);
     return json;
@@ -82,9 +88,27 @@ public final class NodeConfiguration {
     return json;
   }
 
+  /** Describes a topic that the vehicle consumes, or that is only observed, with any QoS. */
+  private ObjectNode received(TypedTopic topic) {
+    return chain.bench().consumed().containsKey(topic.name())
+        ? configuration(topic, chain.bench().requested(topic.name()))
+        : configuration(topic);
+  }
+
   private static ObjectNode configuration(TypedTopic topic) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     return json.put("topic", topic.name()).put("type", topic.type());
+  }
+
+  private static ObjectNode configuration(TypedTopic topic, QosSettings quality) {
+    ObjectNode json = configuration(topic);
+    json.putObject("qos")
+        .put("best_effort", quality.reliability() == Reliability.BEST_EFFORT)
+        .put("transient", quality.durability() == Durability.TRANSIENT_LOCAL)
+        .put("manual", quality.liveliness() == Liveliness.MANUAL_BY_TOPIC)
+        .put("deadline", quality.deadline().map(Duration::toNanos).orElse(0L))
+        .put("lease", quality.lease().map(Duration::toNanos).orElse(0L));
+    return json;
   }
 
   /** Returns the worst-case execution time of the model, in ms; 0 if it is not stated. */

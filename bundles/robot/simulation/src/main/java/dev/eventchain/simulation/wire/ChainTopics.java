@@ -8,6 +8,8 @@ import java.util.Set;
  *
  * @param written topics that the chain writes
  * @param taken those of them that the vehicle consumes
+ * @param nodes names of the chain's nodes in ROS 2, without namespace
  * @param catalog the definitions of the world's messages
  */
-public record ChainTopics(Set<String> written, Set<String> taken, MessageCatalog catalog) {}
+public record ChainTopics(
+    Set<String> written, Set<String> taken, Set<String> nodes, MessageCatalog catalog) {}

@@ -21,7 +21,7 @@ import java.util.stream.Stream;
  * @param peers the peers on topics of the world
  * @param nodes the names of all discovered nodes, on any topic
  * @param isEmpty true if no peer was found on any topic
- * @param graph the writers and readers of the peers by owner, and a world that matches them
+ * @param graph the writers and readers of the peers by owner, and the world
  */
 record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, WireGraph graph) {
 
@@ -57,14 +57,15 @@ record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, Wi
    * Returns what prevents the scenario, in words.
    *
    * @param chain each topic that the vehicle consumes from it needs a writer, and each topic of the
-   *     world except the clock a reader; the world must be the only writer of its topics that the
-   *     chain does not write
+   *     world except the clock a reader, which its own nodes must not fail to be; the world must be
+   *     the only writer of its topics that the chain does not write
    */
   List<String> missing(ChainTopics chain) {
     List<String> missing = new ArrayList<>();
     for (WireEnd writer : graph.writersOf(WireEnd.WORLD)) {
-      if (!writer.topic().equals(CLOCK) && graph.sinks(writer) == 0) {
-        missing.add(why(writer, false));
+      if (!writer.topic().equals(CLOCK)) {
+        missing.addAll(
+            graph.sinks(writer) == 0 ? List.of(why(writer, false)) : deaf(writer, chain));
       }
     }
     for (WireEnd reader : graph.readersOf(WireEnd.WORLD)) {
@@ -75,6 +76,18 @@ record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, Wi
     missing.addAll(otherDefinitions(chain.catalog()));
     missing.addAll(rivals(chain.written()));
     return missing;
+  }
+
+  /** Returns the nodes of the chain that read a topic of the world in vain, while others get it. */
+  private List<String> deaf(WireEnd world, ChainTopics chain) {
+    return graph.readers().stream()
+        .filter(reader -> reader.owner() != WireEnd.WORLD && !world.feeds(reader))
+        .map(reader -> peers.get(reader.owner()))
+        .filter(peer -> peer.topic().equals(world.topic()))
+        .filter(peer -> chain.nodes().contains(peer.node().replaceFirst(".*/", "")))
+        .map(peer -> world.topic() + " is read" + by(peer) + misfit(world, peer))
+        .distinct()
+        .toList();
   }
 
   /** Returns writers that compete with the world, such as another simulator. */

@@ -29,17 +29,24 @@ record WireEnd(int owner, int index, String topic, String type, QosSettings qos)
    * @throws IllegalArgumentException if it violates the protocol
    */
   static WireEnd of(int owner, int index, JsonNode json) {
-    QosSettings qos =
-        new QosSettings(
-            flag(json, "best_effort") ? Reliability.BEST_EFFORT : Reliability.RELIABLE,
-            flag(json, "transient") ? Durability.TRANSIENT_LOCAL : Durability.VOLATILE,
-            History.KEEP_ALL,
-            0,
-            time(json, "deadline"),
-            flag(json, "manual") ? Liveliness.MANUAL_BY_TOPIC : Liveliness.AUTOMATIC,
-            time(json, "lease"));
-    return new WireEnd(
-        owner, index, json.required("topic").asText(), json.required("type").asText(), qos);
+    String topic = json.required("topic").asText();
+    return new WireEnd(owner, index, topic, json.required("type").asText(), quality(json));
+  }
+
+  /**
+   * Parses the policies in a description; histories are kept elsewhere, so all samples are kept.
+   *
+   * @throws IllegalArgumentException if one is missing
+   */
+  static QosSettings quality(JsonNode json) {
+    return new QosSettings(
+        flag(json, "best_effort") ? Reliability.BEST_EFFORT : Reliability.RELIABLE,
+        flag(json, "transient") ? Durability.TRANSIENT_LOCAL : Durability.VOLATILE,
+        History.KEEP_ALL,
+        0,
+        time(json, "deadline"),
+        flag(json, "manual") ? Liveliness.MANUAL_BY_TOPIC : Liveliness.AUTOMATIC,
+        time(json, "lease"));
   }
 
   private static boolean flag(JsonNode json, String name) {

@@ -6,10 +6,8 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.messages.QosSettings;
-import dev.eventchain.messages.QosSettings.Durability;
 import dev.eventchain.messages.QosSettings.History;
 import dev.eventchain.messages.QosSettings.Incompatibility;
-import dev.eventchain.messages.QosSettings.Liveliness;
 import dev.eventchain.messages.QosSettings.Reliability;
 import dev.eventchain.simulation.host.HostRules;
 import java.time.Duration;
@@ -17,9 +15,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /**
  * All writers and readers of a scenario, and their matches: the connections before it starts, and
@@ -30,14 +26,17 @@ import java.util.stream.Stream;
  */
 record WireGraph(List<WireEnd> writers, List<WireEnd> readers) {
 
+  /** QoS of a writer of the world that states none: the default of ROS 2. */
+  private static final QosSettings OFFER = QosSettings.defaults().withHistory(History.KEEP_ALL);
+
   WireGraph {
     writers = List.copyOf(writers);
     readers = List.copyOf(readers);
   }
 
   /**
-   * Returns the graph of nodes and a matching world, which offers what all readers of a topic
-   * request and requests what all writers of a topic offer.
+   * Returns the graph of nodes and the world, which offers and requests the QoS of the
+   * configuration. Topics that it states none for are only observed, whatever is offered.
    *
    * @param ready the descriptions from the hosts, in the order of the nodes
    * @param configuration names the topics of the world
@@ -54,7 +53,7 @@ record WireGraph(List<WireEnd> writers, List<WireEnd> readers) {
   }
 
   /**
-   * Returns the graph of known writers and readers and a matching world.
+   * Returns the graph of known writers and readers and the world.
    *
    * @param offered the writers of the nodes
    * @param requested the readers of the nodes
@@ -64,11 +63,11 @@ record WireGraph(List<WireEnd> writers, List<WireEnd> readers) {
     List<WireEnd> readers = new ArrayList<>(requested);
     int index = 0;
     for (JsonNode topic : configuration.path("world_publishes")) {
-      writers.add(world(index++, topic, name -> offer(on(name, requested))));
+      writers.add(world(index++, topic, OFFER));
     }
     index = 0;
     for (JsonNode topic : configuration.path("world_subscribes")) {
-      readers.add(world(index++, topic, name -> request(on(name, offered))));
+      readers.add(world(index++, topic, observation(topic.path("topic").asText(), offered)));
     }
     return new WireGraph(writers, readers);
   }
@@ -79,49 +78,24 @@ record WireGraph(List<WireEnd> writers, List<WireEnd> readers) {
     }
   }
 
-  private interface Policies {
-    QosSettings of(String topic);
+  private static WireEnd world(int index, JsonNode topic, QosSettings unstated) {
+    JsonNode stated = topic.path("qos");
+    return new WireEnd(
+        WireEnd.WORLD,
+        index,
+        topic.path("topic").asText(),
+        topic.path("type").asText(),
+        stated.isMissingNode() ? unstated : WireEnd.quality(stated));
   }
 
-  private static WireEnd world(int index, JsonNode topic, Policies policies) {
-    String name = topic.path("topic").asText();
-    String type = topic.path("type").asText();
-    return new WireEnd(WireEnd.WORLD, index, name, type, policies.of(name));
-  }
-
-  private static List<QosSettings> on(String topic, List<WireEnd> ends) {
-    return ends.stream().filter(end -> end.topic().equals(topic)).map(WireEnd::qos).toList();
-  }
-
-  private static QosSettings offer(List<QosSettings> requested) {
-    return new QosSettings(
-        Reliability.RELIABLE,
-        requested.stream()
-            .map(QosSettings::durability)
-            .max(Comparator.naturalOrder())
-            .orElse(Durability.VOLATILE),
-        History.KEEP_ALL,
-        0,
-        shortest(requested.stream().map(QosSettings::deadline)),
-        requested.stream()
-            .map(QosSettings::liveliness)
-            .max(Comparator.naturalOrder())
-            .orElse(Liveliness.AUTOMATIC),
-        shortest(requested.stream().map(QosSettings::lease)));
-  }
-
-  private static Optional<Duration> shortest(Stream<Optional<Duration>> times) {
-    return times.flatMap(Optional::stream).min(Comparator.naturalOrder());
-  }
-
-  private static QosSettings request(List<QosSettings> offered) {
-    return QosSettings.defaults()
-        .withHistory(History.KEEP_ALL)
-        .withReliability(
-            offered.stream()
-                .map(QosSettings::reliability)
-                .min(Comparator.naturalOrder())
-                .orElse(Reliability.BEST_EFFORT));
+  /** Returns the QoS of a reader that observes a topic, which requests what all writers offer. */
+  private static QosSettings observation(String topic, List<WireEnd> offered) {
+    return OFFER.withReliability(
+        offered.stream()
+            .filter(end -> end.topic().equals(topic))
+            .map(end -> end.qos().reliability())
+            .min(Comparator.naturalOrder())
+            .orElse(Reliability.BEST_EFFORT));
   }
 
   /** Returns the writers that match a reader. */

@@ -51,25 +51,68 @@ class WireGraphTest {
     return json("{\"writers\": [" + writers + "], \"readers\": [" + readers + "]}");
   }
 
+  /** Returns the topics of a world that states its QoS. */
+  private static JsonNode worldOf(String offered, String requested) {
+    return json(
+        "{\"world_publishes\": [%s], \"world_subscribes\": [%s]}"
+            .formatted(
+                stated("/scan", "a/msg/S", offered), stated("/brake", "a/msg/B", requested)));
+  }
+
+  private static String stated(String topic, String type, String policies) {
+    String end = end(topic, type, policies).strip();
+    String qos = "{" + end.substring(end.indexOf("\"best_effort"));
+    return "{\"topic\": \"%s\", \"type\": \"%s\", \"qos\": %s}".formatted(topic, type, qos);
+  }
+
   private static WireGraph graph(JsonNode... ready) {
     return WireGraph.of(List.of(ready), json(WORLD));
   }
 
   @Test
-  void theWorldOffersWhatAllReadersOfATopicRequest() {
-    WireGraph graph =
-        graph(
-            ready("", end("/scan", "a/msg/S", "transient")),
-            ready("", end("/scan", "a/msg/S", "best effort, deadline")));
+  void theWorldOffersWhatItStatesWhateverIsRequested() {
+    JsonNode ready = ready("", end("/scan", "a/msg/S", "transient, deadline"));
+    WireGraph graph = WireGraph.of(List.of(ready, ready), worldOf("transient, deadline", ""));
     WireEnd world = graph.writersOf(WireEnd.WORLD).get(0);
     assertEquals(Durability.TRANSIENT_LOCAL, world.qos().durability());
     assertEquals(Optional.of(Duration.ofMillis(50)), world.qos().deadline());
     assertEquals(2, graph.sinks(world));
     assertEquals(0, graph.warnings().size());
+    WireGraph weaker = WireGraph.of(List.of(ready), worldOf("best effort", ""));
+    assertEquals(0, weaker.sinks(weaker.writersOf(WireEnd.WORLD).get(0)));
+    assertTrue(
+        weaker
+            .warnings()
+            .path(0)
+            .path("message")
+            .asText()
+            .endsWith("RELIABILITY, DURABILITY, DEADLINE"),
+        weaker.warnings()::toString);
   }
 
   @Test
-  void theWorldRequestsNoMoreThanAWriterOffers() {
+  void aWorldThatStatesNothingOffersTheDefault() {
+    for (String request : List.of("transient", "deadline")) {
+      WireGraph graph = graph(ready("", end("/scan", "a/msg/S", request)));
+      assertEquals(0, graph.sinks(graph.writersOf(WireEnd.WORLD).get(0)), request);
+    }
+    for (String request : List.of("", "best effort")) {
+      WireGraph graph = graph(ready("", end("/scan", "a/msg/S", request)));
+      assertEquals(1, graph.sinks(graph.writersOf(WireEnd.WORLD).get(0)), request);
+    }
+  }
+
+  @Test
+  void theVehicleRequestsWhatItStates() {
+    JsonNode ready = ready(end("/brake", "a/msg/B", "best effort"), "");
+    WireGraph reliable = WireGraph.of(List.of(ready), worldOf("", ""));
+    assertEquals(List.of(), reliable.sources(reliable.readersOf(WireEnd.WORLD).get(0)));
+    WireGraph weaker = WireGraph.of(List.of(ready), worldOf("", "best effort"));
+    assertEquals(1, weaker.sources(weaker.readersOf(WireEnd.WORLD).get(0)).size());
+  }
+
+  @Test
+  void whatIsOnlyObservedRequestsNoMoreThanAWriterOffers() {
     WireGraph graph = graph(ready(end("/brake", "a/msg/B", "best effort"), ""));
     WireEnd world = graph.readersOf(WireEnd.WORLD).get(0);
     assertEquals(Reliability.BEST_EFFORT, world.qos().reliability());
