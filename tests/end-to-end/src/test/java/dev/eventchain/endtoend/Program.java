@@ -38,7 +38,6 @@ final class Program {
 
   private final Map<String, String> environment = new TreeMap<>();
   private final List<String> prefix = new ArrayList<>();
-  private boolean measuresStrength;
 
   /**
    * The end of the program.
@@ -78,12 +77,6 @@ final class Program {
     return this;
   }
 
-  /** Measures the strength of requirements, which most tests do not wait for. */
-  Program measuringStrength() {
-    measuresStrength = true;
-    return this;
-  }
-
   /** Starts the program by another one. */
   Program by(String... command) {
     prefix.addAll(List.of(command));
@@ -93,19 +86,9 @@ final class Program {
   /** Runs the program to its end. */
   Ended run(Object... arguments) {
     if (environment.isEmpty() && prefix.isEmpty()) {
-      return ProgramInside.run(words(arguments));
+      return ProgramInside.run(Stream.of(arguments).map(String::valueOf).toList());
     }
     return runAsProcess(arguments);
-  }
-
-  private List<String> words(Object... arguments) {
-    List<String> words = new ArrayList<>(Stream.of(arguments).map(String::valueOf).toList());
-    boolean simulates =
-        words.size() > 1 && (words.get(0).equals("run") || words.get(0).equals("simulate"));
-    if (simulates && !measuresStrength) {
-      words.add("--no-strength");
-    }
-    return words;
   }
 
   private Ended runAsProcess(Object... arguments) {
@@ -179,7 +162,7 @@ final class Program {
   /** Starts the program with its output in files. */
   Process start(Path out, Path err, Object... arguments) throws IOException {
     List<String> command = command();
-    command.addAll(words(arguments));
+    Stream.of(arguments).map(String::valueOf).forEach(command::add);
     ProcessBuilder builder = new ProcessBuilder(command).directory(ROOT.toFile());
     builder.environment().putAll(environment);
     return builder.redirectOutput(out.toFile()).redirectError(err.toFile()).start();

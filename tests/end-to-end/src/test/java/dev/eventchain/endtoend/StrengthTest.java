@@ -10,6 +10,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -48,11 +49,8 @@ class StrengthTest {
   }
 
   private Program.Ended run(Object... more) {
-    Object[] all = new Object[more.length + 2];
-    all[0] = "run";
-    all[1] = project.path();
-    System.arraycopy(more, 0, all, 2, more.length);
-    return new Program().measuringStrength().run(all);
+    return new Program()
+        .run(Stream.concat(Stream.of("run", project.path()), Stream.of(more)).toArray());
   }
 
   private JsonNode verdict() throws IOException {
@@ -73,7 +71,7 @@ class StrengthTest {
   void requirementWhoseOnlyCriterionNoticesNothing() throws IOException {
     project.replace(SCENARIO, ALL, "requirements: [RAD-1, RAD-3, RAD-4]\n");
     project.write("scenarios/creeping.yaml", CREEPING);
-    run()
+    run("--strength")
         .expect(1)
         .says("INCOMPLETE: 3 of 3 scenarios passed, but not all was tested")
         .says("The criteria of RAD-2 notice none of")
@@ -93,7 +91,7 @@ class StrengthTest {
             "  never_brakes: true\n"
                 + "  formulas:\n"
                 + "    - formula: always[0.2, 1.9] not /cluster/collision_warning.data\n"));
-    run()
+    run("--strength")
         .expect(0)
         .says("PASSED: 3 of 3 scenarios passed, 4 requirements proved")
         .says("proved      RAD-2: notices ");
@@ -107,7 +105,7 @@ class StrengthTest {
   void prohibitionsAloneProveNothing() throws IOException {
     project.write(SCENARIO, CREEPING.replace("[RAD-2]", "[RAD-1, RAD-2, RAD-3, RAD-4]"));
     project.onlyScenario(SCENARIO);
-    run()
+    run("--strength")
         .expect(1)
         .says("INCOMPLETE: 1 of 1 scenarios passed, but not all was tested")
         .says("[simulation.strength.idle RAD-3]");
@@ -123,11 +121,12 @@ class StrengthTest {
     Files.writeString(
         settings, before + "strength: {minimum_percent: 10, requirements: {RAD-2: 95}}\n");
     project.onlyScenario(SCENARIO);
-    run()
+    run("--strength")
         .expect(1)
         .says("INCOMPLETE: 1 of 1 scenarios passed")
         .says("[simulation.strength.low RAD-2]");
     byte[] first = Files.readAllBytes(project.path().resolve("out/verdict.json"));
+    run("--again", "--no-strength").expect(0);
     run("--again").expect(1);
     assertArrayEquals(first, Files.readAllBytes(project.path().resolve("out/verdict.json")));
   }
@@ -135,13 +134,13 @@ class StrengthTest {
   @Test
   void withoutAMeasurementTheVerdictSaysSo() throws IOException {
     project.onlyScenario(SCENARIO);
-    run("--no-strength").expect(0).says("strength not measured");
-    assertEquals("not measured: switched off", verdict().path("strength").asText());
+    run().expect(0).says("strength not measured");
+    assertEquals("not measured: not asked for", verdict().path("strength").asText());
     assertFalse(requirement("RAD-1").has("strength"));
     project.write(
         "eventchain.yaml",
-        Files.readString(project.path().resolve("eventchain.yaml")) + "strength: off\n");
-    run().expect(0).says("strength not measured");
+        Files.readString(project.path().resolve("eventchain.yaml")) + "strength: on\n");
+    run("--no-strength").expect(0).says("strength not measured");
     assertEquals("not measured: switched off", verdict().path("strength").asText());
   }
 }

@@ -193,7 +193,7 @@ abstract class ProjectCommand implements Callable<Integer> {
             scenarios.mcap,
             Optional.ofNullable(scenarios.compare),
             Optional.ofNullable(scenarios.faults),
-            !scenarios.noStrength,
+            Optional.ofNullable(scenarios.strength),
             suppressions(project),
             timeLimit());
     return Outcome.of(

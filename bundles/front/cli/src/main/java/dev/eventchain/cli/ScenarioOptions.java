@@ -84,11 +84,13 @@ final class ScenarioOptions {
   Path faults;
 
   @Option(
-      names = "--no-strength",
+      names = "--[no-]strength",
+      negatable = true,
       description =
-          "Do not measure how many standard faults of its components each requirement's criteria"
-              + " notice. The verdict then says so. A project's 'strength: off' does the same.")
-  boolean noStrength;
+          "Measure how many standard faults of its components each requirement's criteria notice:"
+              + " a drive of a scenario for each fault. Without it, a project's 'strength' decides;"
+              + " a verdict without the measurement says so.")
+  Boolean strength;
 
   @Option(
       names = "--compare",

@@ -109,7 +109,7 @@ abstract class ChainMojo extends EventchainMojo {
             false,
             Optional.empty(),
             faults,
-            true,
+            Optional.empty(),
             suppressions(project.suppressions()),
             timeLimit());
     RunResult result = Pipeline.run(project, options, new LogProgress(getLog()));

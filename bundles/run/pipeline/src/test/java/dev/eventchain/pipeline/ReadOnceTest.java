@@ -86,7 +86,7 @@ class ReadOnceTest {
   private RunResult run(Stage first, java.util.function.Consumer<Stage> atStart) {
     Project opened = Project.open(project);
     Path output = opened.defaultOutput();
-    RunOptions options = RunOptions.of(output).in(output, first, Stage.REPORT).withoutStrength();
+    RunOptions options = RunOptions.of(output).in(output, first, Stage.REPORT);
     return Pipeline.run(
         opened,
         options,

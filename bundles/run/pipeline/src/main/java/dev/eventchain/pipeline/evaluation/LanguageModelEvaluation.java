@@ -209,7 +209,7 @@ public final class LanguageModelEvaluation {
         false,
         Optional.empty(),
         Optional.empty(),
-        false,
+        Optional.of(false),
         options.suppressions(),
         options.timeLimit());
   }

@@ -11,14 +11,14 @@ import java.util.TreeMap;
  * The section {@code strength} of a project: the part of the standard faults of its components that
  * each requirement has to notice.
  *
- * @param measured false if the project does not want strength to be measured
+ * @param measured true if the project wants strength to be measured
  * @param minimum the least part for each requirement, in percent; 0 asks for one fault only
  * @param own the least part for some requirements, in percent, by identifier
  */
 public record StrengthSettings(boolean measured, double minimum, SortedMap<String, Double> own) {
 
   /** The settings of a project that states none. */
-  public static final StrengthSettings DEFAULT = new StrengthSettings(true, 0, new TreeMap<>());
+  public static final StrengthSettings DEFAULT = new StrengthSettings(false, 0, new TreeMap<>());
 
   private static final String KEY = "strength";
   private static final NumberRange PERCENT = NumberRange.of(0, 100);
@@ -29,16 +29,18 @@ public record StrengthSettings(boolean measured, double minimum, SortedMap<Strin
   }
 
   static StrengthSettings read(ObjectReader settings) {
-    if (settings.value(KEY).filter(StrengthSettings::isOff).isPresent()) {
-      return new StrengthSettings(false, 0, new TreeMap<>());
+    for (boolean on : new boolean[] {true, false}) {
+      if (settings.value(KEY).filter(value -> isSwitch(value, on)).isPresent()) {
+        return new StrengthSettings(on, 0, new TreeMap<>());
+      }
     }
     return settings.object(KEY).map(StrengthSettings::section).orElse(DEFAULT);
   }
 
-  private static boolean isOff(JsonNode value) {
+  private static boolean isSwitch(JsonNode value, boolean on) {
     return value.isTextual()
-        ? value.asText().equals("off")
-        : value.isBoolean() && !value.asBoolean();
+        ? value.asText().equals(on ? "on" : "off")
+        : value.isBoolean() && value.asBoolean() == on;
   }
 
   private static StrengthSettings section(ObjectReader section) {

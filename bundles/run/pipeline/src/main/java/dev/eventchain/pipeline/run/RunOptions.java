@@ -24,7 +24,7 @@ import java.util.Optional;
  * @param compare the measurements of another run, which the report compares with this one's: its
  *     {@code measurements.json} or its folder
  * @param faults a file of faults for additional simulations of the scenarios
- * @param strength true to measure the strength of requirements, unless the project does not want it
+ * @param strength whether to measure the strength of requirements; empty: as the project says
  * @param suppressions the findings that do not count
  * @param timeLimit the processor time that a constraint may take on the whole model
  */
@@ -41,7 +41,7 @@ public record RunOptions(
     boolean mcap,
     Optional<Path> compare,
     Optional<Path> faults,
-    boolean strength,
+    Optional<Boolean> strength,
     Suppressions suppressions,
     Duration timeLimit) {
 
@@ -77,7 +77,7 @@ public record RunOptions(
         false,
         Optional.empty(),
         Optional.empty(),
-        true,
+        Optional.empty(),
         Suppressions.NONE,
         OclValidator.TIME_LIMIT);
   }
@@ -107,26 +107,6 @@ public record RunOptions(
         compare,
         faults,
         strength,
-        suppressions,
-        timeLimit);
-  }
-
-  /** Returns options that do not measure the strength of requirements. */
-  public RunOptions withoutStrength() {
-    return new RunOptions(
-        output,
-        first,
-        last,
-        again,
-        llm,
-        record,
-        overwrite,
-        scenarios,
-        driver,
-        mcap,
-        compare,
-        faults,
-        false,
         suppressions,
         timeLimit);
   }

@@ -48,8 +48,8 @@ public final class RequirementStrength {
   /** Returns why a run does not measure strength, whatever its result; empty if it does. */
   static String whyNot(RunContext run) {
     RunOptions options = run.options();
-    if (!options.strength() || !run.project().configuration().strength().measured()) {
-      return "switched off";
+    if (!options.strength().orElse(run.project().configuration().strength().measured())) {
+      return options.strength().isPresent() ? "switched off" : "not asked for";
     }
     if (options.isPartial()) {
       return "only some scenarios were simulated";
