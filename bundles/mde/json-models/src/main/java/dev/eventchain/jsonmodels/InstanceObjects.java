@@ -161,7 +161,10 @@ final class InstanceObjects {
           concrete(found));
     } else if (found.isEmpty()) {
       String simple = name.substring(Math.max(name.lastIndexOf('.'), name.lastIndexOf(':')) + 1);
-      String hint = NearestName.hint(simple, classes.concreteNames());
+      String hint =
+          classes.concreteNames().contains(simple)
+              ? "Did you mean `" + simple + "`?" // in another package
+              : NearestName.hint(simple, classes.concreteNames());
       find(InstanceRules.CLASS_UNKNOWN, "There is no class '" + name + "'.", pointer, hint);
     } else {
       find(
