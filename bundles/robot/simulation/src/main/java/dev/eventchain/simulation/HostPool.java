@@ -23,12 +23,18 @@ final class HostPool {
   /** A job on nodes in some processes. */
   interface Job {
 
-    /**
-     * Does the job, or goes on with it in new processes.
-     *
-     * @return true if it is done; false if the processes have ended before
-     */
-    boolean work(int number, NodeHosts hosts);
+    /** Does the job, or goes on with it after its earlier processes have ended. */
+    State work(int number, NodeHosts hosts);
+  }
+
+  /** What is left of a job and of its processes. */
+  enum State {
+    /** The job is done, and the processes can do another one. */
+    DONE,
+    /** The job is done, and has ended the processes. */
+    DONE_AT_THE_END,
+    /** The job has ended the processes, and goes on in new ones. */
+    UNDONE
   }
 
   /**
@@ -110,10 +116,13 @@ final class HostPool {
         open.add(hosts);
       }
       while (!stopped.get() && taken[0] < jobs) {
-        if (!job.work(taken[0], hosts)) {
+        State state = job.work(taken[0], hosts);
+        if (state != State.UNDONE) {
+          taken[0] = next.getAndIncrement();
+        }
+        if (state != State.DONE) {
           return;
         }
-        taken[0] = next.getAndIncrement();
       }
     }
   }

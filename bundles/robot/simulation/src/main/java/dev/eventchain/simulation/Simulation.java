@@ -118,19 +118,19 @@ public final class Simulation {
     new HostPool(trials.size(), this::start, job).run(request.processes());
   }
 
-  /** Tries a fault in all its scenarios; returns false if it ended the processes before. */
-  private boolean work(FaultTrial trial, NodeHosts hosts, NodeConfiguration nodes) {
+  /** Tries a fault in all its scenarios, unless it ends the processes before. */
+  private HostPool.State work(FaultTrial trial, NodeHosts hosts, NodeConfiguration nodes) {
     ScenarioRunner runner =
         new ScenarioRunner(chain, nodes, Optional.empty(), hosts.session(), Map.of());
     Optional<OutputFaultRun> last = trial.next(runner);
     while (last.isPresent()) {
       if (last.get().ended().isPresent()) {
-        return false;
+        return HostPool.State.UNDONE;
       }
       last = trial.next(runner);
     }
     tried(trial);
-    return true;
+    return HostPool.State.DONE;
   }
 
   private synchronized void tried(FaultTrial trial) {
@@ -176,18 +176,18 @@ public final class Simulation {
         .withHint("Leave out --real-time and --attach: in simulated time, all faults can.");
   }
 
-  /** Simulates a run; returns false if a fault has ended the processes. */
-  private boolean work(int number, NodeHosts hosts, NodeConfiguration nodes) {
+  /** Simulates a run, which a fault may end. */
+  private HostPool.State work(int number, NodeHosts hosts, NodeConfiguration nodes) {
     ScenarioRunner runner =
         new ScenarioRunner(chain, nodes, request.recordings(), hosts.session(), recorded());
     int scenarios = request.scenarios().size();
     if (number < scenarios) {
       done(number, runner.run(request.scenarios().get(number)));
-      return true;
+      return HostPool.State.DONE;
     }
     FaultRun run = runner.run(request.faults().faults().get(number - scenarios));
     done(number, run);
-    return run.ended().isEmpty();
+    return run.ended().isEmpty() ? HostPool.State.DONE : HostPool.State.DONE_AT_THE_END;
   }
 
   private Map<String, List<String>> recorded() {
