@@ -68,10 +68,7 @@ public final class ModelAgent {
       Requirements requirements,
       SoftwareBase base) {
     SourceText description = SourceText.of(chain.name(), Budgets.without(chain));
-    EventChain direct =
-        EventChainReader.read(description, name, requirements.items(), OptionalDouble.empty())
-            .root();
-    base.markExisting(direct);
+    EventChain direct = direct(description, name, requirements, base);
     Map<String, String> values =
         Map.ofEntries(
             Map.entry("metamodel", metamodel),
@@ -97,6 +94,16 @@ public final class ModelAgent {
                   return check(last(read), direct);
                 });
     return new Answer(result, last(read));
+  }
+
+  /** Returns the model of a description without a language model. */
+  private static EventChain direct(
+      SourceText description, String name, Requirements requirements, SoftwareBase base) {
+    EventChain direct =
+        EventChainReader.read(description, name, requirements.items(), OptionalDouble.empty())
+            .root();
+    base.markExisting(direct);
+    return direct;
   }
 
   /** Returns the model of the last answer that was read, which is the one that passed. */

@@ -11,7 +11,9 @@ import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.model.Signal;
 import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainFactory;
 import dev.eventchain.model.eventchain.EventchainPackage;
+import dev.eventchain.model.eventchain.QosProfile;
 import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.node.NodeManifest;
@@ -99,7 +101,7 @@ public final class AebProject {
                 topic.get("Topic Name").asText(),
                 topic.get("Message Type").asText(),
                 Signal.Direction.valueOf(direction),
-                Optional.empty(),
+                Optional.of(profile(topic.get("qos_profile").asText())),
                 fields,
                 NONE));
       }
@@ -107,6 +109,12 @@ public final class AebProject {
       throw new UncheckedIOException(e);
     }
     return signals;
+  }
+
+  private static QosProfile profile(String name) {
+    QosProfile profile = EventchainFactory.eINSTANCE.createQosProfile();
+    profile.setName(name);
+    return profile;
   }
 
   /** Returns the project with the nodes of another chain of the same components. */
