@@ -161,7 +161,9 @@ class MarkdownCommandsTest {
   }
 
   private static Set<String> optionsOf(CommandLine command) {
-    return command.getCommandSpec().optionsMap().keySet();
+    Set<String> names = new HashSet<>(command.getCommandSpec().optionsMap().keySet());
+    names.addAll(command.getCommandSpec().negatedOptionsMap().keySet());
+    return names;
   }
 
   private static String nameOf(String option) {

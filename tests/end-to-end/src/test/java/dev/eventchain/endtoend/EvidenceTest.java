@@ -124,9 +124,10 @@ class EvidenceTest {
     project.replace(
         "scenarios/creeping.yaml",
         "  never_brakes: true",
-        "  never_brakes: true\n"
-            + "  formulas:\n"
-            + "    - formula: always[0.3, 7] not /cluster/crossing.unavailable");
+        """
+          never_brakes: true
+          formulas:
+            - formula: always[0.3, 7] not /cluster/crossing.unavailable""");
     project
         .run()
         .expect(1)

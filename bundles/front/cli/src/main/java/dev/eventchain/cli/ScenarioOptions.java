@@ -84,7 +84,7 @@ final class ScenarioOptions {
   Path faults;
 
   @Option(
-      names = "--[no-]strength",
+      names = "--strength",
       negatable = true,
       description =
           "Measure how many standard faults of its components each requirement's criteria notice:"

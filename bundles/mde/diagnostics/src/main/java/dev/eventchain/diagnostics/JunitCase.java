@@ -96,7 +96,7 @@ final class JunitCase {
   }
 
   private String type() {
-    return errors.isEmpty() ? "eventchain.not-passed" : errors.get(0).id();
+    return errors.isEmpty() ? "not passed" : errors.get(0).id();
   }
 
   private String headline() {

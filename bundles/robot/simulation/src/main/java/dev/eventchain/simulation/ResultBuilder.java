@@ -62,16 +62,7 @@ final class ResultBuilder {
     List<ScenarioVerdict> verdicts =
         runs.stream().map(run -> judge.verdict(run, worked(run, silent))).toList();
     Measurements measurements = measurements(verdicts);
-    SimulationResult.Host host =
-        new SimulationResult.Host(
-            request.driverWords(),
-            chain.isAttached(),
-            confinement,
-            runs.get(0).ready().path("python").asText(),
-            processes,
-            runs.stream().mapToDouble(run -> World.seconds(run.trace().end().time())).sum(),
-            wallSeconds,
-            runs.stream().mapToDouble(run -> World.seconds(run.hostNanos())).sum());
+    SimulationResult.Host host = host(confinement, processes, wallSeconds);
     List<Diagnostic> found =
         Stream.of(
                 silent,
@@ -86,6 +77,18 @@ final class ResultBuilder {
             .toList();
     return new SimulationResult(
         verdicts, measurements, found, faults(judge, worked), Optional.empty(), host);
+  }
+
+  private SimulationResult.Host host(String confinement, int processes, double wallSeconds) {
+    return new SimulationResult.Host(
+        request.driverWords(),
+        chain.isAttached(),
+        confinement,
+        runs.get(0).ready().path("python").asText(),
+        processes,
+        runs.stream().mapToDouble(run -> World.seconds(run.trace().end().time())).sum(),
+        wallSeconds,
+        runs.stream().mapToDouble(run -> World.seconds(run.hostNanos())).sum());
   }
 
   private List<FaultVerdict> faults(ScenarioJudge scenarios, boolean worked) {

@@ -65,11 +65,7 @@ final class ScenarioReader {
    */
   private static Scenario scenario(
       ObjectReader section, SourceText text, Bench bench, BooleanSupplier sound) {
-    String name = section.requiredText("name");
-    if (!name.matches("[a-z0-9]+(-[a-z0-9]+)*") && !name.isBlank()) {
-      String message = "A name consists of lower-case letters, digits and hyphens.";
-      section.find(ScenarioRules.VALUE_RANGE, message, section.at("name"));
-    }
+    String name = name(section);
     section.text("description"); // for people
     String title = section.requiredText("title");
     NamedRequirements requirements = NamedRequirements.ofScenario(section);
@@ -97,6 +93,15 @@ final class ScenarioReader {
             name, title, requirements.all(), requirements.places(), section.location());
     return new Scenario(
         heading, seed, duration, situation, inputs, requirements.distributed(criteria));
+  }
+
+  private static String name(ObjectReader section) {
+    String name = section.requiredText("name");
+    if (!name.matches("[a-z0-9]+(-[a-z0-9]+)*") && !name.isBlank()) {
+      String message = "A name consists of lower-case letters, digits and hyphens.";
+      section.find(ScenarioRules.VALUE_RANGE, message, section.at("name"));
+    }
+    return name;
   }
 
   private static Situation situation(ObjectReader section, double longest) {

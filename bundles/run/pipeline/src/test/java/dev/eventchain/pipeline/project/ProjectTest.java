@@ -33,15 +33,17 @@ class ProjectTest {
   }
 
   @Test
-  void strengthIsMeasuredUnlessTheProjectSaysOtherwise() throws IOException {
+  void strengthIsMeasuredIfTheProjectAsksForIt() throws IOException {
     StrengthSettings usual = open("name: aeb\n").configuration().strength();
     assertEquals(StrengthSettings.DEFAULT, usual);
-    assertTrue(usual.measured());
+    assertFalse(usual.measured());
+    assertTrue(open("name: aeb\nstrength: on\n").configuration().strength().measured());
     assertFalse(open("name: aeb\nstrength: off\n").configuration().strength().measured());
     StrengthSettings stricter =
         open("name: aeb\nstrength: {minimum_percent: 60, requirements: {AEB-2: 40}}\n")
             .configuration()
             .strength();
+    assertTrue(stricter.measured());
     assertEquals(60, stricter.minimumOf("AEB-1"));
     assertEquals(40, stricter.minimumOf("AEB-2"));
   }
