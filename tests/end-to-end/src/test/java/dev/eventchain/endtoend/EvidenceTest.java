@@ -127,7 +127,9 @@ class EvidenceTest {
         """
           never_brakes: true
           formulas:
-            - formula: always[0.3, 7] not /cluster/crossing.unavailable""");
+            - formula: always[0.3, 7] not /cluster/crossing.unavailable
+        """
+            .stripTrailing());
     project
         .run()
         .expect(1)
