@@ -107,7 +107,9 @@ class AttachedTest {
               .formatted(name, name.equals("vanishes") ? 60 : 0.7));
       scenarios.add(Scenario.read(file, AebProject.BENCH));
     }
-    return new AebProject(folder).request(scenarios).withAttachment(where);
+    return new AebProject(Files.createTempDirectory(folder, "project"))
+        .request(scenarios)
+        .withAttachment(where);
   }
 
   private SimulationResult run(SimulationRequest request) throws InterruptedException {
