@@ -88,9 +88,11 @@ class StrengthTest {
         "scenarios/creeping.yaml",
         CREEPING.replace(
             "  never_brakes: true\n",
-            "  never_brakes: true\n"
-                + "  formulas:\n"
-                + "    - formula: always[0.2, 1.9] not /cluster/collision_warning.data\n"));
+            """
+              never_brakes: true
+              formulas:
+                - formula: always[0.2, 1.9] not /cluster/collision_warning.data
+            """));
     run("--strength")
         .expect(0)
         .says("PASSED: 3 of 3 scenarios passed, 4 requirements proved")
