@@ -62,7 +62,7 @@ class BadInputTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "requirements.md|DELETE|2|file.missing|requirements.md",
+        "requirements.md|DELETE|1|file.missing|requirements.md",
         "requirements.md|nothing here|2|modeler.requirements.none|requirements.md",
         "eventchain.yaml|name: [|2|project.configuration|eventchain.yaml:2",
         "eventchain.yaml|nam: aeb|2|project.configuration|'nam'",
@@ -347,7 +347,7 @@ class BadInputTest {
         "run . --to nowhere|2|nowhere",
         "validate --ocl a.ocl b.xmi|2|b.xmi",
         "validate . --ocl a.ocl|2|. is a folder",
-        "validate a.xmi .|2|models are named one by one",
+        "validate a.xmi .|2|files are named one by one",
         "generate --template t.mtl m.xmi|2|-o",
         "explain nothing.at.all|2|explain.unknown",
       })

@@ -58,7 +58,7 @@ final class ResultBuilder {
   SimulationResult build(String confinement, int processes, double wallSeconds) {
     List<Diagnostic> silent = silent();
     boolean worked = silent.stream().allMatch(request.accepted());
-    ScenarioJudge judge = new ScenarioJudge(chain, runs);
+    ScenarioJudge judge = new ScenarioJudge(chain, runs, request.complete());
     List<ScenarioVerdict> verdicts =
         runs.stream().map(run -> judge.verdict(run, worked(run, silent))).toList();
     Measurements measurements = measurements(verdicts);

@@ -40,6 +40,8 @@ import java.util.function.Predicate;
  * @param driver the driver of the nodes
  * @param faults the faults to inject, each in an additional run of one of the scenarios
  * @param strength true to measure the strength of requirements, if every scenario passes
+ * @param complete false if the project has more scenarios, in which components may do what they do
+ *     not do in these
  * @param attachment the DDS domain of the nodes; with {@link SimulationDriver#DDS_ATTACHED} only
  */
 public record SimulationRequest(
@@ -57,6 +59,7 @@ public record SimulationRequest(
     SimulationDriver driver,
     FaultPlan faults,
     boolean strength,
+    boolean complete,
     Optional<DdsAttachment> attachment) {
 
   /** Copies the lists; refuses a request without scenario or process. */
@@ -97,6 +100,7 @@ public record SimulationRequest(
         SimulationDriver.LOCKSTEP,
         FaultPlan.NONE,
         false,
+        true,
         Optional.empty());
   }
 
@@ -162,6 +166,27 @@ public record SimulationRequest(
   public SimulationRequest withStrength(boolean measured) {
     return with(
         processes, generated, limits, accepted, recordings, driver, faults, measured, attachment);
+  }
+
+  /** Returns a copy with some scenarios of a project, or all of them. */
+  public SimulationRequest ofAllScenarios(boolean all) {
+    return new SimulationRequest(
+        chain,
+        packageFolder,
+        manifest,
+        messageFolders,
+        bench,
+        scenarios,
+        processes,
+        generated,
+        limits,
+        accepted,
+        recordings,
+        driver,
+        faults,
+        strength,
+        all,
+        attachment);
   }
 
   /** Returns whether it measures the strength of requirements, which needs lock-step. */
@@ -246,6 +271,7 @@ public record SimulationRequest(
         newDriver,
         newFaults,
         newStrength,
+        complete,
         newAttachment);
   }
 }

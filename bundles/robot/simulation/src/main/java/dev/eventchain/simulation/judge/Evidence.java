@@ -32,6 +32,7 @@ final class Evidence {
 
   private final SimulatedChain chain;
   private final List<ScenarioRun> runs;
+  private final boolean complete;
   private final SoftwareOutputs outputs;
   private final IdentityHashMap<Trace, WithoutSoftware> without = new IdentityHashMap<>();
   private Optional<Set<String>> proven = Optional.empty();
@@ -40,10 +41,12 @@ final class Evidence {
    * Creates the evidence of a simulation.
    *
    * @param runs all its runs without faults
+   * @param complete false if other scenarios may show what the software does not do in these
    */
-  Evidence(SimulatedChain chain, List<ScenarioRun> runs) {
+  Evidence(SimulatedChain chain, List<ScenarioRun> runs, boolean complete) {
     this.chain = chain;
     this.runs = runs;
+    this.complete = complete;
     this.outputs = new SoftwareOutputs(chain, runs);
   }
 
@@ -76,7 +79,9 @@ final class Evidence {
     if (finding.lack().isPresent()) {
       return finding.lack().map(Outcome::untested);
     }
-    if (finding.idle().isEmpty() || proven().containsAll(outputs.writers(finding.idle()))) {
+    if (!complete
+        || finding.idle().isEmpty()
+        || proven().containsAll(outputs.writers(finding.idle()))) {
       return Optional.empty();
     }
     return Optional.of(

@@ -39,10 +39,11 @@ public final class ScenarioJudge {
    * Creates a judge of a simulation.
    *
    * @param runs all its runs without faults
+   * @param complete false if the project has more scenarios than these
    */
-  public ScenarioJudge(SimulatedChain chain, List<ScenarioRun> runs) {
+  public ScenarioJudge(SimulatedChain chain, List<ScenarioRun> runs, boolean complete) {
     this.chain = chain;
-    this.evidence = new Evidence(chain, runs);
+    this.evidence = new Evidence(chain, runs, complete);
   }
 
   /**

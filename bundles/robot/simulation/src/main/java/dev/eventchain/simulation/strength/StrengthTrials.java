@@ -29,7 +29,7 @@ public final class StrengthTrials {
    * @param runs the runs of all scenarios without faults, with records of their outputs
    */
   public StrengthTrials(SimulatedChain chain, List<ScenarioRun> runs) {
-    ScenarioJudge judge = new ScenarioJudge(chain, runs);
+    ScenarioJudge judge = new ScenarioJudge(chain, runs, true);
     List<JudgedScenario> scenarios =
         runs.stream()
             .map(run -> new JudgedScenario(run, judge))

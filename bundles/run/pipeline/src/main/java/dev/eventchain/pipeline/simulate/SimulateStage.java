@@ -325,6 +325,7 @@ public final class SimulateStage implements StageWork {
                 scenarios)
             .withGenerated(written(run, chain))
             .withAccepted(run.options().suppressions()::accepts)
+            .ofAllScenarios(!run.options().isPartial())
             .withStrength(RequirementStrength.isMeasured(run));
     return switch (run.options().driver()) {
       case LOCKSTEP -> request;
