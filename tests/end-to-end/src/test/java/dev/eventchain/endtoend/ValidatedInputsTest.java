@@ -164,9 +164,10 @@ class ValidatedInputsTest {
     copy.replace(
         "bench.yaml",
         "radar.reach: {unit: m, value: 150}",
-        "radar.reach: {formula: 0.5 * driver.wanted}\n"
-            + "  driver.pressed: {formula: ego.position > 100 m}\n"
-            + "  driver.wanted: {unit: m, formula: \"driver.pressed * 1 m\"}");
+        """
+        radar.reach: {formula: 0.5 * driver.wanted}
+          driver.pressed: {formula: ego.position > 100 m}
+          driver.wanted: {unit: m, formula: "driver.pressed * 1 m"}""");
     Program.Ended ended = new Program().run("validate", copy.path(), "--format", "json");
     assertEquals(1, errors(ended).size(), errors(ended).toString());
     assertTrue(errors(ended).get(0).contains("bench.yaml:4 "), errors(ended).toString());

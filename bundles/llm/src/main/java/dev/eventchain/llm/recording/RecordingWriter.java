@@ -3,6 +3,7 @@ package dev.eventchain.llm.recording;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.documents.AtomicFile;
 import dev.eventchain.documents.JsonLayout;
 import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.chat.RequestJson;

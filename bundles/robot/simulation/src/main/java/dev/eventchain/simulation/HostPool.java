@@ -111,10 +111,11 @@ final class HostPool {
    * @param taken the number of the current job; receives that of each further one
    */
   private void workInOneProcess(int turn, int[] taken) {
-    try (NodeHosts hosts = start.apply(turn)) {
-      synchronized (open) {
-        open.add(hosts);
-      }
+    NodeHosts hosts = start.apply(turn);
+    synchronized (open) {
+      open.add(hosts);
+    }
+    try {
       while (!stopped.get() && taken[0] < jobs) {
         State state = job.work(taken[0], hosts);
         if (state != State.UNDONE) {
@@ -124,6 +125,11 @@ final class HostPool {
           return;
         }
       }
+    } finally {
+      synchronized (open) {
+        open.remove(hosts);
+      }
+      hosts.close();
     }
   }
 

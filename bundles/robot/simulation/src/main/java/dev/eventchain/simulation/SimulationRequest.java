@@ -107,25 +107,61 @@ public record SimulationRequest(
   /** Returns a copy with another number of processes. */
   public SimulationRequest withProcesses(int number) {
     return with(
-        number, generated, limits, accepted, recordings, driver, faults, strength, attachment);
+        number,
+        generated,
+        limits,
+        accepted,
+        recordings,
+        driver,
+        faults,
+        strength,
+        complete,
+        attachment);
   }
 
   /** Returns a copy with other components that count as generated. */
   public SimulationRequest withGenerated(Set<String> names) {
     return with(
-        processes, names, limits, accepted, recordings, driver, faults, strength, attachment);
+        processes,
+        names,
+        limits,
+        accepted,
+        recordings,
+        driver,
+        faults,
+        strength,
+        complete,
+        attachment);
   }
 
   /** Returns a copy with other limits. */
   public SimulationRequest withLimits(NodeLimits other) {
     return with(
-        processes, generated, other, accepted, recordings, driver, faults, strength, attachment);
+        processes,
+        generated,
+        other,
+        accepted,
+        recordings,
+        driver,
+        faults,
+        strength,
+        complete,
+        attachment);
   }
 
   /** Returns a copy with other accepted findings. */
   public SimulationRequest withAccepted(Predicate<Diagnostic> other) {
     return with(
-        processes, generated, limits, other, recordings, driver, faults, strength, attachment);
+        processes,
+        generated,
+        limits,
+        other,
+        recordings,
+        driver,
+        faults,
+        strength,
+        complete,
+        attachment);
   }
 
   /** Returns a copy with recordings in an existing folder. */
@@ -139,6 +175,7 @@ public record SimulationRequest(
         driver,
         faults,
         strength,
+        complete,
         attachment);
   }
 
@@ -153,30 +190,43 @@ public record SimulationRequest(
         other,
         faults,
         strength,
+        complete,
         Optional.empty());
   }
 
   /** Returns a copy with faults, each in a scenario of this request. */
   public SimulationRequest withFaults(FaultPlan other) {
     return with(
-        processes, generated, limits, accepted, recordings, driver, other, strength, attachment);
+        processes,
+        generated,
+        limits,
+        accepted,
+        recordings,
+        driver,
+        other,
+        strength,
+        complete,
+        attachment);
   }
 
   /** Returns a copy that measures the strength of requirements or not. */
   public SimulationRequest withStrength(boolean measured) {
     return with(
-        processes, generated, limits, accepted, recordings, driver, faults, measured, attachment);
+        processes,
+        generated,
+        limits,
+        accepted,
+        recordings,
+        driver,
+        faults,
+        measured,
+        complete,
+        attachment);
   }
 
   /** Returns a copy with some scenarios of a project, or all of them. */
   public SimulationRequest ofAllScenarios(boolean all) {
-    return new SimulationRequest(
-        chain,
-        packageFolder,
-        manifest,
-        messageFolders,
-        bench,
-        scenarios,
+    return with(
         processes,
         generated,
         limits,
@@ -205,6 +255,7 @@ public record SimulationRequest(
         SimulationDriver.DDS_ATTACHED,
         faults,
         strength,
+        complete,
         Optional.of(where));
   }
 
@@ -255,6 +306,7 @@ public record SimulationRequest(
       SimulationDriver newDriver,
       FaultPlan newFaults,
       boolean newStrength,
+      boolean newComplete,
       Optional<DdsAttachment> newAttachment) {
     return new SimulationRequest(
         chain,
@@ -271,7 +323,7 @@ public record SimulationRequest(
         newDriver,
         newFaults,
         newStrength,
-        complete,
+        newComplete,
         newAttachment);
   }
 }

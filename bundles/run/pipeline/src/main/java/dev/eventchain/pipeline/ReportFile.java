@@ -5,12 +5,12 @@ import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.Report;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.AtomicFile;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.Optional;
 
@@ -30,12 +30,11 @@ public final class ReportFile {
       if (Files.isDirectory(file)) {
         throw new IOException("this is a folder");
       }
-      Files.createDirectories(file.toAbsolutePath().getParent());
       if (isStream(file)) {
         Files.write(file, content, StandardOpenOption.APPEND);
       } else {
         Path target = Files.exists(file) ? file.toRealPath() : file.toAbsolutePath();
-        replace(target, content);
+        AtomicFile.write(target, content);
       }
       return Optional.empty();
     } catch (IOException e) {
@@ -78,16 +77,5 @@ public final class ReportFile {
     return (absolute.startsWith("/dev") && !absolute.startsWith("/dev/shm"))
         || absolute.startsWith("/proc")
         || (Files.exists(file) && !Files.isRegularFile(file));
-  }
-
-  private static void replace(Path file, byte[] content) throws IOException {
-    // Not one of Java's temporary files, which only their owner may read.
-    Path part = file.resolveSibling("." + file.getFileName() + "." + ProcessHandle.current().pid());
-    try {
-      Files.write(part, content);
-      Files.move(part, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-    } finally {
-      Files.deleteIfExists(part);
-    }
   }
 }

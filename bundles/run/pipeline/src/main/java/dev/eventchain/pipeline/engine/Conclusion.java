@@ -91,10 +91,19 @@ final class Conclusion {
     String summary = summary(verdict, scenarios, found) + suppressedText(suppressed) + attached();
     Optional<Path> report = report(verdict, summary, found);
     List<Trial> trials = RunTrials.of(simulated(), found, suppressed, verdict == Verdict.PASSED);
-    return new RunResult(verdict, summary, scenarios, found, suppressed, coverage, report, failure)
-        .withFaults(faultLines())
-        .withTrials(trials)
-        .withRequirements(requirementLines());
+    return new RunResult(
+        verdict,
+        summary,
+        scenarios,
+        found,
+        suppressed,
+        coverage,
+        report,
+        failure,
+        List.of(),
+        faultLines(),
+        trials,
+        requirementLines());
   }
 
   /** Returns the report, written now unless the standing one stays; adds findings about it. */

@@ -1,37 +1,41 @@
 package dev.eventchain.pipeline.engine;
 
-import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.pipeline.results.ResultJson;
+import dev.eventchain.pipeline.results.VerdictFile;
 import dev.eventchain.pipeline.simulate.SimulateStage;
 import dev.eventchain.pipeline.stage.RunContext;
 import java.io.IOException;
+import java.util.List;
 import java.util.Optional;
 
 /** The verdict in the output folder, for a run that simulates nothing. */
 final class LastVerdict {
 
-  private static final ObjectMapper JSON = new ObjectMapper();
-
   private LastVerdict() {}
 
-  /** Returns the finding that a simulation did not pass; empty if it did, or there was none. */
+  /**
+   * Returns the finding that a simulation did not pass, or that its verdict cannot be read; empty
+   * if it passed, or there was none.
+   */
   static Optional<Diagnostic> notPassed(RunContext run) {
     return run.output().read(SimulateStage.VERDICT).flatMap(bytes -> notPassed(run, bytes));
   }
 
   private static Optional<Diagnostic> notPassed(RunContext run, byte[] bytes) {
-    JsonNode verdict = parse(bytes);
-    JsonNode scenarios = verdict.path("scenarios");
-    if (scenarios.isEmpty() || verdict.path("passed").asBoolean(true)) {
+    VerdictFile verdict;
+    try {
+      verdict = ResultJson.read(bytes, VerdictFile.class);
+    } catch (IOException e) {
+      return Optional.of(outdated(run)); // changed by others, or by another version
+    }
+    List<VerdictFile.Scenario> scenarios = verdict.scenarios();
+    if (scenarios.isEmpty() || verdict.passed()) {
       return Optional.empty();
     }
-    int passed = 0;
-    for (JsonNode scenario : scenarios) {
-      passed += scenario.path("passed").asBoolean() ? 1 : 0;
-    }
+    long passed = scenarios.stream().filter(VerdictFile.Scenario::passed).count();
     String counted = passed + " of " + Coverage.counted(scenarios.size(), "scenario");
     return Optional.of(
         Diagnostic.of(
@@ -39,14 +43,6 @@ final class LastVerdict {
                 "The last simulation did not pass (" + counted + " passed). Its report stays.",
                 SourceLocation.of(run.file(SimulateStage.VERDICT)))
             .withHint("Run '" + run.command("") + "' for a verdict about the current files."));
-  }
-
-  private static JsonNode parse(byte[] bytes) {
-    try {
-      return JSON.readTree(bytes);
-    } catch (IOException e) {
-      return JSON.missingNode(); // as without a verdict, which the caller refuses
-    }
   }
 
   /** Returns the finding that no passed verdict is about the current files. */

@@ -6,14 +6,13 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.AtomicFile;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.output.OutputRules;
 import dev.eventchain.project.AcceptedTexts;
 import dev.eventchain.project.ProjectFolder;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.time.LocalDate;
 import java.util.List;
 
@@ -60,14 +59,8 @@ public final class Acceptance {
   }
 
   private static void write(Path file, String text) {
-    Path part = file.resolveSibling("." + file.getFileName() + "." + ProcessHandle.current().pid());
     try {
-      try {
-        Files.writeString(part, text);
-        Files.move(part, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-      } finally {
-        Files.deleteIfExists(part);
-      }
+      AtomicFile.write(file, text);
     } catch (IOException e) {
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT,

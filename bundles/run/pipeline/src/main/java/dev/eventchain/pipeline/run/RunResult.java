@@ -39,31 +39,6 @@ public record RunResult(
     List<Trial> trials,
     List<RequirementLine> requirements) {
 
-  /** Creates a result without recordings. */
-  public RunResult(
-      Verdict verdict,
-      String summary,
-      List<ScenarioLine> scenarios,
-      List<Diagnostic> diagnostics,
-      List<Suppressed> suppressed,
-      Coverage coverage,
-      Optional<Path> report,
-      Optional<DiagnosticException.Reason> failure) {
-    this(
-        verdict,
-        summary,
-        scenarios,
-        diagnostics,
-        suppressed,
-        coverage,
-        report,
-        failure,
-        List.of(),
-        List.of(),
-        List.of(),
-        List.of());
-  }
-
   /** Returns a copy with recordings. */
   public RunResult withRecordings(List<Path> files) {
     return new RunResult(
@@ -79,57 +54,6 @@ public record RunResult(
         faults,
         trials,
         requirements);
-  }
-
-  /** Returns a copy with results of faults. */
-  public RunResult withFaults(List<FaultLine> lines) {
-    return new RunResult(
-        verdict,
-        summary,
-        scenarios,
-        diagnostics,
-        suppressed,
-        coverage,
-        report,
-        failure,
-        recordings,
-        lines,
-        trials,
-        requirements);
-  }
-
-  /** Returns a copy with tests. */
-  public RunResult withTrials(List<Trial> tests) {
-    return new RunResult(
-        verdict,
-        summary,
-        scenarios,
-        diagnostics,
-        suppressed,
-        coverage,
-        report,
-        failure,
-        recordings,
-        faults,
-        tests,
-        requirements);
-  }
-
-  /** Returns a copy with outcomes of requirements. */
-  public RunResult withRequirements(List<RequirementLine> lines) {
-    return new RunResult(
-        verdict,
-        summary,
-        scenarios,
-        diagnostics,
-        suppressed,
-        coverage,
-        report,
-        failure,
-        recordings,
-        faults,
-        trials,
-        lines);
   }
 
   /** The verdicts of a run. */

@@ -28,7 +28,7 @@ public final class RequirementStrength {
   private final StrengthSettings settings;
   private final List<WrittenRequirement> written;
 
-  private RequirementStrength(
+  RequirementStrength(
       Optional<Strength> strength, StrengthSettings settings, List<WrittenRequirement> written) {
     this.strength = strength;
     this.settings = settings;

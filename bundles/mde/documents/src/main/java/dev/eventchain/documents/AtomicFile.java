@@ -1,0 +1,45 @@
+package dev.eventchain.documents;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.Arrays;
+import java.util.UUID;
+
+/** Writes files completely or not at all, and leaves files with the same content untouched. */
+public final class AtomicFile {
+
+  private AtomicFile() {}
+
+  /**
+   * Writes a text in UTF-8, and creates the folders above the file.
+   *
+   * @throws IOException if it cannot be written; an earlier file then stays
+   */
+  public static void write(Path file, String text) throws IOException {
+    write(file, text.getBytes(StandardCharsets.UTF_8));
+  }
+
+  /**
+   * Writes bytes, and creates the folders above the file.
+   *
+   * @throws IOException if they cannot be written; an earlier file then stays
+   */
+  public static void write(Path file, byte[] content) throws IOException {
+    if (Files.exists(file) && Arrays.equals(Files.readAllBytes(file), content)) {
+      return;
+    }
+    Files.createDirectories(file.toAbsolutePath().getParent());
+    // Not createTempFile: its files are private to their owner, but these are shared.
+    Path temporary = file.resolveSibling("." + file.getFileName() + "." + UUID.randomUUID());
+    try {
+      Files.write(temporary, content);
+      Files.move(
+          temporary, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    } finally {
+      Files.deleteIfExists(temporary);
+    }
+  }
+}

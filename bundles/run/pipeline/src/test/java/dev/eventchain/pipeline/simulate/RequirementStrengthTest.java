@@ -1,0 +1,79 @@
+package dev.eventchain.pipeline.simulate;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.pipeline.project.StrengthSettings;
+import dev.eventchain.simulation.verdict.Strength;
+import dev.eventchain.simulation.verdict.Strength.Reaction;
+import java.util.List;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+
+/** Tests the findings about the strength of evidence. */
+class RequirementStrengthTest {
+
+  private static final StrengthSettings HALF = new StrengthSettings(true, 50, new TreeMap<>());
+
+  @Test
+  void enoughNoticedFaultsAreNoFinding() {
+    RequirementStrength strength = strength(true, true, true, false);
+    assertEquals(List.of(), strength.findings());
+    assertTrue(!strength.isUntested("BRK-1"));
+  }
+
+  @Test
+  void aComponentThatMayBeIdleIsNotTested() {
+    RequirementStrength strength = strength(false, true, true, false);
+    Diagnostic found = only(strength);
+    assertEquals("simulation.strength.idle", found.id());
+    assertEquals(3, found.location().line());
+    assertEquals("BRK-1", found.rule());
+    assertTrue(found.message().contains("'Brake'"), found.message());
+    assertTrue(strength.isUntested("BRK-1"));
+  }
+
+  @Test
+  void criteriaThatNoticeNothingTestNothing() {
+    RequirementStrength strength = strength(true, false, false);
+    assertEquals("simulation.strength.none", only(strength).id());
+    assertTrue(strength.isUntested("BRK-1"));
+  }
+
+  @Test
+  void scenariosInWhichNoFaultChangesAnythingTestNothing() {
+    assertEquals("simulation.strength.none", only(strength(true)).id());
+  }
+
+  @Test
+  void tooFewNoticedFaultsAreNamed() {
+    RequirementStrength strength = strength(true, true, false, false);
+    Diagnostic found = only(strength);
+    assertEquals("simulation.strength.low", found.id());
+    assertTrue(found.message().contains("1 of 3"), found.message());
+    assertTrue(!strength.isUntested("BRK-1"));
+  }
+
+  private static Diagnostic only(RequirementStrength strength) {
+    assertEquals(1, strength.findings().size(), strength.findings().toString());
+    return strength.findings().get(0);
+  }
+
+  private static RequirementStrength strength(boolean needed, Boolean... noticed) {
+    List<Reaction> reactions =
+        List.of(noticed).stream()
+            .map(each -> new Reaction("fault", each, "far", "ego stops", Optional.empty()))
+            .toList();
+    Strength measured =
+        new Strength(
+            List.of(new Strength.Requirement("BRK-1", List.of("Brake"), needed, reactions)), 3);
+    WrittenRequirement written =
+        new WrittenRequirement(
+            "BRK-1", "It brakes.", new SourceLocation("requirements.md", 3, 1, "", ""));
+    return new RequirementStrength(Optional.of(measured), HALF, List.of(written));
+  }
+}
