@@ -101,6 +101,7 @@ public final class SourceText {
   }
 
   private static byte[] bytesOf(Path file) {
+    FileReads.note(file);
     try {
       if (Files.exists(file) && !Files.isDirectory(file)) {
         requireReadable(file);

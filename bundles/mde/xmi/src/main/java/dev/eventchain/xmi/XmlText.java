@@ -2,6 +2,7 @@ package dev.eventchain.xmi;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileReads;
 import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
@@ -34,6 +35,7 @@ final class XmlText {
    * @throws DiagnosticException as {@link SourceText#read} does
    */
   static SourceText read(Path file, String name) {
+    FileReads.note(file);
     Charset charset = StandardCharsets.UTF_8;
     try {
       charset = charsetOf(head(file));

@@ -2,6 +2,7 @@ package dev.eventchain.pipeline;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileReads;
 import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -39,6 +40,7 @@ final class PropertyFiles {
   }
 
   private static Map<String, String> read(Path file) {
+    FileReads.note(file);
     if (!Files.exists(file)) {
       throw refused(FileRules.MISSING, "There is no such properties file.", file);
     }

@@ -2,6 +2,7 @@ package dev.eventchain.m2t.syntax;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileReads;
 import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -64,6 +65,7 @@ public final class ModuleLoader {
    *     such encoding
    */
   public static SourceText read(Path file) {
+    FileReads.note(file);
     String name = encoding(file);
     if (name.isEmpty() || name.equalsIgnoreCase("UTF-8")) {
       return SourceText.read(file);

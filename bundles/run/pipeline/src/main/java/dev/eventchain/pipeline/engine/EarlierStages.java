@@ -124,7 +124,7 @@ final class EarlierStages {
   private Optional<Diagnostic> outdated(Stage stage, StageWork work, StageRecord record) {
     Fingerprint fingerprint = new Fingerprint(run);
     work.fingerprint(run, fingerprint);
-    SortedMap<String, String> changed = changes(record.sources(), fingerprint.sources());
+    SortedMap<String, String> changed = changes(record.sources(), fingerprint.sources(record));
     if (checksEditedChain()) {
       changed.keySet().retainAll(Set.of(SourceName.of(run.project().designRulesFile(), run)));
     }

@@ -2,6 +2,8 @@ package dev.eventchain.pipeline.engine;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileReads;
+import dev.eventchain.diagnostics.FileReads.Recorded;
 import dev.eventchain.diagnostics.Suppressions.Parted;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.design.ConstrainStage;
@@ -203,7 +205,7 @@ public final class PipelineRun {
   private void restoreVerdict() {
     try {
       new EarlierStages(run, memory, WORK).require(Stage.SIMULATE);
-      standing.recall(fingerprint(Stage.SIMULATE).value());
+      standing.recall(fingerprint(Stage.SIMULATE));
     } catch (DiagnosticException e) {
       // It concerns other files than the current ones. The next simulation reports which.
       return;
@@ -256,15 +258,14 @@ public final class PipelineRun {
         checkScenarios();
       }
       Fingerprint fingerprint = fingerprint(stage);
-      String key = fingerprint.value();
       Optional<StageRecord> remembered =
-          mayBeSkipped(stage) ? recall(stage, key) : Optional.empty();
+          mayBeSkipped(stage) ? recall(stage, fingerprint) : Optional.empty();
       if (remembered.isPresent()) {
         return unchanged(stage, remembered.get(), start);
       }
       return run.options().onlyReports() && stage != Stage.VALIDATE
           ? unrecalled(stage)
-          : executed(stage, key, fingerprint.sources(), start);
+          : executed(stage, fingerprint, start);
     } catch (DiagnosticException e) {
       failure = Optional.of(e.reason());
       return StageEnds.stopped(stage, e, run.takeFindings(), start);
@@ -311,26 +312,27 @@ public final class PipelineRun {
   }
 
   /** Returns the record of an up-to-date stage, unless edited files are to be overwritten. */
-  private Optional<StageRecord> recall(Stage stage, String key) {
+  private Optional<StageRecord> recall(Stage stage, Fingerprint inputs) {
     if (stage == Stage.SIMULATE) {
-      return standing.recall(key);
+      return standing.recall(inputs);
     }
     return memory
-        .recall(stage, key)
+        .recall(stage, inputs)
         .filter(
             record ->
                 !run.options().overwrite()
                     || record.outputs().keySet().stream().noneMatch(run.output()::isEdited));
   }
 
-  private StageOutcome executed(Stage stage, String key, Map<String, String> sources, long start) {
+  private StageOutcome executed(Stage stage, Fingerprint inputs, long start) {
     StageWork work = WORK.get(stage);
     if (work.skippable()) {
-      announce(stage, key);
+      announce(stage, inputs);
     }
     // Findings from before the stage's work concern this run only and are not recorded.
     List<Diagnostic> all = new ArrayList<>(run.takeFindings());
-    StageResult result = work.execute(run);
+    Recorded<StageResult> done = FileReads.record(() -> work.execute(run));
+    StageResult result = done.value();
     List<Diagnostic> found = new ArrayList<>(run.takeFindings());
     found.addAll(result.diagnostics());
     all.addAll(found);
@@ -340,17 +342,18 @@ public final class PipelineRun {
       failure = Optional.of(DiagnosticException.Reason.FINDINGS);
     } else if (work.skippable() && !isPartial(stage)) {
       // An error that is suppressed now may count later: then the stage must run again.
-      String skippedBy = Diagnostic.anyError(found) ? StageRecord.NEVER : key;
-      memory.remember(stage, record(skippedBy, sources, result, found));
+      String key = Diagnostic.anyError(found) ? StageRecord.NEVER : inputs.value();
+      memory.remember(stage, record(key, inputs, done, found));
     }
     return StageEnds.ended(stage, failed ? Status.FAILED : Status.DONE, start, result, parted);
   }
 
   private StageRecord record(
-      String key, Map<String, String> sources, StageResult result, List<Diagnostic> found) {
+      String key, Fingerprint inputs, Recorded<StageResult> done, List<Diagnostic> found) {
+    StageResult result = done.value();
     return new StageRecord(
         key,
-        sources,
+        inputs.sources(done.files(), result.outputs()),
         written(result.outputs()),
         result.details(),
         found,
@@ -359,8 +362,8 @@ public final class PipelineRun {
   }
 
   /** Withdraws the results and forgets the stage before it runs: its files may change. */
-  private void announce(Stage stage, String key) {
-    boolean resultsStay = isPartial(stage) && standing.recall(key).isPresent();
+  private void announce(Stage stage, Fingerprint inputs) {
+    boolean resultsStay = isPartial(stage) && standing.recall(inputs).isPresent();
     if (!resultsStay) {
       standing.withdraw(stage);
     }

@@ -6,6 +6,7 @@ import dev.eventchain.pipeline.report.ReportPage;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.simulate.SimulateStage;
 import dev.eventchain.pipeline.simulate.SimulationReport;
+import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.pipeline.stage.StageMemory;
 import dev.eventchain.pipeline.stage.StageRecord;
@@ -112,12 +113,12 @@ public final class StandingResults {
                     && run.output().written(each.getKey()).equals(each.getValue()));
   }
 
-  /** Returns the recorded simulation and restores its results, if its key is the given one. */
-  Optional<StageRecord> recall(String key) {
+  /** Returns the recorded simulation and restores its results, if it had the given inputs. */
+  Optional<StageRecord> recall(Fingerprint inputs) {
     if (!withdrawn) {
-      return memory.recall(Stage.SIMULATE, key).filter(this::isAsWritten);
+      return memory.recall(Stage.SIMULATE, inputs).filter(this::isAsWritten);
     }
-    Optional<StageRecord> same = record.filter(found -> found.key().equals(key));
+    Optional<StageRecord> same = record.filter(inputs::isOf);
     same.ifPresent(
         found -> {
           found.outputs().keySet().forEach(this::putBack);

@@ -1,5 +1,7 @@
 package dev.eventchain.pipeline.stage;
 
+import static java.util.stream.Collectors.toSet;
+
 import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.project.ProjectFolder;
 import java.io.File;
@@ -8,6 +10,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collection;
+import java.util.List;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
@@ -27,6 +31,7 @@ public final class Fingerprint {
   private final RunContext run;
   private final Sha256 digest = new Sha256();
   private final SortedMap<String, String> sources = new TreeMap<>();
+  private String value = "";
 
   public Fingerprint(RunContext run) {
     this.run = run;
@@ -69,12 +74,56 @@ public final class Fingerprint {
 
   /** Returns the hash in hexadecimal. Nothing can be added afterwards. */
   public String value() {
-    return digest.hex();
+    if (value.isEmpty()) {
+      value = digest.hex();
+    }
+    return value;
   }
 
-  /** Returns the sources by {@link SourceName}, each with a hash of its content, or its value. */
+  /**
+   * Returns the known sources by {@link SourceName}, each with a hash of its content, or its value.
+   */
   public SortedMap<String, String> sources() {
     return sources;
+  }
+
+  /**
+   * Returns the sources of a result: the known ones, and the files that the work turned out to
+   * read.
+   *
+   * @param outputs the files that it has written, relative to the output folder, which are no
+   *     sources of it
+   */
+  public SortedMap<String, String> sources(Collection<Path> read, Collection<String> outputs) {
+    Set<String> written =
+        outputs.stream().map(name -> SourceName.of(run.file(name), run)).collect(toSet());
+    SortedMap<String, String> all = new TreeMap<>(sources);
+    for (Path file : read) {
+      String name = SourceName.of(file, run);
+      if (!written.contains(name) && !all.containsKey(name)) {
+        String content = contentOf(file);
+        // Temporary files are gone by now.
+        if (SourceName.isInside(name) || !content.equals(ABSENT)) {
+          all.put(name, content);
+        }
+      }
+    }
+    return all;
+  }
+
+  /** Returns the current sources: the known ones, and the files that a record names. */
+  public SortedMap<String, String> sources(StageRecord record) {
+    List<Path> files =
+        record.sources().keySet().stream()
+            .filter(source -> !SourceName.isSetting(source))
+            .map(source -> SourceName.file(source, run))
+            .toList();
+    return sources(files, List.of());
+  }
+
+  /** Returns whether a record is about the current inputs, including what the stage has read. */
+  public boolean isOf(StageRecord record) {
+    return record.key().equals(value()) && record.sources().equals(sources(record));
   }
 
   /** Returns the hash of a file's content; a dangling link exists, but cannot be read. */

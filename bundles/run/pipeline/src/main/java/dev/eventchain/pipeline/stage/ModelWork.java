@@ -4,6 +4,7 @@ import dev.eventchain.agents.AgentContext;
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.agents.Exchange;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.FileReads;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.llm.ChatModels;
 import dev.eventchain.llm.ModelAccess;
@@ -91,7 +92,8 @@ public final class ModelWork {
             .map(asked -> asked.open(access, purpose))
             .orElseGet(() -> ChatModels.open(access, configuration.models(task)));
     return new AgentContext(
-        model,
+        // Recordings and answers are means of the stage, not sources of its result.
+        request -> FileReads.unrecorded(() -> model.chat(request)),
         configuration.repairs(),
         finding -> run.options().suppressions().accepts(placed(finding)),
         message -> run.progress().step(stage, message),

@@ -3,6 +3,7 @@ package dev.eventchain.pipeline.stage;
 import dev.eventchain.check.ChainModel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileReads;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.MessageCatalog;
@@ -151,9 +152,14 @@ public final class RunContext {
     return readRules(project.requirements());
   }
 
-  /** Returns the functional requirements; empty if the project has none. */
+  /**
+   * Returns the functional requirements; empty if the project has none. Their file does not count
+   * as read: a stage that uses them adds their texts to its fingerprint.
+   */
   public List<WrittenRequirement> writtenRequirements() {
-    return ProjectFolder.isAbsent(project.requirements()) ? List.of() : requirements().items();
+    return ProjectFolder.isAbsent(project.requirements())
+        ? List.of()
+        : FileReads.unrecorded(() -> requirements().items());
   }
 
   /** Returns the design rules; empty if the project has no such file. */

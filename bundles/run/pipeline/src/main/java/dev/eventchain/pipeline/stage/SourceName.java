@@ -28,6 +28,15 @@ public final class SourceName {
     return SETTING + name;
   }
 
+  static boolean isSetting(String source) {
+    return source.startsWith(SETTING);
+  }
+
+  /** Returns whether a source belongs to the project or its output folder. */
+  static boolean isInside(String source) {
+    return source.startsWith(OUTPUT) || source.startsWith(PROJECT);
+  }
+
   /** Returns the file of a source. */
   public static Path file(String source, RunContext run) {
     if (source.startsWith(OUTPUT)) {

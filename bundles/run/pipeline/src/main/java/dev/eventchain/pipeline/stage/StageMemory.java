@@ -40,8 +40,8 @@ public final class StageMemory {
   }
 
   /** As {@link #recall(Stage)}, if the inputs are the same and the outputs still exist. */
-  public Optional<StageRecord> recall(Stage stage, String key) {
-    return recall(stage).filter(record -> record.key().equals(key)).filter(this::isThere);
+  public Optional<StageRecord> recall(Stage stage, Fingerprint inputs) {
+    return recall(stage).filter(inputs::isOf).filter(this::isThere);
   }
 
   private boolean isThere(StageRecord record) {

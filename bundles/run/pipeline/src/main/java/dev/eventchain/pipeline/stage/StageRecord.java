@@ -12,10 +12,10 @@ import java.util.TreeMap;
  * The record of a successful stage: the stage is skipped while its inputs are unchanged, and later
  * stages can tell whether its results are up to date.
  *
- * @param key the fingerprint of everything that the stage read; {@link #NEVER} if it has to run
- *     again anyway
- * @param sources the fingerprints of its results' sources, by {@link SourceName}, see {@link
- *     Fingerprint#sources}
+ * @param key the fingerprint of the inputs that were known before the stage ran; {@link #NEVER} if
+ *     it has to run again anyway
+ * @param sources the fingerprints of its results' sources and of all files that it read, by {@link
+ *     SourceName}
  * @param outputs the files it wrote, relative to the output folder, each with the fingerprint of
  *     the written content; empty for a person's file that was kept
  * @param details a short description of its results

@@ -10,7 +10,9 @@ import java.util.Optional;
 public interface StageWork {
 
   /**
-   * Adds all inputs of the stage, so that it runs again when any of them changes.
+   * Adds the inputs that are known before the stage runs: settings, which files there are, and
+   * files that other programs read for it. The files that {@link #execute} reads itself are
+   * recorded while it does, and count as inputs, too.
    *
    * @param fingerprint the fingerprint, which already has the stage's name and the program's build
    */

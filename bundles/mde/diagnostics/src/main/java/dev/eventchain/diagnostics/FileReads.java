@@ -1,0 +1,65 @@
+package dev.eventchain.diagnostics;
+
+import java.nio.file.Path;
+import java.util.Collections;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import java.util.function.Supplier;
+
+/**
+ * Record of the files that a piece of work reads. Those who read a file note it where they read it;
+ * those who want to know what a result depends on record the work. Work in threads that it starts
+ * belongs to it.
+ */
+public final class FileReads {
+
+  private static final InheritableThreadLocal<FileReads> CURRENT = new InheritableThreadLocal<>();
+
+  private final SortedSet<Path> files = Collections.synchronizedSortedSet(new TreeSet<>());
+
+  private FileReads() {}
+
+  /**
+   * The value that work has returned.
+   *
+   * @param files the files that it read or tried to read, absolute and normalized
+   */
+  public record Recorded<T>(T value, SortedSet<Path> files) {}
+
+  /** Notes that the current work reads a file, whether the file exists or not. */
+  public static void note(Path file) {
+    FileReads current = CURRENT.get();
+    if (current != null) {
+      current.files.add(file.toAbsolutePath().normalize());
+    }
+  }
+
+  /** Does work and records what it reads, which the surrounding work has read, too. */
+  public static <T> Recorded<T> record(Supplier<T> work) {
+    FileReads reads = new FileReads();
+    FileReads outer = CURRENT.get();
+    T value = reads.during(work, outer);
+    if (outer != null) {
+      outer.files.addAll(reads.files);
+    }
+    return new Recorded<>(value, Collections.unmodifiableSortedSet(new TreeSet<>(reads.files)));
+  }
+
+  /** Does work that reads nothing on which the result of the surrounding work depends. */
+  public static <T> T unrecorded(Supplier<T> work) {
+    return new FileReads().during(work, CURRENT.get());
+  }
+
+  private <T> T during(Supplier<T> work, FileReads outer) {
+    CURRENT.set(this);
+    try {
+      return work.get();
+    } finally {
+      if (outer == null) {
+        CURRENT.remove();
+      } else {
+        CURRENT.set(outer);
+      }
+    }
+  }
+}
