@@ -1,14 +1,17 @@
 package dev.eventchain.agents.constraint;
 
 import dev.eventchain.constraints.ConstraintProof;
+import dev.eventchain.constraints.ConstraintProof.Objection;
 import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.constraints.OclRules;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.ocl.evaluation.DeepStack;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.eclipse.emf.ecore.EObject;
@@ -71,22 +74,32 @@ public final class ConstraintCheck {
   }
 
   private List<Diagnostic> vacuous(List<OclConstraint> constraints) {
-    return DeepStack.call(() -> constraints.stream().flatMap(c -> objection(c).stream()).toList());
+    return DeepStack.call(
+        () -> constraints.stream().flatMap(each -> objection(each).stream()).toList());
   }
 
-  private List<Diagnostic> objection(OclConstraint constraint) {
+  private Optional<Diagnostic> objection(OclConstraint constraint) {
     return ConstraintProof.objection(constraint, model)
         .map(
             objection ->
                 Diagnostic.of(
                         OclAnswerRules.CONSTRAINT_VACUOUS,
-                        objection
-                            + ": changed values, references and contained objects of the model made"
-                            + " no difference.",
+                        objection.message() + because(objection),
                         constraint.location())
+                    // A search shows that a constraint can fail, never that it cannot.
+                    .withSeverity(severity(constraint, objection))
                     .withHint("Write it so that it can both hold and fail.")
-                    .withRule(constraint.qualifiedName()))
-        .stream()
-        .toList();
+                    .withRule(constraint.qualifiedName()));
+  }
+
+  private static String because(Objection objection) {
+    return objection.unknown().isEmpty()
+        ? ": changed values, references and contained objects of the model made no difference."
+        : ": nothing in the model is '" + String.join("' or '", objection.unknown()) + "'.";
+  }
+
+  private static Severity severity(OclConstraint constraint, Objection objection) {
+    boolean possible = objection.holds() && objection.unknown().isEmpty();
+    return possible && !constraint.holdsForAnything() ? Severity.WARNING : Severity.ERROR;
   }
 }

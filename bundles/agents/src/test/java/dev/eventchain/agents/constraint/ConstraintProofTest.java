@@ -34,7 +34,11 @@ class ConstraintProofTest {
     EventChain chain = EventchainFactory.eINSTANCE.createEventChain();
     chain.setName("a");
     assertEquals(
-        Optional.of("No model was found in the time available for which 'Slow' holds"),
+        Optional.of(
+            new ConstraintProof.Objection(
+                false,
+                List.of(),
+                "No model was found in the time available for which 'Slow' holds")),
         ConstraintProof.objection(
             constraint, List.of(chain), TimeBudget.of(Duration.ofMillis(100))));
   }

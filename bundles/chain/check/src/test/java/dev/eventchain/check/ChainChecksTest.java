@@ -131,6 +131,8 @@ class ChainChecksTest {
         "frequency > 1|-- RAD-1: It is fast.|",
         "SoftwareNode.allInstances()->size() < 9|-- RAD-1: There are few.|",
         "input->notEmpty() implies output->notEmpty()|-- RAD-1|",
+        "name = 'Radar_Tracking' and nextstep.name = 'Brake_Request' and frequency > 49.5"
+            + " and frequency < 50.5 implies nextstep.frequency >= frequency|-- RAD-1|",
       })
   void aConstraintThatNothingViolatesProvesNoRequirement(
       String condition, String comment, String expected) throws IOException {

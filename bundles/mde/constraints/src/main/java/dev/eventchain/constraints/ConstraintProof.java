@@ -1,18 +1,21 @@
 package dev.eventchain.constraints;
 
 import dev.eventchain.constraints.OclConstraint.Verdict;
+import dev.eventchain.ocl.Expression.Navigation;
 import dev.eventchain.ocl.evaluation.DeepStack;
 import dev.eventchain.ocl.evaluation.TimeBudget;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
 
 /**
- * Searches one model that satisfies a constraint and one that violates it: the given model, and
- * changes of the features that the constraint reads, one and then two at a time. A constraint
- * without both is trivial.
+ * Searches one model that satisfies a constraint and one that violates it: the given model, changes
+ * of the features that the constraint reads, one and then two at a time, and then several at
+ * random. A search that finds none shows nothing, since the right combination may not have been
+ * tried.
  */
 public final class ConstraintProof {
   /**
@@ -20,6 +23,9 @@ public final class ConstraintProof {
    * tried within a second or two.
    */
   private static final int MOST_MODELS = 4000;
+
+  /** Number of models with random changes. */
+  private static final int MOST_RANDOM = 2000;
 
   /** Limit of processor time for a proof. Some constraints are slow on each model. */
   private static final Duration TIME_LIMIT = Duration.ofSeconds(30);
@@ -35,8 +41,22 @@ public final class ConstraintProof {
     this.budget = budget;
   }
 
+  /**
+   * The objection to a constraint.
+   *
+   * @param holds true if a model satisfies it, so that only one that violates it is missing
+   * @param unknown texts in it that are no value in the model, such as misspelt names, if it holds
+   * @param message a sentence without its full stop
+   */
+  public record Objection(boolean holds, List<String> unknown, String message) {
+    /** Copies the list. */
+    public Objection {
+      unknown = List.copyOf(unknown);
+    }
+  }
+
   /** Returns the objection to the constraint; empty if both models were found. */
-  public static Optional<String> objection(OclConstraint constraint, List<EObject> roots) {
+  public static Optional<Objection> objection(OclConstraint constraint, List<EObject> roots) {
     return objection(constraint, roots, TimeBudget.of(TIME_LIMIT));
   }
 
@@ -45,17 +65,33 @@ public final class ConstraintProof {
    *
    * @param budget the time that the search may take
    */
-  public static Optional<String> objection(
+  public static Optional<Objection> objection(
       OclConstraint constraint, List<EObject> roots, TimeBudget budget) {
     ConstraintProof proof = new ConstraintProof(constraint, budget);
-    proof.search(ModelCopy.of(roots));
+    ModelCopy model = ModelCopy.of(roots);
+    proof.search(model);
     if (proof.holds && proof.fails) {
       return Optional.empty();
     }
     String within = proof.budget.isSpent() ? " in the time available" : "";
     String missing = proof.holds ? "fails" : "holds";
     return Optional.of(
-        "No model was found%s for which '%s' %s".formatted(within, constraint.name(), missing));
+        new Objection(
+            proof.holds,
+            proof.holds ? unknown(constraint, model) : List.of(),
+            "No model was found%s for which '%s' %s"
+                .formatted(within, constraint.name(), missing)));
+  }
+
+  private static List<String> unknown(OclConstraint constraint, ModelCopy model) {
+    List<EAttribute> texts =
+        constraint.navigations().stream()
+            .map(Navigation::feature)
+            .filter(EAttribute.class::isInstance)
+            .map(EAttribute.class::cast)
+            .filter(each -> each.getEAttributeType().getInstanceClass() == String.class)
+            .toList();
+    return texts.isEmpty() ? List.of() : new TriedValues(constraint, model).unknown(texts);
   }
 
   /**
@@ -85,10 +121,19 @@ public final class ConstraintProof {
     tryAll(model, changes);
     for (ModelChange first : changes) {
       if (isDecided()) {
-        return;
+        break;
       }
       ModelCopy changed = model.with(first);
       tryAll(changed, ModelChange.all(changed, constraint));
+    }
+    if (!isFound() && constraint.context() instanceof EClass type) {
+      tryRandom(new RandomModels(model, constraint, type));
+    }
+  }
+
+  private void tryRandom(RandomModels changed) {
+    for (int i = 0; i < MOST_RANDOM && changed.areThere() && !isFound(); i++) {
+      judge(changed.next());
     }
   }
 
@@ -102,7 +147,12 @@ public final class ConstraintProof {
   }
 
   private boolean isDecided() {
-    return (holds && fails) || models >= MOST_MODELS || budget.isSpent();
+    return isFound() || models >= MOST_MODELS;
+  }
+
+  /** Returns whether both models have been found, or the time is over. */
+  private boolean isFound() {
+    return (holds && fails) || budget.isSpent();
   }
 
   private void judge(ModelCopy model) {

@@ -1,5 +1,6 @@
 package dev.eventchain.constraints;
 
+import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -51,10 +52,7 @@ final class ExtremeValues {
     if (type == String.class) {
       return List.of("", "x", "a b/\"'[]");
     }
-    if (type == double.class
-        || type == Double.class
-        || type == float.class
-        || type == Float.class) {
+    if (isReal(type)) {
       return List.of("-1.0", "0.0", "0.001", "1.0", "1.0E9");
     }
     if (type == byte.class || type == Byte.class) {
@@ -63,9 +61,22 @@ final class ExtremeValues {
     if (type == short.class || type == Short.class) {
       return List.of("-1", "0", "1", "32767");
     }
-    boolean number =
-        (type.isPrimitive() && type != char.class) || Number.class.isAssignableFrom(type);
-    return number ? List.of("-1", "0", "1", "1000000000") : List.of();
+    return isNumber(type) ? List.of("-1", "0", "1", "1000000000") : List.of();
+  }
+
+  /** Returns whether the values of a Java type are numbers. */
+  static boolean isNumber(Class<?> type) {
+    boolean primitive = type.isPrimitive() && type != char.class && type != boolean.class;
+    return primitive || Number.class.isAssignableFrom(type);
+  }
+
+  /** Returns whether the values of a Java type are numbers with fractions. */
+  static boolean isReal(Class<?> type) {
+    return type == double.class
+        || type == Double.class
+        || type == float.class
+        || type == Float.class
+        || type == BigDecimal.class;
   }
 
   /**

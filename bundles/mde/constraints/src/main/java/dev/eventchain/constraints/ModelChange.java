@@ -45,22 +45,38 @@ record ModelChange(int object, EStructuralFeature feature, NewValue value) {
     for (Navigation navigation : constraint.navigations()) {
       read.add(navigation.feature());
     }
+    TriedValues values = new TriedValues(constraint, model);
     List<ModelChange> changes = new ArrayList<>();
-    addChanges(changes, model, read::contains);
-    addChanges(changes, model, feature -> isContainment(feature) && !read.contains(feature));
+    addChanges(changes, model, values, read::contains);
+    addChanges(
+        changes, model, values, feature -> isContainment(feature) && !read.contains(feature));
     return changes;
   }
 
   private static void addChanges(
-      List<ModelChange> changes, ModelCopy model, Predicate<EStructuralFeature> wanted) {
+      List<ModelChange> changes,
+      ModelCopy model,
+      TriedValues values,
+      Predicate<EStructuralFeature> wanted) {
     for (int i = 0; i < model.objects().size(); i++) {
       for (EStructuralFeature feature :
           model.objects().get(i).eClass().getEAllStructuralFeatures()) {
-        if (feature.isChangeable() && !feature.isDerived() && wanted.test(feature)) {
-          addChanges(changes, i, feature, model);
+        if (isPossible(feature) && wanted.test(feature)) {
+          addChanges(changes, i, feature, model, values);
         }
       }
     }
+  }
+
+  /** Returns whether a feature can be set; containers change with what they contain. */
+  static boolean isPossible(EStructuralFeature feature) {
+    boolean container = feature instanceof EReference reference && reference.isContainer();
+    return feature.isChangeable() && !feature.isDerived() && !container;
+  }
+
+  /** Returns whether it may add an object. */
+  boolean adds() {
+    return isContainment(feature);
   }
 
   private static boolean isContainment(EStructuralFeature feature) {
@@ -68,11 +84,15 @@ record ModelChange(int object, EStructuralFeature feature, NewValue value) {
   }
 
   private static void addChanges(
-      List<ModelChange> changes, int object, EStructuralFeature feature, ModelCopy model) {
+      List<ModelChange> changes,
+      int object,
+      EStructuralFeature feature,
+      ModelCopy model,
+      TriedValues values) {
     changes.add(new ModelChange(object, feature, (copy, owner, f) -> owner.eUnset(f)));
     if (feature instanceof EAttribute attribute) {
-      for (Object extreme : ExtremeValues.of(attribute)) {
-        changes.add(new ModelChange(object, feature, (copy, owner, f) -> put(owner, f, extreme)));
+      for (Object tried : values.of(attribute)) {
+        changes.add(new ModelChange(object, feature, (copy, owner, f) -> put(owner, f, tried)));
       }
     } else if (feature instanceof EReference reference && isContainment(feature)) {
       addContained(changes, object, reference);

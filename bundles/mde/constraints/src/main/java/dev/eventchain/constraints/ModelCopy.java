@@ -2,6 +2,7 @@ package dev.eventchain.constraints;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import org.eclipse.emf.common.util.TreeIterator;
 import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EClass;
@@ -32,8 +33,13 @@ final class ModelCopy {
 
   /** Returns a copy with a change. */
   ModelCopy with(ModelChange change) {
+    return with(change::apply);
+  }
+
+  /** Returns a copy with changes, which are made in it. */
+  ModelCopy with(Consumer<ModelCopy> changes) {
     ModelCopy copy = of(roots);
-    change.apply(copy);
+    changes.accept(copy);
     return new ModelCopy(copy.roots);
   }
 

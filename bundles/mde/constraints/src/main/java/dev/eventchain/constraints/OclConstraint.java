@@ -96,6 +96,11 @@ public final class OclConstraint {
     return condition.navigations();
   }
 
+  /** Returns the texts and numbers in it and in the definitions that it uses. */
+  Set<Object> literals() {
+    return condition.literals();
+  }
+
   /**
    * Evaluates it on one element; undefined also if the time runs out.
    *

@@ -123,6 +123,14 @@ public final class Expression {
     return Navigations.of(ast, language.environment());
   }
 
+  /**
+   * Returns the texts and numbers that stand in it and in the definitions that it uses, in the
+   * order of first mention: with these it compares what it reads.
+   */
+  public Set<Object> literals() {
+    return Navigations.literals(ast, language.environment());
+  }
+
   /** Returns the calls of library operations anywhere in the expression. */
   public List<LibraryCall> libraryCalls() {
     return parts().calls();

@@ -1,6 +1,7 @@
 package dev.eventchain.ocl;
 
 import dev.eventchain.ocl.parse.OclEnvironment;
+import dev.eventchain.ocl.tree.BigLiterals;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
@@ -12,15 +13,19 @@ import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
+import org.eclipse.ocl.ecore.IntegerLiteralExp;
 import org.eclipse.ocl.ecore.OperationCallExp;
 import org.eclipse.ocl.ecore.PropertyCallExp;
+import org.eclipse.ocl.ecore.RealLiteralExp;
+import org.eclipse.ocl.ecore.StringLiteralExp;
 import org.eclipse.ocl.expressions.OCLExpression;
 
-/** Finds the features that an expression reads, also through definitions. */
+/** Finds the features that an expression reads and the literals in it, also through definitions. */
 final class Navigations {
 
   private final OclEnvironment environment;
   private final Set<Expression.Navigation> found = new LinkedHashSet<>();
+  private final Set<Object> literals = new LinkedHashSet<>();
   private final Set<OCLExpression<EClassifier>> visited = new HashSet<>();
 
   private Navigations(OclEnvironment environment) {
@@ -31,6 +36,12 @@ final class Navigations {
     Navigations navigations = new Navigations(environment);
     navigations.walk(expression);
     return new ArrayList<>(navigations.found);
+  }
+
+  static Set<Object> literals(EObject expression, OclEnvironment environment) {
+    Navigations navigations = new Navigations(environment);
+    navigations.walk(expression);
+    return navigations.literals;
   }
 
   /** Returns the defined operations and properties that an expression uses directly. */
@@ -65,7 +76,19 @@ final class Navigations {
         }
       } else if (node instanceof OperationCallExp call && call.getReferredOperation() != null) {
         followed(environment.bodyOf(call.getReferredOperation()));
+      } else {
+        addLiteral(node);
       }
+    }
+  }
+
+  private void addLiteral(EObject node) {
+    if (node instanceof StringLiteralExp text) {
+      literals.add(text.getStringSymbol());
+    } else if (node instanceof RealLiteralExp real) {
+      literals.add(real.getRealSymbol());
+    } else if (node instanceof IntegerLiteralExp integer) {
+      literals.add(BigLiterals.valueOf(integer));
     }
   }
 
