@@ -187,14 +187,35 @@ final class ComponentTestsReader {
     return expected;
   }
 
-  private static Optional<TestExpectation> expectation(ObjectReader given, String name) {
+  private Optional<TestExpectation> expectation(ObjectReader given, String name) {
     Optional<JsonNode> value = given.value(name);
     if (value.isEmpty()) {
       return Optional.empty();
     }
-    return value.get().isObject()
-        ? given.object(name).flatMap(TestExpectation::read)
-        : Optional.of(TestExpectation.exactly(value.get()));
+    Optional<TestExpectation> expected =
+        value.get().isObject()
+            ? given.object(name).flatMap(TestExpectation::read)
+            : Optional.of(TestExpectation.exactly(value.get()));
+    expected.ifPresent(each -> requirePossible(given, outputs.get(name), each, given.at(name)));
+    return expected;
+  }
+
+  /** Reports an expectation that no value of the output's type meets. */
+  private static void requirePossible(
+      ObjectReader object, Value output, TestExpectation expected, SourceLocation place) {
+    try {
+      if (expected.isNumeric()) {
+        TestValues.requireNumber(output.type());
+      } else {
+        TestValues.requireConstant(expected.exact().orElseThrow(), output.type());
+      }
+    } catch (TestValues.Unfit e) {
+      object.find(
+          FORMAT,
+          "No component can pass this: '%s' is %s, so expect %s."
+              .formatted(output.name(), output.type(), e.getMessage()),
+          place);
+    }
   }
 
   private Optional<Property> property(ObjectReader property) {
@@ -210,6 +231,9 @@ final class ComponentTestsReader {
     Map<String, double[]> over = over(property);
     Map<String, JsonNode> others = others(property, over);
     property.refuseOthers();
+    if (outputs.containsKey(output)) {
+      requireOrder(property, outputs.get(output), kind, bounds);
+    }
     boolean isVaried = kind == Kind.RANGE || over.containsKey(input);
     if (!isVaried) {
       property.find(
@@ -221,6 +245,22 @@ final class ComponentTestsReader {
             new Property(
                 name, requirement, kind, output, bounds, input, over, others, property.location()))
         : Optional.empty();
+  }
+
+  /** Reports a property that no output of this type can have. */
+  private static void requireOrder(
+      ObjectReader property, Value output, Kind kind, Optional<TestExpectation> bounds) {
+    if (kind == Kind.RANGE) {
+      bounds.ifPresent(each -> requirePossible(property, output, each, property.at("within")));
+    } else if (!TestValues.isNumber(output.type())) {
+      property.find(
+          Diagnostic.of(
+                  FORMAT,
+                  "No component can pass this: '%s' is %s, which neither rises nor falls."
+                      .formatted(output.name(), output.type()),
+                  property.at(kind.key()))
+              .withHint("Write tests on both sides of where it changes, or 'within' a 'value'."));
+    }
   }
 
   private static Kind kind(ObjectReader property) {
@@ -269,7 +309,7 @@ final class ComponentTestsReader {
     range.refuseOthers();
     if (!inputs.containsKey(name)) {
       unknown(range.location(), name, inputs);
-    } else if (inputs.get(name).type().contains("[") || from >= to) {
+    } else if (!TestValues.isNumber(inputs.get(name).type()) || from >= to) {
       range.find(
           FORMAT,
           "A varied input must be a number, and its range must go from a lower to a higher one.",

@@ -31,7 +31,7 @@ record TestExpectation(
 
   /** Returns the expectation of a value alone. */
   static TestExpectation exactly(JsonNode value) {
-    return exactly(value, ROUNDING * Math.max(1, Math.abs(value.asDouble())));
+    return exactly(value, rounding(value));
   }
 
   private static TestExpectation exactly(JsonNode value, double tolerance) {
@@ -97,6 +97,16 @@ record TestExpectation(
     return expected.equals(actual);
   }
 
+  /** Returns whether it is about a single number that need not have one exact value. */
+  boolean isNumeric() {
+    return exact.isEmpty()
+        || (TestValues.literal(exact.get()).isPresent() && tolerance > rounding(exact.get()));
+  }
+
+  private static double rounding(JsonNode value) {
+    return ROUNDING * Math.max(1, Math.abs(value.asDouble()));
+  }
+
   /** Returns the least accepted number; NaN if no number is expected. */
   double smallest() {
     return exact.map(value -> middle(value) - tolerance).orElse(least);
@@ -114,7 +124,7 @@ record TestExpectation(
   /** Returns a short description. */
   String words() {
     if (exact.isPresent()) {
-      boolean stated = tolerance > ROUNDING * Math.max(1, Math.abs(exact.get().asDouble()));
+      boolean stated = tolerance > rounding(exact.get());
       return exact.get() + (stated ? " within " + tolerance : "");
     }
     String from = (above ? "above " : "at least ") + least;

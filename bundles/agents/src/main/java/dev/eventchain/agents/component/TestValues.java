@@ -9,6 +9,7 @@ import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * Syntax of input values in tests. A number may be one of the texts {@code inf}, {@code -inf} and
@@ -32,6 +33,37 @@ final class TestValues {
     return bracket < 0
         ? scalar(written, type)
         : packed(elements(written, type.substring(0, bracket)), type.substring(0, bracket));
+  }
+
+  /** Returns whether values of a type are single numbers. */
+  static boolean isNumber(String type) {
+    return type.indexOf('[') < 0 && !Set.of("bool", "boolean", "string").contains(type);
+  }
+
+  /**
+   * Requires a type of single numbers.
+   *
+   * @throws Unfit if it is another one
+   */
+  static void requireNumber(String type) throws Unfit {
+    if (!isNumber(type)) {
+      throw new Unfit(
+          type.indexOf('[') >= 0
+              ? "an array"
+              : type.equals("string") ? "a string" : "true or false");
+    }
+  }
+
+  /**
+   * Requires a value of a type, without the forms that only inputs have.
+   *
+   * @throws Unfit if the text is not such a value
+   */
+  static void requireConstant(JsonNode written, String type) throws Unfit {
+    if (isNumber(type) && literal(written).isEmpty()) {
+      throw new Unfit("a number");
+    }
+    of(written, type);
   }
 
   /** Returns the value in a call of a step, with values per call resolved. */
