@@ -196,7 +196,9 @@ public final class Formula {
     if (comparison.ofTruth()) {
       String when = after(run, decision.sample());
       return new Outcome(
-          passed, format("'%s' %s %s", comparison.text(), holds ? "holds" : "is missed", when));
+          passed,
+          format("'%s' %s %s", comparison.text(), holds ? "holds" : "is missed", when),
+          run.seconds(decision.sample()));
     }
     String unit = comparison.left().commonUnit(comparison.right());
     double margin = Robustness.margin(decision.truth());

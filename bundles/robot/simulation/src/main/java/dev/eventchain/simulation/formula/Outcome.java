@@ -2,6 +2,7 @@ package dev.eventchain.simulation.formula;
 
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Margin;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * Outcome of a judgement in a scenario.
@@ -10,11 +11,27 @@ import java.util.Optional;
  * @param passed true if it was tested and holds
  * @param detail the measured figures
  * @param margin the distance from the opposite verdict; empty if it has no size
+ * @param decided the time of what decides it, in s since the start; empty if no single moment does
  */
-public record Outcome(boolean tested, boolean passed, String detail, Optional<Margin> margin) {
+public record Outcome(
+    boolean tested,
+    boolean passed,
+    String detail,
+    Optional<Margin> margin,
+    OptionalDouble decided) {
+
+  /** Creates an outcome that its margin decides, if it has one. */
+  public Outcome(boolean tested, boolean passed, String detail, Optional<Margin> margin) {
+    this(tested, passed, detail, margin, margin.stream().mapToDouble(Margin::time).findFirst());
+  }
 
   public Outcome(boolean passed, String detail) {
     this(true, passed, detail, Optional.empty());
+  }
+
+  /** Creates an outcome without a size. */
+  public Outcome(boolean passed, String detail, double decided) {
+    this(true, passed, detail, Optional.empty(), OptionalDouble.of(decided));
   }
 
   public Outcome(boolean passed, String detail, Margin margin) {

@@ -145,6 +145,7 @@ public final class FaultJudge {
         false,
         endedEarly(end),
         Optional.empty(),
+        OptionalDouble.empty(),
         List.of(),
         wanted.location(),
         List.of());
@@ -178,6 +179,7 @@ public final class FaultJudge {
         passed,
         measured,
         Optional.empty(),
+        OptionalDouble.empty(),
         List.of(),
         wanted.location(),
         List.of());

@@ -151,6 +151,7 @@ public final class ScenarioJudge {
         outcome.passed(),
         outcome.detail(),
         outcome.margin(),
+        outcome.decided(),
         criterion.limits(),
         criterion.location(),
         criterion.requirements());

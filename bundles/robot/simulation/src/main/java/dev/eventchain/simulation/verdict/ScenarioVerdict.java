@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.Stream;
 
 /**
@@ -53,6 +54,8 @@ public record ScenarioVerdict(
    * @param passed true if it was tested and holds
    * @param measured the measured figures, in words
    * @param margin the distance from the opposite verdict; empty if it has no size
+   * @param decided the time of what decides it, in s since the start; empty if no single moment
+   *     does
    * @param limits the numbers that signals are compared with
    * @param location its location in the scenario
    * @param requirements ids of the requirements that it tests
@@ -63,6 +66,7 @@ public record ScenarioVerdict(
       boolean passed,
       String measured,
       Optional<Margin> margin,
+      OptionalDouble decided,
       List<Limit> limits,
       SourceLocation location,
       List<String> requirements) {

@@ -5,13 +5,12 @@ import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Curve;
-import dev.eventchain.simulation.verdict.ScenarioVerdict.Margin;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * A failed verdict as text for the language model that wrote a component: each missed criterion,
@@ -23,8 +22,7 @@ final class VerdictText {
 
   private static final int MOST_OTHERS = 6;
   private static final double BEFORE = 0.6; // s
-  private static final double AFTER = 0.1; // s
-  private static final double STEP = 0.1; // s
+  private static final double AFTER = 0.2; // s
 
   private final SoftwareNode component;
   private final StringBuilder text = new StringBuilder();
@@ -60,7 +58,7 @@ final class VerdictText {
   private void add(int number, ScenarioVerdict verdict, CriterionResult criterion) {
     List<Double> times = verdict.series().time();
     double end = times.isEmpty() ? 0 : times.get(times.size() - 1);
-    double time = criterion.margin().map(Margin::time).orElse(end);
+    double time = criterion.decided().orElse(end);
     text.append(
         String.format(
             Locale.ROOT,
@@ -121,14 +119,9 @@ final class VerdictText {
   }
 
   private static List<Integer> rows(List<Double> times, double time) {
-    List<Integer> rows = new ArrayList<>();
-    double next = time - BEFORE;
-    for (int i = 0; i < times.size() && times.get(i) <= time + AFTER; i++) {
-      if (times.get(i) >= next) {
-        rows.add(i);
-        next = times.get(i) + STEP * 0.99;
-      }
-    }
-    return rows;
+    return IntStream.range(0, times.size())
+        .filter(i -> times.get(i) >= time - BEFORE && times.get(i) <= time + AFTER)
+        .boxed()
+        .toList();
   }
 }
