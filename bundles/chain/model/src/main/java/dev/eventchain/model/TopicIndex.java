@@ -1,16 +1,21 @@
 package dev.eventchain.model;
 
 import dev.eventchain.messages.RosNames;
+import dev.eventchain.model.eventchain.ComponentImplementation;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.Deque;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * Index of the topics of an event chain with their publishers and subscribers. The data of a
@@ -95,5 +100,30 @@ public final class TopicIndex {
    */
   public Optional<Topic> find(String name) {
     return Optional.ofNullable(topics.get(name));
+  }
+
+  /**
+   * Returns the full names of the topics whose messages depend on software components: those that
+   * they write, and those that further components derive from these. Nodes that are given whole,
+   * and not as a component, are left out: what they do is not known.
+   */
+  public Set<String> influencedBy(Collection<SoftwareNode> components) {
+    Set<String> influenced = new HashSet<>();
+    Set<SoftwareNode> reached = new HashSet<>(components);
+    Deque<SoftwareNode> open = new ArrayDeque<>(components);
+    while (!open.isEmpty()) {
+      SoftwareNode node = open.remove();
+      if (node.getImplementation() == ComponentImplementation.COMPONENT) {
+        node.getOutput().stream()
+            .flatMap(output -> nameOf(output, node).stream())
+            .filter(influenced::add)
+            .flatMap(name -> find(name).stream())
+            .flatMap(topic -> topic.subscribers().stream())
+            .map(Endpoint::node)
+            .filter(reached::add)
+            .forEach(open::add);
+      }
+    }
+    return influenced;
   }
 }

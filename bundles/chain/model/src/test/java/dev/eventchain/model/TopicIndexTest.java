@@ -3,11 +3,13 @@ package dev.eventchain.model;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.model.eventchain.ComponentImplementation;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainFactory;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 class TopicIndexTest {
@@ -50,6 +52,26 @@ class TopicIndexTest {
     writer.getOutput().add(data(null));
     reader.getInput().add(data(""));
     assertTrue(TopicIndex.of(chain).topics().isEmpty());
+  }
+
+  @Test
+  void componentsInfluenceWhatIsDerivedFromTheirOutputs() {
+    writer.getOutput().add(data("/x"));
+    reader.getInput().add(data("/x"));
+    reader.getOutput().add(data("/y"));
+    SoftwareNode loop = node("loop");
+    loop.getInput().add(data("/y"));
+    loop.getOutput().add(data("/x"));
+    SoftwareNode other = node("other");
+    other.getOutput().add(data("/z"));
+    SoftwareNode own = node("own");
+    own.setImplementation(ComponentImplementation.NODE);
+    own.getInput().add(data("/z"));
+    own.getOutput().add(data("/w"));
+    TopicIndex index = TopicIndex.of(chain);
+    assertEquals(Set.of("/x", "/y"), index.influencedBy(List.of(writer)));
+    assertEquals(Set.of("/z"), index.influencedBy(List.of(other)));
+    assertEquals(Set.of(), index.influencedBy(List.of(own)));
   }
 
   private SoftwareNode node(String name) {

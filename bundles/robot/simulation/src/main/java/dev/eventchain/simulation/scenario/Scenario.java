@@ -179,11 +179,22 @@ public final class Scenario {
    * @param topics full names
    */
   public boolean dependsOn(String requirement, Set<String> topics, Bench bench) {
-    boolean commanding =
-        bench.consumed().values().stream()
-            .filter(Bench.Consumed::commands)
-            .anyMatch(topic -> topics.contains(topic.topic()));
+    boolean commanding = isCommanded(topics, bench);
     return criteriaOf(requirement).anyMatch(each -> each.dependsOn(topics, commanding));
+  }
+
+  /** As {@link #dependsOn(String, Set, Bench)}, for the criterion at a location. */
+  public boolean dependsOn(SourceLocation criterion, Set<String> topics, Bench bench) {
+    boolean commanding = isCommanded(topics, bench);
+    return criteria.stream()
+        .filter(each -> each.location().equals(criterion))
+        .anyMatch(each -> each.dependsOn(topics, commanding));
+  }
+
+  private static boolean isCommanded(Set<String> topics, Bench bench) {
+    return bench.consumed().values().stream()
+        .filter(Bench.Consumed::commands)
+        .anyMatch(topic -> topics.contains(topic.topic()));
   }
 
   private Stream<Expectation> criteriaOf(String requirement) {

@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.llm.chat.AnswerRules;
+import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.run.Stage;
@@ -16,7 +17,9 @@ import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.sandbox.ComponentProbe;
 import dev.eventchain.simulation.SimulationResult;
+import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
+import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -26,15 +29,20 @@ import java.util.stream.Collectors;
 
 /**
  * Sends a failed verdict back to the language model that wrote the components: to one after the
- * other, in the order of the chain, until one is changed.
+ * other, in the order of the chain, until one is changed. Components whose outputs reach no signal
+ * of a failed criterion are not asked.
  */
 public final class VerdictCorrection {
   private final RunContext run;
   private final List<ScenarioVerdict> failed;
+  private final Map<String, Scenario> scenarios;
 
   private VerdictCorrection(RunContext run, List<ScenarioVerdict> failed) {
     this.run = run;
     this.failed = failed;
+    this.scenarios =
+        Scenario.readFolder(run.project().scenarios(), run.bench(), warning -> {}).stream()
+            .collect(Collectors.toMap(Scenario::name, scenario -> scenario));
   }
 
   /** Returns whether the run writes components and has simulated all scenarios. */
@@ -70,7 +78,9 @@ public final class VerdictCorrection {
     for (SoftwareNode node : run.softwareBase().missing(run.chain().chain())) {
       boolean concerned =
           node.getSatisfies().stream().map(Requirement::getId).anyMatch(requirements::contains);
-      if (concerned && !run.output().isEdited(ComponentFiles.name(node.getName()))) {
+      if (concerned
+          && mayBeTheCause(node)
+          && !run.output().isEdited(ComponentFiles.name(node.getName()))) {
         Optional<AgentResult> corrected = ask(node);
         if (corrected.isPresent()) {
           return Map.of(node.getName(), corrected.get());
@@ -78,6 +88,22 @@ public final class VerdictCorrection {
       }
     }
     return Map.of();
+  }
+
+  /** Returns whether what a component writes can reach a signal that a failed criterion reads. */
+  private boolean mayBeTheCause(SoftwareNode node) {
+    Set<String> topics = TopicIndex.of(run.chain().chain()).influencedBy(List.of(node));
+    return failed.stream()
+        .anyMatch(
+            verdict ->
+                VerdictText.failed(verdict).stream()
+                    .anyMatch(missed -> dependsOn(verdict, missed, topics)));
+  }
+
+  private boolean dependsOn(ScenarioVerdict verdict, CriterionResult missed, Set<String> topics) {
+    return Optional.ofNullable(scenarios.get(verdict.scenario()))
+        .map(scenario -> scenario.dependsOn(missed.location(), topics, run.bench()))
+        .orElse(true);
   }
 
   private Optional<AgentResult> ask(SoftwareNode node) {

@@ -5,7 +5,6 @@ import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.WrittenRequirement;
-import dev.eventchain.model.eventchain.ComponentImplementation;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.Requirement;
@@ -14,10 +13,7 @@ import dev.eventchain.pipeline.results.RequirementOutcome;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.scenario.Scenario;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -159,7 +155,7 @@ final class RequirementCoverage {
               .filter(
                   node -> node.getSatisfies().stream().anyMatch(it -> item.id().equals(it.getId())))
               .toList();
-      Set<String> influenced = influenced(satisfying);
+      Set<String> influenced = topics.influencedBy(satisfying);
       if (satisfying.isEmpty()) {
         unproven.put(
             item.id(),
@@ -177,33 +173,6 @@ final class RequirementCoverage {
 
   private List<Scenario> about(String requirement) {
     return scenarios.stream().filter(it -> it.requirements().contains(requirement)).toList();
-  }
-
-  /**
-   * Returns the topics that depend on simulated components: their outputs, and topics derived from
-   * these.
-   */
-  private Set<String> influenced(List<SoftwareNode> components) {
-    Set<String> influenced = new HashSet<>();
-    Set<SoftwareNode> reached = new HashSet<>(components);
-    Deque<SoftwareNode> open = new ArrayDeque<>(components);
-    while (!open.isEmpty()) {
-      SoftwareNode node = open.remove();
-      if (node.getImplementation() == ComponentImplementation.COMPONENT) {
-        for (Data output : node.getOutput()) {
-          TopicIndex.nameOf(output, node)
-              .filter(influenced::add)
-              .flatMap(topics::find)
-              .ifPresent(
-                  topic ->
-                      topic.subscribers().stream()
-                          .map(TopicIndex.Endpoint::node)
-                          .filter(reached::add)
-                          .forEach(open::add));
-        }
-      }
-    }
-    return influenced;
   }
 
   private static String names(List<SoftwareNode> nodes) {
