@@ -70,6 +70,26 @@ class ComponentTestsTest {
   }
 
   @Test
+  void aComponentWhoseFailureIsAcceptedIsNotAskedForAgain() throws IOException {
+    project.write(
+        DECISION,
+        """
+        tests:
+          - {name: half, requirement: AEB-4, inputs: {ttc: 1.5}, outputs: {braking_force: 0.7}}
+        """);
+    project.write(
+        "eventchain-suppressions.yaml",
+        "[{id: component.test.failed, reason: Too strict., expires: 2027-03-31}]");
+    implement("2027-03-31").expect(0).says("✓ Implement");
+    implement("2027-03-31").expect(0).says("= Implement").says("1 finding suppressed");
+    implement("2027-04-01").expect(1).says("llm.recording.missing");
+  }
+
+  private Program.Ended implement(String date) {
+    return new Program().run("run", project.path(), "--to", "implement", "--date", date);
+  }
+
+  @Test
   void testThatItsRequirementExcludesIsRefused() throws IOException {
     project.write(
         DECISION,

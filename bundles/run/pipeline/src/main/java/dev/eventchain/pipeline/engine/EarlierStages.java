@@ -144,8 +144,7 @@ final class EarlierStages {
 
   /** Returns an error if findings of the stage were suppressed when it ran, but no longer are. */
   private Optional<Diagnostic> noLongerSuppressed(Stage stage, StageRecord record) {
-    List<Diagnostic> counting = run.options().suppressions().part(record.diagnostics()).remaining();
-    return Diagnostic.anyError(counting)
+    return run.anyErrorCounts(record.diagnostics())
         ? Optional.of(
             error(
                 stage,

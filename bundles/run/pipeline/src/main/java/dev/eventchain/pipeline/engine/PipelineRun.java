@@ -36,6 +36,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 
 /** Runs the requested stages in order, as far as possible. */
@@ -51,6 +52,10 @@ public final class PipelineRun {
               Stage.VALIDATE, new ValidateStage(),
               Stage.GENERATE, new GenerateStage(),
               Stage.SIMULATE, new SimulateStage()));
+
+  /** Stages that ask language models. */
+  private static final Set<Stage> ASKING =
+      Set.of(Stage.DESIGN, Stage.IMPLEMENT, Stage.MODEL, Stage.CONSTRAIN);
 
   /** Stages that depend on a corrected component. */
   private static final List<Stage> CORRECTED =
@@ -289,7 +294,7 @@ public final class PipelineRun {
     boolean validates = run.options().last() == Stage.VALIDATE && !run.options().readsOnly();
     if (run.options().runs(Stage.SIMULATE) || validates) {
       List<Diagnostic> found = SimulationInputs.check(run);
-      if (Diagnostic.anyError(run.options().suppressions().part(found).remaining())) {
+      if (run.anyErrorCounts(found)) {
         throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
       }
       found.forEach(run::find);
@@ -318,6 +323,7 @@ public final class PipelineRun {
     }
     return memory
         .recall(stage, inputs)
+        .filter(record -> !run.anyErrorCounts(record.diagnostics()))
         .filter(
             record ->
                 !run.options().overwrite()
@@ -341,8 +347,10 @@ public final class PipelineRun {
     if (failed) {
       failure = Optional.of(DiagnosticException.Reason.FINDINGS);
     } else if (work.skippable() && !isPartial(stage)) {
-      // An error that is suppressed now may count later: then the stage must run again.
-      String key = Diagnostic.anyError(found) ? StageRecord.NEVER : inputs.value();
+      // An error that is suppressed now may count later, so the stage runs again. One that asks
+      // language models is skipped until then, so that nobody is asked again.
+      boolean again = Diagnostic.anyError(found) && !ASKING.contains(stage);
+      String key = again ? StageRecord.NEVER : inputs.value();
       memory.remember(stage, record(key, inputs, done, found));
     }
     return StageEnds.ended(stage, failed ? Status.FAILED : Status.DONE, start, result, parted);

@@ -67,8 +67,7 @@ public final class ValidateStage implements StageWork {
     List<String> named =
         run.chain().chain().getRequirements().stream().map(Requirement::getId).toList();
     run.project().missingRequirements(named).ifPresent(found::add);
-    boolean valid =
-        !Diagnostic.anyError(run.options().suppressions().part(outcome.diagnostics()).remaining());
+    boolean valid = !run.anyErrorCounts(outcome.diagnostics());
     found.addAll(otherInputs(run, valid));
     return found.stream().distinct().toList();
   }

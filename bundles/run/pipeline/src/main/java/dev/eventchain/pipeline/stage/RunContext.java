@@ -291,6 +291,11 @@ public final class RunContext {
     return List.copyOf(recordings);
   }
 
+  /** Returns whether there is an error that is not suppressed. */
+  public boolean anyErrorCounts(List<Diagnostic> found) {
+    return Diagnostic.anyError(options.suppressions().part(found).remaining());
+  }
+
   /** Adds a finding to the current stage. */
   public void find(Diagnostic finding) {
     findings.add(finding);

@@ -19,7 +19,7 @@ import java.util.TreeMap;
  * @param outputs the files it wrote, relative to the output folder, each with the fingerprint of
  *     the written content; empty for a person's file that was kept
  * @param details a short description of its results
- * @param diagnostics its findings, without errors
+ * @param diagnostics its findings; errors among them were suppressed
  * @param coverage the coverage of its checks
  * @param report its part of the report
  */
