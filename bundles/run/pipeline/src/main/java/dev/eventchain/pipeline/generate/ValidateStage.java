@@ -10,6 +10,7 @@ import dev.eventchain.pipeline.project.Templates;
 import dev.eventchain.pipeline.results.Validated;
 import dev.eventchain.pipeline.results.Validation;
 import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.ComponentSources;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.ProjectChecks;
 import dev.eventchain.pipeline.stage.RunContext;
@@ -18,10 +19,12 @@ import dev.eventchain.pipeline.stage.StageResult;
 import dev.eventchain.pipeline.stage.StageWork;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Supplier;
 
 /**
- * Checks the model against its constraints and contracts; as the last stage, also everything else
- * that the later stages of a run would refuse before they simulate.
+ * Checks the model against its constraints and contracts, and the source of existing components; as
+ * the last stage, also everything else that the later stages of a run would refuse before they
+ * simulate.
  */
 public final class ValidateStage implements StageWork {
 
@@ -57,6 +60,9 @@ public final class ValidateStage implements StageWork {
       return run.chain().checks();
     } catch (DiagnosticException e) {
       List<Diagnostic> all = new ArrayList<>(e.diagnostics());
+      if (run.options().last() == Stage.VALIDATE) {
+        all.addAll(sources(() -> ComponentSources.checkWithoutChain(run, Stage.VALIDATE)));
+      }
       all.addAll(otherInputs(run, false));
       throw new DiagnosticException(e.reason(), all.stream().distinct().toList());
     }
@@ -69,8 +75,26 @@ public final class ValidateStage implements StageWork {
     run.project().missingRequirements(named).ifPresent(found::add);
     boolean valid =
         !Diagnostic.anyError(run.options().suppressions().part(outcome.diagnostics()).remaining());
+    found.addAll(
+        sources(
+            () ->
+                valid
+                    ? ComponentSources.check(run, Stage.VALIDATE)
+                    : ComponentSources.checkWithoutChain(run, Stage.VALIDATE)));
     found.addAll(otherInputs(run, valid));
     return found.stream().distinct().toList();
+  }
+
+  /** Returns the findings in the source of components, or that it cannot be read. */
+  private static List<Diagnostic> sources(Supplier<List<Diagnostic>> check) {
+    try {
+      return check.get();
+    } catch (DiagnosticException e) {
+      if (e.reason() == DiagnosticException.Reason.UNAVAILABLE) {
+        throw e; // Nothing was checked, which is no finding about the project.
+      }
+      return e.diagnostics();
+    }
   }
 
   /** Returns the findings in inputs of later stages; none if these run themselves. */
