@@ -132,8 +132,8 @@ final class Repetition {
     if (type.isEmpty() || !one.isWhole() || !other.isWhole()) {
       return Optional.empty();
     }
-    MessageValue before = CdrCodec.decode(type.get(), one.content());
-    MessageValue after = CdrCodec.decode(type.get(), other.content());
+    MessageValue before = CdrCodec.decode(type.get(), one.bytes());
+    MessageValue after = CdrCodec.decode(type.get(), other.bytes());
     List<String> paths = StrengthTrials.recorded(chain).getOrDefault(one.topic(), List.of());
     return paths.stream()
         .filter(path -> !Objects.deepEquals(before.get(path), after.get(path)))

@@ -4,7 +4,6 @@ import dev.eventchain.diagnostics.Sha256;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -23,12 +22,13 @@ public final class MessageLog {
    * @param content its bytes; a hash of them if it is long
    * @param isWhole whether the content is its bytes
    */
-  public record Message(long time, String topic, byte[] content, boolean isWhole) {
+  public record Message(long time, String topic, ByteBuffer content, boolean isWhole) {
 
-    private boolean isSame(Message other) {
-      return time == other.time
-          && topic.equals(other.topic)
-          && Arrays.equals(content, other.content);
+    /** Returns a copy of the content. */
+    public byte[] bytes() {
+      byte[] bytes = new byte[content.remaining()];
+      content.duplicate().get(bytes);
+      return bytes;
     }
   }
 
@@ -46,14 +46,14 @@ public final class MessageLog {
     boolean isWhole = bytes.length <= LONGEST;
     byte[] content =
         isWhole ? bytes : new Sha256().add(bytes).hex().getBytes(StandardCharsets.US_ASCII);
-    messages.add(new Message(time, topic, content, isWhole));
+    messages.add(new Message(time, topic, ByteBuffer.wrap(content), isWhole));
   }
 
   /** Returns the first difference from another run; empty if it published the same. */
   public Optional<Difference> differenceFrom(MessageLog other) {
     int common = Math.min(messages.size(), other.messages.size());
     for (int i = 0; i < Math.max(messages.size(), other.messages.size()); i++) {
-      if (i >= common || !messages.get(i).isSame(other.messages.get(i))) {
+      if (i >= common || !messages.get(i).equals(other.messages.get(i))) {
         return Optional.of(new Difference(at(i), other.at(i)));
       }
     }

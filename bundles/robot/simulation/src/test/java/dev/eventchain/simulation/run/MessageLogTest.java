@@ -30,8 +30,8 @@ class MessageLogTest {
   void theFirstDifferenceCounts() {
     Difference found = log(1, 2, 3).differenceFrom(log(1, 4, 5)).orElseThrow();
     assertEquals(1000, found.first().orElseThrow().time());
-    assertEquals(2, found.first().orElseThrow().content()[0]);
-    assertEquals(4, found.second().orElseThrow().content()[0]);
+    assertEquals(2, found.first().orElseThrow().bytes()[0]);
+    assertEquals(4, found.second().orElseThrow().bytes()[0]);
   }
 
   @Test

@@ -78,8 +78,7 @@ public final class GenerateStage implements StageWork {
     }
     // Errors among them are suppressed, for as long as the suppressions are valid.
     found.addAll(checked.diagnostics());
-    SortedMap<String, byte[]> files = new TreeMap<>(OutputFolder.WRITING_ORDER);
-    generated.files().forEach((file, content) -> files.put(folder + "/" + file, content));
+    SortedMap<String, byte[]> files = within(folder, generated);
     String written = components(run, model.chain(), helpers, folder, files);
     files.forEach(run::write);
     run.writeResult(
@@ -88,6 +87,13 @@ public final class GenerateStage implements StageWork {
     List<String> outputs = new ArrayList<>(files.keySet());
     outputs.add(TraceFile.NAME);
     return StageResult.of(files.size() + " files in " + written, outputs, found);
+  }
+
+  /** Returns generated files by their names in the output folder. */
+  private static SortedMap<String, byte[]> within(String folder, GenerationResult generated) {
+    SortedMap<String, byte[]> files = new TreeMap<>(OutputFolder.WRITING_ORDER);
+    generated.files().forEach((file, content) -> files.put(folder + "/" + file, content));
+    return files;
   }
 
   private static List<Diagnostic> findings(GenerationResult generated) {

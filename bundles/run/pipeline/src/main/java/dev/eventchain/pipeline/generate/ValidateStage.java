@@ -19,7 +19,6 @@ import dev.eventchain.pipeline.stage.StageResult;
 import dev.eventchain.pipeline.stage.StageWork;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Supplier;
 
 /**
  * Checks the model against its constraints and contracts, and the source of existing components; as
@@ -61,7 +60,7 @@ public final class ValidateStage implements StageWork {
     } catch (DiagnosticException e) {
       List<Diagnostic> all = new ArrayList<>(e.diagnostics());
       if (run.options().last() == Stage.VALIDATE) {
-        all.addAll(sources(() -> ComponentSources.checkWithoutChain(run, Stage.VALIDATE)));
+        all.addAll(sources(run, false));
       }
       all.addAll(otherInputs(run, false));
       throw new DiagnosticException(e.reason(), all.stream().distinct().toList());
@@ -75,26 +74,24 @@ public final class ValidateStage implements StageWork {
     run.project().missingRequirements(named).ifPresent(found::add);
     boolean valid =
         !Diagnostic.anyError(run.options().suppressions().part(outcome.diagnostics()).remaining());
-    found.addAll(
-        sources(
-            () ->
-                valid
-                    ? ComponentSources.check(run, Stage.VALIDATE)
-                    : ComponentSources.checkWithoutChain(run, Stage.VALIDATE)));
+    found.addAll(sources(run, valid));
     found.addAll(otherInputs(run, valid));
     return found.stream().distinct().toList();
   }
 
-  /** Returns the findings in the source of components, or that it cannot be read. */
-  private static List<Diagnostic> sources(Supplier<List<Diagnostic>> check) {
+  /** Returns the findings in the source of existing components. */
+  private static List<Diagnostic> sources(RunContext run, boolean valid) {
+    ComponentSources read;
     try {
-      return check.get();
+      read = valid ? ComponentSources.of(run) : ComponentSources.withoutChain(run);
     } catch (DiagnosticException e) {
-      if (e.reason() == DiagnosticException.Reason.UNAVAILABLE) {
-        throw e; // Nothing was checked, which is no finding about the project.
+      if (run.options().last() == Stage.VALIDATE
+          && e.reason() == DiagnosticException.Reason.INPUT) {
+        return e.diagnostics(); // The other inputs are checked all the same.
       }
-      return e.diagnostics();
+      throw e;
     }
+    return read.check(Stage.VALIDATE);
   }
 
   /** Returns the findings in inputs of later stages; none if these run themselves. */

@@ -93,8 +93,7 @@ public final class SimulateStage implements StageWork {
   public StageResult execute(RunContext run) {
     EventChain chain = run.chain().chain();
     List<Scenario> scenarios = ProjectScenarios.selected(run);
-    List<Diagnostic> found = sources(run);
-    found.addAll(connections(run));
+    List<Diagnostic> found = inputs(run);
     SimulationResult result = simulate(run, chain, scenarios, found);
     EventChain measured = result.measuredModel(chain);
     Function<EObject, SourceLocation> locator = new Origins()::locate;
@@ -131,16 +130,23 @@ public final class SimulateStage implements StageWork {
     return run.options().isPartial() ? List.of() : RESULTS;
   }
 
+  /** Returns the findings in what is simulated and its surroundings, of which no error is left. */
+  private static List<Diagnostic> inputs(RunContext run) {
+    List<Diagnostic> found = new ArrayList<>(sources(run));
+    found.addAll(connections(run));
+    return found;
+  }
+
   /**
    * Returns the findings in the source of components, unless the validation of this run has checked
    * it. Errors end the stage unless suppressed.
    */
   private static List<Diagnostic> sources(RunContext run) {
-    List<Diagnostic> found = new ArrayList<>();
-    if (!run.options().runs(Stage.VALIDATE)) {
-      found.addAll(ComponentSources.check(run, Stage.SIMULATE));
-      refuseErrors(run, found);
+    if (run.options().runs(Stage.VALIDATE)) {
+      return List.of();
     }
+    List<Diagnostic> found = ComponentSources.of(run).check(Stage.SIMULATE);
+    refuseErrors(run, found);
     return found;
   }
 

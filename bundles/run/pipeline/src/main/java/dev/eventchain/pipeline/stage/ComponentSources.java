@@ -21,22 +21,27 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Checks of the source of existing components and of the modules that they import, before anything
- * is simulated. None of their code is run.
+ * The source of existing components and of the modules that they import, which is checked before
+ * anything is simulated. None of the code is run.
  */
 public final class ComponentSources {
 
-  private ComponentSources() {}
+  private final RunContext run;
+  private final List<Source> sources;
+  private final List<Diagnostic> found;
+
+  private ComponentSources(RunContext run, List<Source> sources, List<Diagnostic> found) {
+    this.run = run;
+    this.sources = sources;
+    this.found = found;
+  }
 
   /**
-   * Checks the existing components of a chain: each against what its node needs, and all for what
-   * makes results differ from run to run.
+   * Reads the existing components of a chain, and the modules that they import.
    *
-   * @param stage the stage that checks them
-   * @return the findings; a warning if there is no Python, so that nothing was checked
    * @throws DiagnosticException INPUT if a file cannot be read
    */
-  public static List<Diagnostic> check(RunContext run, Stage stage) {
+  public static ComponentSources of(RunContext run) {
     EventChain chain = run.chain().chain();
     List<Source> sources = new ArrayList<>();
     for (SoftwareNode node : chain.getSoftware()) {
@@ -45,20 +50,29 @@ public final class ComponentSources {
           .filter(ComponentSources::isClass)
           .ifPresent(it -> sources.add(source(it, Optional.of(signature(node)))));
     }
-    return check(run, existing(run, chain), sources, stage);
+    return withHelpers(run, existing(run, chain), sources);
   }
 
   /**
-   * Checks all existing components where the chain is not known or has errors, so that what their
+   * Reads all existing components where the chain is not known or has errors, so that what their
    * nodes need is not known.
    *
-   * @throws DiagnosticException as {@link #check}
+   * @throws DiagnosticException INPUT if a file cannot be read
    */
-  public static List<Diagnostic> checkWithoutChain(RunContext run, Stage stage) {
+  public static ComponentSources withoutChain(RunContext run) {
     List<SoftwareBase.Component> all =
         run.softwareBase().components().stream().filter(ComponentSources::isClass).toList();
-    List<Source> sources = all.stream().map(each -> source(each, Optional.empty())).toList();
-    return check(run, all, sources, stage);
+    return withHelpers(run, all, all.stream().map(it -> source(it, Optional.empty())).toList());
+  }
+
+  private static ComponentSources withHelpers(
+      RunContext run, Collection<SoftwareBase.Component> components, List<Source> described) {
+    HelperModules helpers = HelperModules.of(components);
+    List<Source> sources = new ArrayList<>(described);
+    helpers.files().values().stream()
+        .filter(file -> components.stream().noneMatch(each -> each.file().equals(file)))
+        .forEach(file -> sources.add(new Source(SourceText.read(file), Optional.empty())));
+    return new ComponentSources(run, sources, helpers.diagnostics());
   }
 
   /** Returns the modules that the existing components of a chain import. */
@@ -78,32 +92,28 @@ public final class ComponentSources {
     return component.implementation() == ComponentImplementation.COMPONENT;
   }
 
-  private static List<Diagnostic> check(
-      RunContext run,
-      Collection<SoftwareBase.Component> components,
-      List<Source> described,
-      Stage stage) {
-    HelperModules helpers = HelperModules.of(components);
-    List<Source> sources = new ArrayList<>(described);
-    helpers.files().values().stream()
-        .filter(file -> components.stream().noneMatch(each -> each.file().equals(file)))
-        .forEach(file -> sources.add(new Source(SourceText.read(file), Optional.empty())));
-    List<Diagnostic> found = new ArrayList<>(helpers.diagnostics());
-    if (!sources.isEmpty()) {
-      found.addAll(check(run, sources, stage));
+  /**
+   * Checks each component against what its node needs, and all files for what makes results differ
+   * from run to run.
+   *
+   * @param stage the stage that checks them
+   * @return the findings; a warning if there is no Python, so that nothing was checked
+   * @throws DiagnosticException INPUT if the settings of Python are wrong
+   */
+  public List<Diagnostic> check(Stage stage) {
+    List<Diagnostic> all = new ArrayList<>(found);
+    if (sources.isEmpty()) {
+      return all;
     }
-    return found;
-  }
-
-  private static List<Diagnostic> check(RunContext run, List<Source> sources, Stage stage) {
     try {
-      return new SourceCheck(run.python(stage)).check(sources);
+      all.addAll(new SourceCheck(run.python(stage)).check(sources));
     } catch (DiagnosticException e) {
       if (e.reason() != DiagnosticException.Reason.UNAVAILABLE) {
         throw e;
       }
-      return List.of(unchecked(sources.size(), e.diagnostics().get(0)));
+      all.add(unchecked(sources.size(), e.diagnostics().get(0)));
     }
+    return all;
   }
 
   private static Diagnostic unchecked(int count, Diagnostic reason) {
