@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import shutil
 import struct
+import textwrap
 from pathlib import Path
 from typing import Any
 
@@ -176,3 +177,30 @@ def test_generated_components_keep_to_their_rules_when_they_run(project: Path) -
         host.configure(configuration(project, restricted=True))
     assert caught.value.details["id"] == "component.import.forbidden"
     assert (caught.value.details["file"], caught.value.details["line"]) == (str(component), 1)
+
+
+def doubled(folder: Path, **component: Any) -> Any:
+    """Return the samples of a scenario with a component that adds a random number."""
+    code = """
+    class Doubler:
+        def __init__(self, random_source=None):
+            self._random = random_source
+
+        def execute(self, number):
+            return {"doubled": self._random.random()}
+    """
+    (folder / "chain" / "components" / "Doubler.py").write_text(textwrap.dedent(code))
+    with HostProcess() as host:
+        return scenario_with(host, folder, **component)
+
+
+def scenario_with(host: HostProcess, folder: Path, **component: Any) -> list[Any]:
+    host.configure(configuration(folder, **component), 1)
+    return [host.step(50 * MILLISECOND * step, (0, float32(float(step)))) for step in range(1, STEPS + 1)]
+
+
+def test_a_component_is_given_random_numbers_by_the_seed(project: Path) -> None:
+    first = doubled(project, seed="4/Doubler")
+    assert doubled(project, seed="4/Doubler") == first
+    assert doubled(project, seed="5/Doubler") != first
+    assert len({sample[2] for step in first for sample in step}) > 1

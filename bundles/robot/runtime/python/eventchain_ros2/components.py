@@ -29,6 +29,7 @@ class Configuration(NamedTuple):
         inputs: names of the arguments of `execute`; None: not known.
         outputs: names of its results; None: not known.
         restricted: whether the rules of generated components apply to it.
+        seed: the seed of its random numbers, of the scenario and its name.
 
     """
 
@@ -38,6 +39,7 @@ class Configuration(NamedTuple):
     inputs: list[str] | None
     outputs: list[Output] | None
     restricted: bool
+    seed: str = ""
 
     @classmethod
     def of(cls, json: dict[str, Any]) -> Configuration:
@@ -50,6 +52,7 @@ class Configuration(NamedTuple):
             json.get("inputs"),
             None if outputs is None else [Output(output["name"], output.get("type", "")) for output in outputs],
             bool(json.get("restricted", False)),
+            str(json.get("seed", "")),
         )
 
 
@@ -137,6 +140,7 @@ class Components(MetaPathFinder, Loader):
             "path": environment.path,
             "sources": environment.sources,
             "messages": environment.messages,
+            "seed": configuration.seed,
         }
         server = ForkServer.inherited()
         process = ComponentProcess(server, description, environment.limits, environment.objects)

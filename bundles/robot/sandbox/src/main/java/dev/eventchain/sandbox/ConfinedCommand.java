@@ -37,6 +37,7 @@ final class ConfinedCommand {
   private boolean hooks = true;
   private boolean components;
   private int turn;
+  private int hashSeed;
   private JsonNode preparation;
 
   ConfinedCommand(PythonEnvironment environment) {
@@ -84,6 +85,10 @@ final class ConfinedCommand {
     preparation = described;
   }
 
+  void hashSeed(int seed) {
+    hashSeed = seed;
+  }
+
   void withoutKernel() {
     kernel = false;
   }
@@ -99,7 +104,7 @@ final class ConfinedCommand {
         "TMPDIR", workFolder.toString(),
         "LC_ALL", "C.UTF-8",
         "PYTHONUTF8", "1",
-        "PYTHONHASHSEED", "0",
+        "PYTHONHASHSEED", Integer.toString(hashSeed),
         "PYTHONDONTWRITEBYTECODE", "1",
         "PYTHONNOUSERSITE", "1",
         "PYTHONSAFEPATH", "1",

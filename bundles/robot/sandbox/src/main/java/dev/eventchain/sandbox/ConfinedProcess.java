@@ -21,7 +21,7 @@ import java.util.stream.Stream;
  * <p>It can read Python itself, the system's libraries and the given paths, and write only its work
  * folder. It has no network except sockets made by {@link Builder#preparation}, and cannot start
  * processes. It ends when it exceeds its limits, when it is closed, or when this JVM ends. Its only
- * environment variables make it reproducible ({@code PYTHONHASHSEED=0}, UTF-8, no byte code files);
+ * environment variables make it reproducible ({@code PYTHONHASHSEED}, UTF-8, no byte code files);
  * home and temporary folder are the work folder. See {@link Confinement} for the mechanisms.
  *
  * <p>The caller has to read standard output; otherwise the process blocks until its time limit.
@@ -209,6 +209,14 @@ public final class ConfinedProcess implements AutoCloseable {
      */
     public Builder preparation(String module, JsonNode settings) {
       command.preparation(module, settings);
+      return this;
+    }
+
+    /**
+     * Sets the seed of Python's hashes, which decides about the order of sets; the default is 0.
+     */
+    public Builder hashSeed(int seed) {
+      command.hashSeed(seed);
       return this;
     }
 

@@ -23,17 +23,10 @@ import component_values
 from component_client import ComponentError, ComponentProcess, ForkServer, Limits
 from component_results import Output
 from component_rules import STATE_HINT, Component, Finding, check_file
+from component_sources import check_needs
 
 REPEATED = 50
 """How many of the calls are made again on a second object: what differs differs at once."""
-
-_OF_ALL = {
-    "component.syntax",
-    "component.class.missing",
-    "component.constructor.signature",
-    "component.execute.signature",
-}
-"""What existing components have to keep, too."""
 
 
 class Probe:
@@ -52,9 +45,7 @@ class Probe:
 
     def findings(self) -> list[Finding]:
         """Make all checks; the component is run only if the static checks have no findings."""
-        findings = check_file(self._file, self._component)
-        if self._existing:
-            findings = [finding for finding in findings if finding.id in _OF_ALL]
+        findings = (check_needs if self._existing else check_file)(self._file, self._component)
         return findings or self._try_component()
 
     def _try_component(self) -> list[Finding]:

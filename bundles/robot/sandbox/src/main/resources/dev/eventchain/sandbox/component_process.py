@@ -16,7 +16,9 @@ from __future__ import annotations
 import ast
 import faulthandler
 import importlib
+import inspect
 import os
+import random
 import struct
 import sys
 from collections.abc import Iterable
@@ -33,6 +35,9 @@ SHOW_STACK = SIGUSR1
 MESSAGE_OBJECTS = "eventchain_ros2.message_objects"
 """The module that makes messages of values; only programs with messages have it on their path."""
 
+RANDOM_SOURCE = "random_source"
+"""Parameter of a component's constructor for a `random.Random` that is the same in every run of a scenario."""
+
 _HEADER = struct.Struct("<I4s")
 _MARKER = "_eventchain_returning"
 _LONGEST_TEXT = 2000
@@ -44,7 +49,8 @@ class ComponentProcess:
     Args:
         channel: file descriptor to read questions from and to write answers to.
         description: `file`, `module` (its name), `class`, `path` (for `sys.path`), `sources` (folders or files whose
-            lines are places of errors), `messages` (files with message definitions; absent: no message classes).
+            lines are places of errors), `messages` (files with message definitions; absent: no message classes),
+            `seed` (of its random numbers; absent: always the same ones).
 
     """
 
@@ -54,6 +60,7 @@ class ComponentProcess:
         self._module_name: str = description["module"]
         self._class_name: str = description["class"]
         self._sources: list[str] = description["sources"]
+        self._seed: str = description.get("seed", "")
         self._objects = _objects(description.get("messages"))
         self._module: ModuleType | None = None
         self._component: Any = None
@@ -86,8 +93,17 @@ class ComponentProcess:
         if kind == "load":
             self._load()
         else:
-            self._component = getattr(self._module, self._class_name)()
+            made = getattr(self._module, self._class_name)
+            self._component = made(**self._offered(made))
         return ["done"]
+
+    def _offered(self, made: Any) -> dict[str, Any]:
+        """Return the arguments of the constructor: a source of random numbers, if it has a parameter for one."""
+        try:
+            wanted = inspect.signature(made).parameters
+        except (TypeError, ValueError):
+            return {}
+        return {RANDOM_SOURCE: random.Random(self._seed)} if RANDOM_SOURCE in wanted else {}
 
     def _load(self) -> None:
         """Import the file under its module name, with its `return` statements marked."""

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import component_results
 from component_reach import reach
+from component_repeatability import is_guard
 from component_results import Output
 
 # Built-in functions with constant results for constant arguments.
@@ -107,7 +108,7 @@ class Rules:
                 hint = "Put it into a method of the class, or into a constant made of constants."
                 yield self._finding("component.import.effect", problem, message, hint)
         for shared in [node for node in ast.walk(self._tree) if isinstance(node, ast.Global)]:
-            message = f"A component must not change {_names(shared.names)} outside of its object."
+            message = f"A component must not change {names(shared.names)} outside of its object."
             yield self._finding("component.state.shared", shared, message, STATE_HINT)
         for cls in [node for node in ast.walk(self._tree) if isinstance(node, ast.ClassDef)]:
             for node in cls.body:
@@ -125,7 +126,7 @@ class Rules:
             return None
         if isinstance(node, (ast.Assign, ast.AnnAssign)):
             return self._not_constant(node.value) if node.value is not None else None
-        if isinstance(node, ast.If) and _is_guard(node.test):
+        if isinstance(node, ast.If) and is_guard(node.test):
             return None
         return node
 
@@ -177,8 +178,8 @@ class Rules:
         else:
             yield from self._execute(execute)
         constructor = self._method(cls, "__init__")
-        if constructor is not None and _required(constructor):
-            message = f"{name}() is made without arguments, but __init__ needs {', '.join(_required(constructor))}."
+        if constructor is not None and required(constructor):
+            message = f"{name}() is made without arguments, but __init__ needs {', '.join(required(constructor))}."
             hint = "Give each parameter of __init__ a default, or make it a constant."
             yield self._finding("component.constructor.signature", constructor, message, hint)
 
@@ -192,14 +193,14 @@ class Rules:
             return
         missing = [name for name in inputs if name not in named]
         if missing:
-            yield self._signature(node, f"execute() does not take {_names(missing)}.")
+            yield self._signature(node, f"execute() does not take {names(missing)}.")
         first = [argument.arg for argument in (*node.args.posonlyargs, *node.args.args)][:1]
         if not _is_static(node) and first[0] in inputs:
             yield self._signature(node, f"execute() is a method: its first parameter is self, not '{first[0]}'.")
-        extra = [name for name in _required(node) if name not in inputs]
+        extra = [name for name in required(node) if name not in inputs]
         if extra:
-            yield self._signature(node, f"execute() takes {_names(extra)}, which nobody gives it.")
-        for returned in _returns(node):
+            yield self._signature(node, f"execute() takes {names(extra)}, which nobody gives it.")
+        for returned in returns(node):
             yield from self._result(returned)
 
     def _result(self, node: ast.Return) -> Iterator[Finding]:
@@ -252,22 +253,16 @@ class _ReturnMarks(ast.NodeTransformer):
         return node
 
 
-def _names(names: Iterable[str]) -> str:
-    return ", ".join(f"'{name}'" for name in names)
-
-
-def _is_guard(test: ast.expr) -> bool:
-    """Return whether it is `if TYPE_CHECKING:` or `if __name__ == "__main__":`, whose body an import does not run."""
-    if isinstance(test, ast.Compare):
-        return isinstance(test.left, ast.Name) and test.left.id == "__name__" and isinstance(test.ops[0], ast.Eq)
-    return isinstance(test, ast.Name) and test.id == "TYPE_CHECKING"
+def names(each: Iterable[str]) -> str:
+    """Return names for a sentence."""
+    return ", ".join(f"'{name}'" for name in each)
 
 
 def _is_static(node: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
     return any(isinstance(mark, ast.Name) and mark.id == "staticmethod" for mark in node.decorator_list)
 
 
-def _required(node: ast.FunctionDef | ast.AsyncFunctionDef) -> list[str]:
+def required(node: ast.FunctionDef | ast.AsyncFunctionDef) -> list[str]:
     """Return the parameters that a call has to give, without self."""
     positional = [argument.arg for argument in (*node.args.posonlyargs, *node.args.args)]
     needed = positional[: len(positional) - len(node.args.defaults)]
@@ -277,7 +272,7 @@ def _required(node: ast.FunctionDef | ast.AsyncFunctionDef) -> list[str]:
     return [*needed, *(argument.arg for argument, default in keyword if default is None)]
 
 
-def _returns(function: ast.FunctionDef | ast.AsyncFunctionDef) -> Iterator[ast.Return]:
+def returns(function: ast.FunctionDef | ast.AsyncFunctionDef) -> Iterator[ast.Return]:
     """Return the return statements of a function, except in functions inside it."""
     pending: list[ast.AST] = list(function.body)
     while pending:

@@ -13,9 +13,11 @@ import dev.eventchain.simulation.host.HostProgram;
 import dev.eventchain.simulation.host.LockstepProcess;
 import dev.eventchain.simulation.host.NodeHosts;
 import dev.eventchain.simulation.run.FaultRun;
+import dev.eventchain.simulation.run.MessageLog;
 import dev.eventchain.simulation.run.OutputFaultRun;
 import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.run.ScenarioRunner;
+import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.strength.FaultTrial;
 import dev.eventchain.simulation.strength.StrengthTrials;
 import dev.eventchain.simulation.verdict.Strength;
@@ -43,6 +45,7 @@ public final class Simulation {
   private final Consumer<String> progress;
   private final PythonEnvironment python;
   private final Confinement confinement = Confinement.detect();
+  private final Optional<Repetition> repetition;
   private final SortedMap<Integer, ScenarioRun> runs = new TreeMap<>();
   private final SortedMap<Integer, FaultRun> faultRuns = new TreeMap<>();
 
@@ -50,6 +53,7 @@ public final class Simulation {
       SimulationRequest request, PythonEnvironment python, Consumer<String> progress) {
     this.request = request;
     this.chain = request.simulatedChain();
+    this.repetition = Repetition.of(request, chain);
     this.python = python;
     this.progress = progress;
   }
@@ -96,9 +100,42 @@ public final class Simulation {
     SimulationResult result =
         new ResultBuilder(request, chain, driven, List.copyOf(faultRuns.values()))
             .build(describeConfinement(), processes, wallSeconds);
+    Optional<Diagnostic> differs = repeat(nodes);
+    if (differs.isPresent()) {
+      return result.with(differs.get());
+    }
     return request.measuresStrength() && result.passed()
         ? result.withStrength(strength(nodes, driven))
         : result;
+  }
+
+  /** Drives a scenario once more; returns the finding that it was another run. */
+  private Optional<Diagnostic> repeat(NodeConfiguration nodes) throws InterruptedException {
+    if (repetition.isEmpty()) {
+      return Optional.empty();
+    }
+    Repetition again = repetition.get();
+    try {
+      new HostPool(1, this::startAgain, (number, hosts) -> repeat(again, hosts, nodes)).run(1);
+      return again.finding();
+    } catch (DiagnosticException e) {
+      if (e.reason() != DiagnosticException.Reason.FINDINGS) {
+        throw e;
+      }
+      return Optional.of(again.ended(e.diagnostics().get(0)));
+    }
+  }
+
+  private HostPool.State repeat(Repetition again, NodeHosts hosts, NodeConfiguration nodes) {
+    new ScenarioRunner(chain, nodes, Optional.empty(), hosts.session(), Map.of())
+        .run(again.scenario(), Optional.of(again.second()));
+    return HostPool.State.DONE;
+  }
+
+  private NodeHosts startAgain(int turn) {
+    HostProgram program = new HostProgram(request.nodePackage(), python, confinement);
+    int nodes = request.chain().getSoftware().size();
+    return new LockstepProcess(program.withHashSeed(Repetition.HASH_SEED), nodes, turn);
   }
 
   /**
@@ -182,12 +219,18 @@ public final class Simulation {
         new ScenarioRunner(chain, nodes, request.recordings(), hosts.session(), recorded());
     int scenarios = request.scenarios().size();
     if (number < scenarios) {
-      done(number, runner.run(request.scenarios().get(number)));
+      Scenario scenario = request.scenarios().get(number);
+      done(number, runner.run(scenario, log(scenario)));
       return HostPool.State.DONE;
     }
     FaultRun run = runner.run(request.faults().faults().get(number - scenarios));
     done(number, run);
     return run.ended().isEmpty() ? HostPool.State.DONE : HostPool.State.DONE_AT_THE_END;
+  }
+
+  /** Returns the log of the scenario that is driven twice. */
+  private Optional<MessageLog> log(Scenario scenario) {
+    return repetition.filter(it -> it.scenario() == scenario).map(Repetition::first);
   }
 
   private Map<String, List<String>> recorded() {

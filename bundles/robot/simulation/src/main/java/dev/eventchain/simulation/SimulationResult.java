@@ -7,6 +7,7 @@ import dev.eventchain.simulation.verdict.FaultVerdict;
 import dev.eventchain.simulation.verdict.Measurements;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import dev.eventchain.simulation.verdict.Strength;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -69,6 +70,13 @@ public record SimulationResult(
   SimulationResult withStrength(Strength measured) {
     return new SimulationResult(
         verdicts, measurements, diagnostics, faults, Optional.of(measured), host);
+  }
+
+  /** Returns a copy with another finding that does not belong to a criterion. */
+  SimulationResult with(Diagnostic finding) {
+    List<Diagnostic> all = new ArrayList<>(diagnostics);
+    all.add(finding);
+    return new SimulationResult(verdicts, measurements, all, faults, strength, host);
   }
 
   /** Returns whether every scenario passed. */

@@ -11,6 +11,8 @@ final class SimulationRules {
       Rule.error("simulation.command.ignored", CommonTrait.UNTESTED);
   static final Rule SIMULATION_IMPACT_UNJUDGED =
       Rule.error("simulation.impact.unjudged", CommonTrait.UNTESTED);
+  static final Rule SIMULATION_NOT_REPEATABLE =
+      Rule.error("simulation.not-repeatable", CommonTrait.UNTESTED);
   static final Rule SIMULATION_EGO_HIT_FROM_BEHIND = Rule.warning("simulation.ego.hit-from-behind");
 
   private SimulationRules() {}

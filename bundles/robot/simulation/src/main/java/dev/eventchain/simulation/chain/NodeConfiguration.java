@@ -77,6 +77,7 @@ public final class NodeConfiguration {
     component.put("module", known.module());
     component.put("class", known.className());
     component.put("file", absolute(generated.folder().resolve(known.file())));
+    component.put("seed", seed + "/" + name);
     component.put("restricted", generated.restricted().contains(name));
     ArrayNode inputs = component.putArray("inputs");
     known.inputs().forEach(inputs::add);

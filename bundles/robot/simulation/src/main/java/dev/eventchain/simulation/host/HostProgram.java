@@ -13,14 +13,25 @@ import java.time.Duration;
  * Programs of the ROS 2 runtime that host nodes.
  *
  * @param generated the nodes to run, with their limits
+ * @param hashSeed the seed of Python's hashes, which decides about the order of sets
  */
 public record HostProgram(
-    NodePackage generated, PythonEnvironment python, Confinement confinement) {
+    NodePackage generated, PythonEnvironment python, Confinement confinement, int hashSeed) {
 
   /** Path of the ROS 2 runtime's Python sources among the resources. */
   private static final String RUNTIME = "eventchain/ros2";
 
   private static final int MEMORY_MIB = 1024;
+
+  /** Creates programs with the hash seed 0. */
+  public HostProgram(NodePackage generated, PythonEnvironment python, Confinement confinement) {
+    this(generated, python, confinement, 0);
+  }
+
+  /** Returns the same programs with another seed of Python's hashes. */
+  public HostProgram withHashSeed(int seed) {
+    return new HostProgram(generated, python, confinement, seed);
+  }
 
   /** Returns the files with the user's code. */
   public UserFiles userFiles() {
@@ -42,6 +53,7 @@ public record HostProgram(
         .readable(generated.messages(), generated.folder())
         .workFolder(workFolder.path())
         .components(turn)
+        .hashSeed(hashSeed)
         .limits(new ConfinedProcess.Limits(longest, longest, MEMORY_MIB))
         .confinement(confinement);
   }

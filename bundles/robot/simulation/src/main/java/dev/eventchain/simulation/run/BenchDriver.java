@@ -79,6 +79,7 @@ final class BenchDriver {
   private final PriorityQueue<Underway> underway =
       new PriorityQueue<>(
           Comparator.comparingLong(Underway::arrival).thenComparingLong(Underway::number));
+  private Optional<MessageLog> log = Optional.empty();
   private long measured;
   private long epoch;
 
@@ -88,7 +89,7 @@ final class BenchDriver {
    * @param chain the topics that the nodes read and write
    * @param fault the fault in its messages
    * @param outputs receives the outputs of the components
-   * @param recorded true if all topics of the nodes are recorded
+   * @param recorded true to receive all topics of the nodes
    * @throws DiagnosticException (INPUT) {@code message.unknown} or {@code message.field.missing}: a
    *     message type is undefined, or does not fit the bench
    */
@@ -222,6 +223,11 @@ final class BenchDriver {
         .orElse("");
   }
 
+  /** Adds all messages of the nodes to a log, if all of their topics are received. */
+  void logTo(MessageLog kept) {
+    log = Optional.of(kept);
+  }
+
   /** Sets the time on clocks and stamps at time 0, in ns. */
   void startAt(long time) {
     epoch = time;
@@ -284,6 +290,7 @@ final class BenchDriver {
   /** Receives a message of the nodes, which the vehicle follows from its publication on. */
   void take(NodeSession.Outbound outbound, World world) {
     Receiver receiver = receivers.get(outbound.topic());
+    log.ifPresent(it -> it.add(outbound.time(), receiver.topic().name(), outbound.message()));
     if (receiver.effects().isEmpty()
         && receiver.recorded().isEmpty()
         && !outputs.reads(receiver.topic().name())) {

@@ -62,9 +62,21 @@ public final class ScenarioRunner {
     this.outputs = outputs;
   }
 
-  public ScenarioRun run(Scenario scenario) {
+  /**
+   * Drives a scenario.
+   *
+   * @param log receives all messages of the nodes; empty for none
+   */
+  public ScenarioRun run(Scenario scenario, Optional<MessageLog> log) {
     OutputRecord published = new OutputRecord(outputs);
-    BenchDriver driver = driver(scenario, new WorldFault(Optional.empty()), published);
+    BenchDriver driver =
+        new BenchDriver(
+            chain,
+            scenario,
+            new WorldFault(Optional.empty()),
+            published,
+            recordings.isPresent() || log.isPresent());
+    log.ifPresent(driver::logTo);
     JsonNode ready = session.configure(configuration(scenario, driver));
     driver.startAt(session.epoch());
     Optional<Recording> recording =
@@ -152,7 +164,7 @@ public final class ScenarioRunner {
   }
 
   private BenchDriver driver(Scenario scenario, WorldFault fault, OutputRecord published) {
-    return new BenchDriver(chain, scenario, fault, published, recordings.isPresent());
+    return new BenchDriver(chain, scenario, fault, published, false);
   }
 
   private ObjectNode configuration(Scenario scenario, BenchDriver driver) {

@@ -30,6 +30,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.Stream;
@@ -91,7 +92,7 @@ class RecordingTest {
         new LockstepProcess(program, request.chain().getSoftware().size(), 0)) {
       run =
           new ScenarioRunner(chain, nodes, request.recordings(), process.session(), Map.of())
-              .run(AebProject.scenario(SCENARIO));
+              .run(AebProject.scenario(SCENARIO), Optional.empty());
     }
     JsonNode read = read(only());
     SortedMap<String, List<Long>> published = new TreeMap<>();

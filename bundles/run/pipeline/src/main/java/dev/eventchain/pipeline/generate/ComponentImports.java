@@ -4,16 +4,13 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.pipeline.stage.PythonImports;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.SortedMap;
-import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** Imports of the components' Python files, and the packages that provide them. */
@@ -36,44 +33,9 @@ final class ComponentImports {
   private static final Pattern OF_ROS =
       Pattern.compile("rclpy|ament_index_python|tf2_ros|tf2_py|\\w+_(msgs|srvs|interfaces)");
 
-  /** {@code sys.stdlib_module_names} of Python 3.10 to 3.14, without names that start with "_". */
-  private static final Set<String> STANDARD_LIBRARY =
-      Set.copyOf(
-          Arrays.asList(
-              """
-              abc aifc annotationlib antigravity argparse array ast asynchat asyncio asyncore atexit
-              audioop base64 bdb binascii binhex bisect builtins bz2 cProfile calendar cgi cgitb
-              chunk cmath cmd code codecs codeop collections colorsys compileall compression
-              concurrent configparser contextlib contextvars copy copyreg crypt csv ctypes curses
-              dataclasses datetime dbm decimal difflib dis distutils doctest email encodings
-              ensurepip enum errno faulthandler fcntl filecmp fileinput fnmatch fractions ftplib
-              functools gc genericpath getopt getpass gettext glob graphlib grp gzip hashlib heapq
-              hmac html http idlelib imaplib imghdr imp importlib inspect io ipaddress itertools
-              json keyword lib2to3 linecache locale logging lzma mailbox mailcap marshal math
-              mimetypes mmap modulefinder msilib msvcrt multiprocessing netrc nis nntplib nt ntpath
-              nturl2path numbers opcode operator optparse os ossaudiodev pathlib pdb pickle
-              pickletools pipes pkgutil platform plistlib poplib posix posixpath pprint profile
-              pstats pty pwd py_compile pyclbr pydoc pydoc_data pyexpat queue quopri random re
-              readline reprlib resource rlcompleter runpy sched secrets select selectors shelve
-              shlex shutil signal site smtpd smtplib sndhdr socket socketserver spwd sqlite3
-              sre_compile sre_constants sre_parse ssl stat statistics string stringprep struct
-              subprocess sunau symtable sys sysconfig syslog tabnanny tarfile telnetlib tempfile
-              termios textwrap this threading time timeit tkinter token tokenize tomllib trace
-              traceback tracemalloc tty turtle turtledemo types typing unicodedata unittest urllib
-              uu uuid venv warnings wave weakref webbrowser winreg winsound wsgiref xdrlib xml
-              xmlrpc zipapp zipfile zipimport zlib zoneinfo
-              """
-                  .strip()
-                  .split("\\s+")));
-
-  private static final Pattern IMPORT =
-      Pattern.compile(
-          "\\bfrom[ \\t]+(?<from>[\\w.]*)[ \\t]*\\bimport\\b[^\\n;]*"
-              + "|\\bimport[ \\t]+(?<names>[^\\n;]+)",
-          Pattern.UNICODE_CHARACTER_CLASS);
-
   private final MessageCatalog messages;
   private final boolean pip;
+  private final Set<String> helpers;
   private final Set<String> rosdepKeys = new TreeSet<>();
   private final Set<String> pipNames = new TreeSet<>();
   private final List<Diagnostic> unknown = new ArrayList<>();
@@ -84,10 +46,12 @@ final class ComponentImports {
    * @param messages message packages are packages of ROS 2
    * @param pip true if pip installs dependencies, false for rosdep: dependencies that it does not
    *     know are findings
+   * @param helpers modules of the project beside the components
    */
-  ComponentImports(MessageCatalog messages, boolean pip) {
+  ComponentImports(MessageCatalog messages, boolean pip, Set<String> helpers) {
     this.messages = messages;
     this.pip = pip;
+    this.helpers = helpers;
   }
 
   /** Returns the packages of the imports by rosdep keys, in order. */
@@ -105,9 +69,13 @@ final class ComponentImports {
     return unknown;
   }
 
-  /** Adds the imports of a component's file, wherever they are in it. */
-  void add(String component, SourceText file) {
-    modules(file.text())
+  /**
+   * Adds the imports of a file, wherever they are in it.
+   *
+   * @param importer the component or module, for users
+   */
+  void add(String importer, SourceText file) {
+    PythonImports.modules(file.text())
         .forEach(
             (module, offset) -> {
               Optional<Provider> known = Optional.ofNullable(PROVIDERS.get(module));
@@ -116,9 +84,9 @@ final class ComponentImports {
                   isOfRos(module) ? Optional.of(module) : known.map(Provider::rosdep);
               pipName.ifPresent(pipNames::add);
               rosdepKey.ifPresent(rosdepKeys::add);
-              boolean isKnown = (pip ? pipName : rosdepKey).isPresent();
-              if (!isKnown && !STANDARD_LIBRARY.contains(module)) {
-                unknown.add(unknown(component, module, file.at(offset)));
+              boolean isKnown = (pip ? pipName : rosdepKey).isPresent() || helpers.contains(module);
+              if (!isKnown && !PythonImports.isStandard(module)) {
+                unknown.add(unknown(importer, module, file.at(offset)));
               }
             });
   }
@@ -128,73 +96,14 @@ final class ComponentImports {
         || messages.names().stream().anyMatch(name -> name.startsWith(module + "/"));
   }
 
-  private Diagnostic unknown(String component, String module, SourceLocation place) {
+  private Diagnostic unknown(String importer, String module, SourceLocation place) {
     String tool = pip ? "pip" : "rosdep";
     String file = pip ? "pyproject.toml" : "package.xml";
     return Diagnostic.of(
             GenerateRules.DEPENDENCY_UNKNOWN,
-            "The component '%s' imports '%s', and %s does not list the package that provides it: its name for %s is not known."
-                .formatted(component, module, file, tool),
+            "%s imports '%s', and %s does not list the package that provides it: its name for %s is not known."
+                .formatted(importer, module, file, tool),
             place)
         .withHint("Add it to the copy of " + file + " that you build.");
-  }
-
-  /** Returns the top-level names of imported modules, with their first locations. */
-  private static SortedMap<String, Integer> modules(String text) {
-    SortedMap<String, Integer> modules = new TreeMap<>();
-    Matcher found = IMPORT.matcher(code(text));
-    while (found.find()) {
-      boolean names = found.group("names") != null;
-      for (String name : (names ? found.group("names") : found.group("from")).split(",", -1)) {
-        String module = name.strip().replaceFirst("[.\\s].*", "");
-        if (!module.isEmpty()) { // otherwise a module of the package itself
-          modules.putIfAbsent(module, found.start());
-        }
-      }
-    }
-    return modules;
-  }
-
-  /** Returns the text with comments, strings and continued line ends blanked. */
-  private static String code(String text) {
-    StringBuilder code = new StringBuilder(text);
-    int start = 0;
-    while (start < text.length()) {
-      char first = text.charAt(start);
-      int end = start;
-      if (first == '#') {
-        end = lineEnd(text, start);
-      } else if (first == '"' || first == '\'') {
-        end = stringEnd(text, start);
-      } else if (first == '\\') {
-        end = Math.min(text.length(), start + (text.startsWith("\r\n", start + 1) ? 3 : 2));
-      }
-      for (int i = start; i < end; i++) {
-        code.setCharAt(i, ' ');
-      }
-      start = Math.max(end, start + 1);
-    }
-    return code.toString();
-  }
-
-  private static int lineEnd(String text, int start) {
-    int end = text.indexOf('\n', start);
-    return end < 0 ? text.length() : end;
-  }
-
-  private static int stringEnd(String text, int start) {
-    String quote = text.substring(start, start + 1);
-    String delimiter = text.startsWith(quote.repeat(3), start) ? quote.repeat(3) : quote;
-    int end = start + delimiter.length();
-    while (end < text.length()) {
-      if (text.startsWith(delimiter, end)) {
-        return end + delimiter.length();
-      }
-      if (delimiter.length() == 1 && text.charAt(end) == '\n') {
-        return end;
-      }
-      end += text.charAt(end) == '\\' ? 2 : 1;
-    }
-    return text.length();
   }
 }

@@ -15,7 +15,9 @@ import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.project.Templates;
 import dev.eventchain.pipeline.stage.ChainSnapshot;
 import dev.eventchain.pipeline.stage.ComponentFiles;
+import dev.eventchain.pipeline.stage.ComponentSources;
 import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.stage.HelperModules;
 import dev.eventchain.pipeline.stage.ProjectChecks;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.pipeline.stage.StageResult;
@@ -23,6 +25,7 @@ import dev.eventchain.pipeline.stage.StageWork;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.SoftwareBase;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -47,6 +50,7 @@ public final class GenerateStage implements StageWork {
     fingerprint.addFiles(run.project().ownConstraints());
     fingerprint.addFiles(
         run.softwareBase().components().stream().map(SoftwareBase.Component::file).toList());
+    fingerprint.addFiles(ComponentSources.helpers(run, run.chain().chain()).files().values());
     for (SoftwareNode node : run.chain().chain().getSoftware()) {
       fingerprint.addFile(run.file(ComponentFiles.name(node.getName())));
     }
@@ -63,8 +67,9 @@ public final class GenerateStage implements StageWork {
     TemplateModule module =
         Templates.compile(
             run.project(), List.of(EventchainPackage.eINSTANCE, MessageModel.metamodel()));
-    ComponentImports imports = imports(run, model.chain());
-    GenerationResult generated = generate(run, module, properties(run, imports));
+    HelperModules helpers = ComponentSources.helpers(run, model.chain());
+    ComponentImports imports = imports(run, model.chain(), helpers);
+    GenerationResult generated = generate(run, module, properties(run, imports, helpers));
     List<Diagnostic> found = new ArrayList<>(module.warnings());
     found.addAll(imports.unknown());
     found.addAll(findings(generated));
@@ -73,9 +78,8 @@ public final class GenerateStage implements StageWork {
     }
     // Errors among them are suppressed, for as long as the suppressions are valid.
     found.addAll(checked.diagnostics());
-    SortedMap<String, byte[]> files = new TreeMap<>(OutputFolder.WRITING_ORDER);
-    generated.files().forEach((file, content) -> files.put(folder + "/" + file, content));
-    String written = components(run, model.chain(), folder, files);
+    SortedMap<String, byte[]> files = within(folder, generated);
+    String written = components(run, model.chain(), helpers, folder, files);
     files.forEach(run::write);
     run.writeResult(
         TraceFile.NAME, TraceFile.content(generated.trace(), folder + "/", run.baseFolders()));
@@ -83,6 +87,13 @@ public final class GenerateStage implements StageWork {
     List<String> outputs = new ArrayList<>(files.keySet());
     outputs.add(TraceFile.NAME);
     return StageResult.of(files.size() + " files in " + written, outputs, found);
+  }
+
+  /** Returns generated files by their names in the output folder. */
+  private static SortedMap<String, byte[]> within(String folder, GenerationResult generated) {
+    SortedMap<String, byte[]> files = new TreeMap<>(OutputFolder.WRITING_ORDER);
+    generated.files().forEach((file, content) -> files.put(folder + "/" + file, content));
+    return files;
   }
 
   private static List<Diagnostic> findings(GenerationResult generated) {
@@ -115,10 +126,12 @@ public final class GenerateStage implements StageWork {
   }
 
   /** Returns the template properties for the head of generated files and the package's metadata. */
-  private static Map<String, String> properties(RunContext run, ComponentImports imports) {
+  private static Map<String, String> properties(
+      RunContext run, ComponentImports imports, HelperModules helpers) {
     String version = GenerateStage.class.getPackage().getImplementationVersion();
     Map<String, String> properties = new TreeMap<>(run.project().configuration().packageFacts());
     properties.put("provenance.model", run.model().getFileName().toString());
+    properties.put("package.helpers", String.join(" ", helpers.files().keySet()));
     properties.put("package.rosdep", String.join(" ", imports.rosdepKeys()));
     properties.put("package.pip", String.join(" ", imports.pipNames()));
     if (version != null) {
@@ -127,25 +140,34 @@ public final class GenerateStage implements StageWork {
     return properties;
   }
 
-  private static ComponentImports imports(RunContext run, EventChain chain) {
-    ComponentImports imports =
-        new ComponentImports(run.messages(), Templates.installsWithPip(run.project()));
+  private static ComponentImports imports(RunContext run, EventChain chain, HelperModules helpers) {
+    boolean pip = Templates.installsWithPip(run.project());
+    ComponentImports imports = new ComponentImports(run.messages(), pip, helpers.files().keySet());
     for (SoftwareNode node : chain.getSoftware()) {
       if (node.getImplementation() == ComponentImplementation.COMPONENT) {
-        imports.add(node.getName(), SourceText.read(ComponentFiles.of(run, node)));
+        String name = "The component '" + node.getName() + "'";
+        imports.add(name, SourceText.read(ComponentFiles.of(run, node)));
       }
     }
+    helpers
+        .files()
+        .forEach((name, file) -> imports.add("The module '" + name + "'", SourceText.read(file)));
     return imports;
   }
 
   /**
-   * Copies the components to the folder in the manifest of the generated files; without a manifest,
-   * as with templates of a project, into a package named after the chain.
+   * Copies the components, and the modules that they import, to the folder in the manifest of the
+   * generated files; without a manifest, as with templates of a project, into a package named after
+   * the chain.
    *
    * @return the folder of the package
    */
   private static String components(
-      RunContext run, EventChain chain, String folder, SortedMap<String, byte[]> files) {
+      RunContext run,
+      EventChain chain,
+      HelperModules helpers,
+      String folder,
+      SortedMap<String, byte[]> files) {
     Optional<GeneratedPackage> generated = GeneratedPackage.among(run, files);
     String name = chain.getName().toLowerCase(Locale.ROOT);
     for (SoftwareNode node : chain.getSoftware()) {
@@ -153,10 +175,16 @@ public final class GenerateStage implements StageWork {
         String unstated =
             folder + "/" + name + "/" + name + "/" + ComponentFiles.name(node.getName());
         String file = generated.map(found -> found.componentFile(node)).orElse(unstated);
-        String text = SourceText.read(ComponentFiles.of(run, node)).text();
-        files.put(file, text.getBytes(StandardCharsets.UTF_8));
+        files.put(file, content(ComponentFiles.of(run, node)));
+        for (var helper : helpers.files().entrySet()) {
+          files.put(GeneratedPackage.besides(file, helper.getKey()), content(helper.getValue()));
+        }
       }
     }
     return generated.map(GeneratedPackage::folder).orElse(folder + "/" + name);
+  }
+
+  private static byte[] content(Path file) {
+    return SourceText.read(file).text().getBytes(StandardCharsets.UTF_8);
   }
 }

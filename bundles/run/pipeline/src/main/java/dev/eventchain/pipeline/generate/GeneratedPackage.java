@@ -103,6 +103,11 @@ public record GeneratedPackage(String folder, NodeManifest manifest) {
                     + " whole package."));
   }
 
+  /** Returns the file of a module beside a component's file, by the module's name. */
+  public static String besides(String componentFile, String module) {
+    return componentFile.substring(0, componentFile.lastIndexOf('/') + 1) + module + ".py";
+  }
+
   /**
    * Returns the file of a component, relative to the output folder.
    *

@@ -10,6 +10,7 @@ import dev.eventchain.pipeline.project.Templates;
 import dev.eventchain.pipeline.results.Validated;
 import dev.eventchain.pipeline.results.Validation;
 import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.ComponentSources;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.ProjectChecks;
 import dev.eventchain.pipeline.stage.RunContext;
@@ -20,8 +21,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Checks the model against its constraints and contracts; as the last stage, also everything else
- * that the later stages of a run would refuse before they simulate.
+ * Checks the model against its constraints and contracts, and the source of existing components; as
+ * the last stage, also everything else that the later stages of a run would refuse before they
+ * simulate.
  */
 public final class ValidateStage implements StageWork {
 
@@ -57,6 +59,9 @@ public final class ValidateStage implements StageWork {
       return run.chain().checks();
     } catch (DiagnosticException e) {
       List<Diagnostic> all = new ArrayList<>(e.diagnostics());
+      if (run.options().last() == Stage.VALIDATE) {
+        all.addAll(sources(run, false));
+      }
       all.addAll(otherInputs(run, false));
       throw new DiagnosticException(e.reason(), all.stream().distinct().toList());
     }
@@ -68,8 +73,24 @@ public final class ValidateStage implements StageWork {
         run.chain().chain().getRequirements().stream().map(Requirement::getId).toList();
     run.project().missingRequirements(named).ifPresent(found::add);
     boolean valid = !run.anyErrorCounts(outcome.diagnostics());
+    found.addAll(sources(run, valid));
     found.addAll(otherInputs(run, valid));
     return found.stream().distinct().toList();
+  }
+
+  /** Returns the findings in the source of existing components. */
+  private static List<Diagnostic> sources(RunContext run, boolean valid) {
+    ComponentSources read;
+    try {
+      read = valid ? ComponentSources.of(run) : ComponentSources.withoutChain(run);
+    } catch (DiagnosticException e) {
+      if (run.options().last() == Stage.VALIDATE
+          && e.reason() == DiagnosticException.Reason.INPUT) {
+        return e.diagnostics(); // The other inputs are checked all the same.
+      }
+      throw e;
+    }
+    return read.check(Stage.VALIDATE);
   }
 
   /** Returns the findings in inputs of later stages; none if these run themselves. */

@@ -10,19 +10,32 @@ import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.output.OutputRules;
 import dev.eventchain.pipeline.generate.GeneratedPackage;
 import dev.eventchain.pipeline.stage.ComponentFiles;
+import dev.eventchain.pipeline.stage.ComponentSources;
 import dev.eventchain.pipeline.stage.RunContext;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
-/** Copies of components in a generated package, which the simulation runs. */
+/** Copies of components, and of the modules that they import, in a generated package. */
 final class ComponentCopies {
 
   private ComponentCopies() {}
 
-  /** Returns the path of a component's copy. */
-  static Path of(RunContext run, GeneratedPackage generated, SoftwareNode node) {
-    return run.file(generated.componentFile(node));
+  /** Returns the files of the project by the paths of their copies, which the simulation runs. */
+  static SortedMap<Path, Path> of(RunContext run, EventChain chain, GeneratedPackage generated) {
+    SortedMap<Path, Path> sources = new TreeMap<>();
+    SortedMap<String, Path> helpers = ComponentSources.helpers(run, chain).files();
+    for (SoftwareNode node : chain.getSoftware()) {
+      if (generated.manifest().find(node.getName()).isPresent()) {
+        String copy = generated.componentFile(node);
+        helpers.forEach(
+            (name, file) -> sources.put(run.file(GeneratedPackage.besides(copy, name)), file));
+        sources.put(run.file(copy), ComponentFiles.of(run, node));
+      }
+    }
+    return sources;
   }
 
   /**
@@ -34,29 +47,26 @@ final class ComponentCopies {
   static List<Diagnostic> requireSame(
       RunContext run, EventChain chain, GeneratedPackage generated) {
     List<Diagnostic> found = new ArrayList<>();
-    for (SoftwareNode node : chain.getSoftware()) {
-      if (generated.manifest().find(node.getName()).isPresent()) {
-        Path copy = of(run, generated, node);
-        Path source = ComponentFiles.of(run, node);
-        if (!SourceText.read(copy).text().equals(SourceText.read(source).text())) {
-          found.add(edited(node, copy, source));
-        }
-      }
-    }
+    of(run, chain, generated)
+        .forEach(
+            (copy, source) -> {
+              if (!SourceText.read(copy).text().equals(SourceText.read(source).text())) {
+                found.add(edited(copy, source));
+              }
+            });
     if (Diagnostic.anyError(run.options().suppressions().part(found).remaining())) {
       throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
     }
     return found;
   }
 
-  private static Diagnostic edited(SoftwareNode node, Path copy, Path source) {
+  private static Diagnostic edited(Path copy, Path source) {
     return Diagnostic.of(
             OutputRules.EVENTCHAIN_FILE_EDITED,
-            "This copy of the component '%s' differs from %s, so a verdict would be about different code."
-                .formatted(node.getName(), SourceLocation.of(source).file()),
+            "This copy differs from %s, so a verdict would be about different code."
+                .formatted(SourceLocation.of(source).file()),
             SourceLocation.of(copy))
         .withSeverity(Severity.ERROR)
-        .withHint(
-            "Move the change to the component itself, and delete the copy or use --overwrite.");
+        .withHint("Move the change to the file itself, and delete the copy or use --overwrite.");
   }
 }

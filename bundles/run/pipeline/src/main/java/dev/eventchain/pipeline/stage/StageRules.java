@@ -2,10 +2,12 @@ package dev.eventchain.pipeline.stage;
 
 import dev.eventchain.diagnostics.Rule;
 
-/** Rules of the findings about the order of stages. */
+/** Rules of the findings about what all stages share. */
 public final class StageRules {
 
   public static final Rule STAGE_MISSING = Rule.error("project.stage.missing");
+
+  static final Rule COMPONENT_SOURCE_UNCHECKED = Rule.warning("component.source.unchecked");
 
   private StageRules() {}
 }

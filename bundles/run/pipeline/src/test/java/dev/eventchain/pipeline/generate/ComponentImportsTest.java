@@ -15,8 +15,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ComponentImportsTest {
 
   private static ComponentImports of(String text, boolean pip) {
-    ComponentImports imports = new ComponentImports(MessageCatalog.of(List.of()), pip);
-    imports.add("Component", SourceText.of("Component.py", text));
+    ComponentImports imports =
+        new ComponentImports(MessageCatalog.of(List.of()), pip, Set.of("helper"));
+    imports.add("The component 'Component'", SourceText.of("Component.py", text));
     return imports;
   }
 

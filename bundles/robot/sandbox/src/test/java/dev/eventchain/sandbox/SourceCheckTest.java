@@ -1,0 +1,86 @@
+package dev.eventchain.sandbox;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.fixtures.ExpectedFile;
+import dev.eventchain.sandbox.SourceCheck.Source;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Each file {@code sources/RULE/NAME.py} is checked as the source of an existing component against
+ * {@code NAME.expected} beside it; {@code good} files must have no findings.
+ */
+class SourceCheckTest {
+
+  private static final Path FIXTURES = Path.of("src/test/resources/sources");
+  private static final ComponentSignature SIGNATURE =
+      new ComponentSignature("TTC", List.of("distance", "speed"), List.of("ttc"));
+  private static final SourceCheck CHECK = new SourceCheck(TestEnvironment.PYTHON);
+
+  static List<Path> sources() throws IOException {
+    try (Stream<Path> files = Files.walk(FIXTURES)) {
+      return files.filter(file -> file.toString().endsWith(".py")).sorted().toList();
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("sources")
+  void findingsAreAsExpected(Path file) throws IOException {
+    String actual = DiagnosticFormat.TEXT.render(CHECK.check(List.of(component(file))));
+    if (file.getFileName().toString().startsWith("good")) {
+      assertEquals("", actual);
+    } else {
+      ExpectedFile.check(ExpectedFile.beside(file), actual);
+    }
+  }
+
+  @Test
+  void aHelperIsCheckedForRepeatabilityOnly() {
+    Path clock = FIXTURES.resolve("component.clock/bad.py");
+    Path spelling = FIXTURES.resolve("component.class.missing/bad_spelling.py");
+    List<Diagnostic> found =
+        CHECK.check(
+            List.of(
+                new Source(SourceText.read(spelling), Optional.empty()),
+                new Source(SourceText.read(clock), Optional.empty())));
+    assertEquals(
+        List.of("component.clock"), found.stream().map(Diagnostic::id).distinct().toList());
+    assertEquals(clock.toString(), found.get(0).location().file());
+  }
+
+  @Test
+  void findingsOfSeveralFilesAreInTheirOrder() {
+    List<Diagnostic> found =
+        CHECK.check(
+            List.of(
+                component(FIXTURES.resolve("component.thread/bad.py")),
+                component(FIXTURES.resolve("component.syntax/bad.py"))));
+    assertEquals(
+        List.of("component.thread", "component.thread", "component.syntax"),
+        found.stream().map(Diagnostic::id).toList());
+  }
+
+  @Test
+  void sourceThatPythonCannotReadIsAFinding() {
+    String deep = "x = " + "(".repeat(5000) + ")".repeat(5000);
+    List<Diagnostic> found =
+        CHECK.check(
+            List.of(new Source(SourceText.of("component.py", deep), Optional.of(SIGNATURE))));
+    assertEquals(List.of("component.syntax"), found.stream().map(Diagnostic::id).toList());
+  }
+
+  private static Source component(Path file) {
+    return new Source(SourceText.read(file), Optional.of(SIGNATURE));
+  }
+}

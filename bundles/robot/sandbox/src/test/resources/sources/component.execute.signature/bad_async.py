@@ -1,0 +1,3 @@
+class TTC:
+    async def execute(self, distance, speed):
+        return {"ttc": distance / speed}

@@ -1,0 +1,3 @@
+class TTC:
+    def execute(self, distance, speed, gain, *, offset=0.0, limit):
+        return {"ttc": distance / speed}

@@ -1,0 +1,3 @@
+class TTC:
+    def execute(self, distance, velocity):
+        return {"ttc": distance / velocity}

@@ -1,0 +1,3 @@
+class TTC:
+    def run(self, distance, speed):
+        return {"ttc": distance}

@@ -1,0 +1,3 @@
+class TTC:
+    def execute(distance, speed):
+        return {"ttc": distance / speed}

@@ -1,0 +1,7 @@
+from . import helper
+from .helper import LIMIT
+
+
+class TTC:
+    def execute(self, distance, speed):
+        return {"ttc": min(distance, LIMIT, helper.LIMIT)}

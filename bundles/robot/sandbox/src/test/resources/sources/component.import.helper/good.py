@@ -1,0 +1,6 @@
+from helper import LIMIT
+
+
+class TTC:
+    def execute(self, distance, speed):
+        return {"ttc": min(distance, LIMIT)}

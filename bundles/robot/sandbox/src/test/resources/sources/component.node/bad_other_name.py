@@ -1,0 +1,5 @@
+import rclpy.node as ros
+
+
+class TtcNode(ros.Node):
+    pass

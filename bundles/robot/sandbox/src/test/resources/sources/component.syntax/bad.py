@@ -1,0 +1,3 @@
+class TTC:
+    def execute(self, distance, speed)
+        return {"ttc": distance / speed}
