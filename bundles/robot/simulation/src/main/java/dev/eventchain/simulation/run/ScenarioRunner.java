@@ -63,9 +63,19 @@ public final class ScenarioRunner {
   }
 
   public ScenarioRun run(Scenario scenario) {
+    return run(scenario, false);
+  }
+
+  /**
+   * Drives a scenario without a fault.
+   *
+   * @param answers true if the log has the answers of outputs to pulses of inputs; in lock-step
+   *     only
+   */
+  public ScenarioRun run(Scenario scenario, boolean answers) {
     OutputRecord published = new OutputRecord(outputs);
     BenchDriver driver = driver(scenario, new WorldFault(Optional.empty()), published);
-    JsonNode ready = session.configure(configuration(scenario, driver));
+    JsonNode ready = session.configure(configuration(scenario, driver).put("answers", answers));
     driver.startAt(session.epoch());
     Optional<Recording> recording =
         recordings.map(to -> new Recording(to, scenario, driver.recorded(), chain.catalog()));
