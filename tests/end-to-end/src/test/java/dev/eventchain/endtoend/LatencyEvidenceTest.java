@@ -53,8 +53,7 @@ class LatencyEvidenceTest {
   void constraintWithoutAnExecutionTimeOnItsPathIsNotTested() throws IOException {
     ProjectCopy project = pedestrianBrake();
     project.replace("model/chain.xmi", " worstCaseExecutionTime=\"10.0\"", "");
-    project.replace(
-        "software-base/components.json", ", \"worst_case_execution_time\": 10,", ",");
+    project.replace("software-base/components.json", ", \"worst_case_execution_time\": 10,", ",");
     project
         .run()
         .expect(1)

@@ -96,7 +96,8 @@ public final class Diagrams {
    * @param map the folders by URI prefix of references, such as {@code platform:/resource/}
    * @param models the models to draw; may be empty if only metamodels are drawn
    * @param overwrite true to replace files that a person has edited
-   * @return the findings; a diagram with an error is not written
+   * @return the findings; a diagram with an error is not written, but the text of one that PlantUML
+   *     cannot lay out
    * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
    */
   public static WrittenFiles draw(
@@ -201,7 +202,8 @@ public final class Diagrams {
             DiagramRules.UNDRAWN,
             "PlantUML cannot lay out the %s diagram.".formatted(kind),
             SourceLocation.of(source))
-        .withHint("Draw its text, " + kind + ".puml, with another layout engine, such as Graphviz.");
+        .withHint(
+            "Draw its text, " + kind + ".puml, with another layout engine, such as Graphviz.");
   }
 
   private Diagnostic tooLarge(Kind kind, long size) {
