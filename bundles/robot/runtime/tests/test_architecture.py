@@ -18,7 +18,7 @@ LAYERS = (
     {"qos", "type_support", "validation"},
     {"catalog", "codec", "dds_qos", "processes"},
     {"dds_endpoints", "idl", "messages", "simulation"},
-    {"context", "discovery", "output_faults"},
+    {"context", "discovery", "output_faults", "value_latency"},
     {"dds_entities"},
     {"endpoints", "failures", "message_objects", "pytest_plugin", "real_time"},
     {"channel", "components", "dds", "node", "wire"},

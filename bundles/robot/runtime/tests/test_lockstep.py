@@ -124,3 +124,16 @@ def test_the_same_input_gives_the_same_records() -> None:
 def test_a_frame_at_the_wrong_moment_is_refused() -> None:
     with HostProcess() as host, pytest.raises(Failed, match=r"protocol\.frame"):
         host.step(MILLISECOND)
+
+
+def test_answers_are_measured_where_they_are_asked_for() -> None:
+    with HostProcess() as host:
+        host.configure({**chain(), "answers": True})
+        for step in range(1, 21):
+            host.step(50 * MILLISECOND * step, (0, float32(float(step % 3))))
+        ((node, answers),) = host.finish()["answers"].items()
+        host.configure(chain(), kind=RESET)
+        assert host.finish()["answers"] == {}
+    assert node == "Doubler"
+    assert {(name, output) for name, output, _, _ in answers} == {("number", "doubled")}
+    assert min(delay for *_, delay in answers) == 0

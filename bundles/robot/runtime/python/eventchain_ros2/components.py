@@ -18,6 +18,8 @@ from component_results import Output
 from component_rules import Component, check_file
 from component_values import Objects
 
+from eventchain_ros2.value_latency import Answer, Call, Record, measure
+
 
 class Configuration(NamedTuple):
     """Configuration of a component.
@@ -73,15 +75,22 @@ class Components(MetaPathFinder, Loader):
         configurations: configurations of all components.
         environment: environment of their processes.
         spend: receives the processor time of each call, in ns.
+        clock: returns the time at which calls are recorded, in ns; None: they are not.
 
     """
 
     def __init__(
-        self, configurations: list[Configuration], environment: Environment, spend: Callable[[int], None]
+        self,
+        configurations: list[Configuration],
+        environment: Environment,
+        spend: Callable[[int], None],
+        clock: Callable[[], int] | None = None,
     ) -> None:
         self._configurations = {configuration.module: configuration for configuration in configurations}
         self._environment = environment
         self._spend = spend
+        self._clock = clock
+        self._records = {module: Record() for module in self._configurations}
         self._processes: list[ComponentProcess] = []
 
     def install(self) -> None:
@@ -125,11 +134,19 @@ class Components(MetaPathFinder, Loader):
                     for problem in component_results.check(result.values, configuration.outputs):
                         place = configuration.file, result.line, result.column
                         raise ComponentError(problem.rule, f"execute() {problem.message}", *place, hint=problem.hint)
+                if self._clock is not None:
+                    named = {**dict(zip(configuration.inputs or (), arguments, strict=False)), **inputs}
+                    self._records[configuration.module].add(Call(self._clock(), named, result.values))
                 return result.values
 
             return execute
 
         return start
+
+    def answers(self, module: str) -> list[Answer]:
+        """Replay the recorded calls of a component; return which of its outputs answered which inputs."""
+        configuration = self._configurations[module]
+        return measure(self._records[module].calls, lambda: self._start(configuration))
 
     def _start(self, configuration: Configuration) -> ComponentProcess:
         environment = self._environment

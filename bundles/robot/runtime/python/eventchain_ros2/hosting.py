@@ -32,6 +32,7 @@ from eventchain_ros2.messages import Messages
 from eventchain_ros2.node import Node
 from eventchain_ros2.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 from eventchain_ros2.simulation import Process, Simulation
+from eventchain_ros2.value_latency import Answer
 
 SOURCES = str(Path(__file__).resolve().parents[1])
 
@@ -85,7 +86,8 @@ class HostedNodes:
             objects=message_objects.of(self._messages, importing=False),
         )
         known = [Configuration.of(node["component"]) for node in configuration.get("nodes", []) if node["component"]]
-        return Components(known, environment, self.simulation.spend)
+        clock = (lambda: self.simulation.now) if configuration.get("answers") else None
+        return Components(known, environment, self.simulation.spend, clock)
 
     def prepare(self, foreign_path: list[str]) -> None:
         """Make message types and components importable; `foreign_path` follows the user's folders in `sys.path`."""
@@ -140,6 +142,13 @@ class HostedNodes:
             {"name": process.name, "activations": process.activations, **self._affected(process)}
             for process in self.processes
         ]
+
+    def answers(self) -> dict[str, list[Answer]]:
+        """Return which outputs of each node's component answered which inputs, if its calls are recorded."""
+        if not self.configuration.get("answers"):
+            return {}
+        nodes = [node for node in self.configuration.get("nodes", []) if node["component"]]
+        return {node["name"]: self._components.answers(node["component"]["module"]) for node in nodes}
 
     def _affected(self, process: Process) -> dict[str, Any]:
         if "fault" not in self.configuration:

@@ -102,6 +102,7 @@ class Scenario(HostedNodes):
         return {
             "nodes": self.activations(),
             "publications": {name: topic.publications for name, topic in sorted(self.simulation.topics.items())},
+            "answers": self.answers(),
         }
 
 

@@ -8,6 +8,7 @@ import java.util.HashSet;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Set;
+import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EDataType;
@@ -44,8 +45,10 @@ final class MetamodelChecks {
       }
       if (element instanceof EClass eClass) {
         checkClass(eClass);
-      } else if (element instanceof EEnum eEnum && eEnum.getELiterals().isEmpty()) {
-        report(eEnum, "Enumeration `" + eEnum.getName() + "` has no literal.");
+      } else if (element instanceof EAttribute attribute
+          && attribute.getEType() instanceof EEnum type
+          && type.getELiterals().isEmpty()) {
+        report(attribute, "Enumeration `" + type.getName() + "` has no literal to be a value.");
       }
     }
     return found;

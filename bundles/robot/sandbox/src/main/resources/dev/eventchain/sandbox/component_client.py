@@ -154,7 +154,7 @@ class ComponentProcess:
         self._expect_done(self._ask(["load"]))
 
     def make(self) -> None:
-        """Create the object."""
+        """Create the object, or another one in its place."""
         self._expect_done(self._ask(["make"]))
 
     def call(self, arguments: tuple[Any, ...], inputs: dict[str, Any]) -> Result:
@@ -169,6 +169,13 @@ class ComponentProcess:
             text = f"execute() returned {_line(answer[1])}{what}"
             place = self._file, _number(answer[3]), _number(answer[4])
             raise self._error("component.result.type", text, *place, hint=hint)
+        raise self._strange()
+
+    def series(self, calls: list[dict[str, Any]]) -> list[Any]:
+        """Execute it several times with these inputs; return the results, which are not checked."""
+        answer = self._ask(["series", calls])
+        if answer[0] == "series" and len(answer) == 2 and type(answer[1]) is list and len(answer[1]) == len(calls):
+            return answer[1]
         raise self._strange()
 
     def close(self) -> int:

@@ -8,6 +8,7 @@ which the answer has, too), and a value of :mod:`component_values`, question and
 - ``["call", [argument...], {name: argument...}]`` by ``["result", value, line, column]``, with the place where
   `execute` returned, or by ``["unfit", type, key, line, column]``: a value that cannot be sent; the key is null if it
   is the result itself,
+- ``["series", [{name: argument...}...]]`` by ``["series", [value...]]``: the results of several calls,
 - each of them by ``["raised", type, text, file, line, column]`` if the code raised something.
 """
 
@@ -90,6 +91,8 @@ class ComponentProcess:
         kind = question[0]
         if kind == "call":
             return self._call(*question[1:])
+        if kind == "series":
+            return ["series", [dict(self._component.execute(**inputs)) for inputs in question[1]]]
         if kind == "load":
             self._load()
         else:

@@ -265,7 +265,10 @@ final class MeasurementsWriter {
     json.writeNumberField("count", values.count());
   }
 
-  /** Writes a latency; the parts of the slowest time add up to the maximum. */
+  /**
+   * Writes a latency; the parts of the slowest time add up to the maximum. The part of it that is
+   * not in the messages is written as {@code values}.
+   */
   private void latency(Optional<ScenarioVerdict.Latency> latency) throws IOException {
     if (latency.isEmpty()) {
       json.writeNull();
@@ -273,6 +276,7 @@ final class MeasurementsWriter {
     }
     json.writeStartObject();
     statistics(latency.get().statistics());
+    field("values", latency.get().values());
     json.writeArrayFieldStart("slowest");
     for (ScenarioVerdict.Part part : latency.get().slowest()) {
       json.writeStartObject();

@@ -18,6 +18,7 @@ import dev.eventchain.simulation.judge.WireFindings;
 import dev.eventchain.simulation.measure.InputAges;
 import dev.eventchain.simulation.measure.MessageFlows;
 import dev.eventchain.simulation.measure.Silence;
+import dev.eventchain.simulation.measure.ValueLatencies;
 import dev.eventchain.simulation.run.FaultRun;
 import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.verdict.FaultVerdict;
@@ -59,8 +60,9 @@ final class ResultBuilder {
     List<Diagnostic> silent = silent();
     boolean worked = silent.stream().allMatch(request.accepted());
     ScenarioJudge judge = new ScenarioJudge(chain, runs, request.complete());
+    ValueLatencies values = ValueLatencies.in(runs, chain);
     List<ScenarioVerdict> verdicts =
-        runs.stream().map(run -> judge.verdict(run, worked(run, silent))).toList();
+        runs.stream().map(run -> values.added(judge.verdict(run, worked(run, silent)))).toList();
     Measurements measurements = measurements(verdicts);
     SimulationResult.Host host = host(confinement, processes, wallSeconds);
     List<Diagnostic> found =
@@ -69,6 +71,7 @@ final class ResultBuilder {
                 attached(),
                 ignored(),
                 tooOld(),
+                values.findings(),
                 impacts(),
                 fromBehind(),
                 wire(),

@@ -110,8 +110,8 @@ public final class TemplateLexer {
     }
     char next = text.charAt(nameEnd);
     boolean separate = Character.isWhitespace(next) || next == '(' || next == ']';
-    boolean emptyComment = name.equals(COMMENT) && next == '/';
-    return separate || emptyComment ? name : "";
+    boolean endsComment = name.equals(COMMENT) && (next == '/' || next == ':');
+    return separate || endsComment ? name : "";
   }
 
   private Token keywordTag(int start, String keyword, int contentStart) {

@@ -6,18 +6,23 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Log of the nodes in a scenario: each activation with the samples that it read and wrote. */
+/**
+ * Log of the nodes in a scenario: each activation with the samples that it read and wrote.
+ *
+ * @param answers of the components' outputs to pulses of their inputs, where they were asked for
+ */
 public record RunLog(
     Map<String, List<Activation>> nodes,
     Map<String, Map<Long, Long>> publications,
-    Map<String, Affected> affected) {
+    Map<String, Affected> affected,
+    Map<String, List<Answer>> answers) {
 
   /** A time, in ns, that no scenario reaches. */
   public static final long NEVER = 1L << 62;
 
   /** Creates the log of a run without a fault. */
   public RunLog(Map<String, List<Activation>> nodes, Map<String, Map<Long, Long>> publications) {
-    this(nodes, publications, Map.of());
+    this(nodes, publications, Map.of(), Map.of());
   }
 
   /**
@@ -28,6 +33,14 @@ public record RunLog(
    * @param loss why the node was lost, as the process reported it; missing if it was not
    */
   public record Affected(long count, long first, JsonNode loss) {}
+
+  /**
+   * An answer of a component's output to a pulse of an input, in a replay of its calls.
+   *
+   * @param moment the time of the pulse, in ns
+   * @param delay the time from there to the first call whose output differs, in ns
+   */
+  public record Answer(String input, String output, long moment, long delay) {}
 
   /** The sample with this sequence number on a topic. */
   public record SampleId(String topic, long sequence) {}
@@ -66,7 +79,21 @@ public record RunLog(
     json.required("publications")
         .properties()
         .forEach(topic -> publications.put(topic.getKey(), times(topic.getValue())));
-    return new RunLog(nodes, publications, affected);
+    Map<String, List<Answer>> answers = new LinkedHashMap<>();
+    json.path("answers")
+        .properties()
+        .forEach(node -> answers.put(node.getKey(), answers(node.getValue())));
+    return new RunLog(nodes, publications, affected, answers);
+  }
+
+  private static List<Answer> answers(JsonNode json) {
+    List<Answer> answers = new ArrayList<>(json.size());
+    for (JsonNode answer : json) {
+      String input = text(answer.required(0));
+      String output = text(answer.required(1));
+      answers.add(new Answer(input, output, number(answer, 2), number(answer, 3)));
+    }
+    return answers;
   }
 
   private static Affected affected(JsonNode node) {

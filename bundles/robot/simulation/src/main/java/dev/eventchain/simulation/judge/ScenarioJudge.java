@@ -191,7 +191,7 @@ public final class ScenarioJudge {
             constraint.getLast().getName(),
             constraint.getKind() == LatencyKind.DATA_AGE);
     return statistics(found.stream().map(ChainLatency.Latency::time).toList())
-        .map(statistics -> new ScenarioVerdict.Latency(statistics, slowest(found)));
+        .map(statistics -> new ScenarioVerdict.Latency(statistics, slowest(found), 0));
   }
 
   /** Returns the parts of the longest latency; of equal ones, the first. */

@@ -62,12 +62,19 @@ public final class ScenarioRunner {
     this.outputs = outputs;
   }
 
+  /** Drives a scenario, and observes nothing but its messages. */
+  public ScenarioRun run(Scenario scenario) {
+    return run(scenario, false, Optional.empty());
+  }
+
   /**
-   * Drives a scenario.
+   * Drives a scenario without a fault.
    *
+   * @param answers true if the log has the answers of outputs to pulses of inputs; in lock-step
+   *     only
    * @param log receives all messages of the nodes; empty for none
    */
-  public ScenarioRun run(Scenario scenario, Optional<MessageLog> log) {
+  public ScenarioRun run(Scenario scenario, boolean answers, Optional<MessageLog> log) {
     OutputRecord published = new OutputRecord(outputs);
     BenchDriver driver =
         new BenchDriver(
@@ -77,7 +84,7 @@ public final class ScenarioRunner {
             published,
             recordings.isPresent() || log.isPresent());
     log.ifPresent(driver::logTo);
-    JsonNode ready = session.configure(configuration(scenario, driver));
+    JsonNode ready = session.configure(configuration(scenario, driver).put("answers", answers));
     driver.startAt(session.epoch());
     Optional<Recording> recording =
         recordings.map(to -> new Recording(to, scenario, driver.recorded(), chain.catalog()));

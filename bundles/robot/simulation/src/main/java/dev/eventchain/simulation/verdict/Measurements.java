@@ -50,6 +50,12 @@ public record Measurements(
               sorted[sorted.length - 1]));
     }
 
+    /** Returns the distribution of values that are all larger by a number. */
+    Statistics later(double by) {
+      return new Statistics(
+          count, minimum + by, mean + by, median + by, percentile99 + by, maximum + by);
+    }
+
     private static double rank(double[] sorted, double part) {
       return sorted[(int) Math.max(0, Math.ceil(part * sorted.length) - 1)];
     }

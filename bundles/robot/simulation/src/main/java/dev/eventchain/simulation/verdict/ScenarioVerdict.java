@@ -3,6 +3,7 @@ package dev.eventchain.simulation.verdict;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
@@ -44,6 +45,23 @@ public record ScenarioVerdict(
     criteria = List.copyOf(criteria);
     latencies = List.copyOf(latencies);
     figures = List.copyOf(figures);
+  }
+
+  /** Returns a copy with other latencies of the constraints. */
+  public ScenarioVerdict withLatencies(List<Optional<Latency>> others) {
+    return new ScenarioVerdict(
+        scenario,
+        title,
+        requirements,
+        worked,
+        tested,
+        passed,
+        criteria,
+        figures,
+        latency,
+        others,
+        flow,
+        series);
   }
 
   /**
@@ -116,12 +134,22 @@ public record ScenarioVerdict(
    *
    * @param statistics of all its times, in ms
    * @param slowest the parts of the longest of them, in the order of the data; they add up to it
+   * @param values the part of each time by which values are later than the messages, in ms: the
+   *     value latency of the components
    */
-  public record Latency(Measurements.Statistics statistics, List<Part> slowest) {
+  public record Latency(Measurements.Statistics statistics, List<Part> slowest, double values) {
 
     /** Copies the list. */
     public Latency {
       slowest = List.copyOf(slowest);
+    }
+
+    /** Returns a copy with the value latencies of components on the path, in ms, by their names. */
+    public Latency withValues(Map<String, Double> delays) {
+      double later = delays.values().stream().mapToDouble(Double::doubleValue).sum();
+      List<Part> parts =
+          slowest.stream().map(it -> it.later(delays.getOrDefault(it.node(), 0.0))).toList();
+      return new Latency(statistics.later(later), parts, values + later);
     }
   }
 
@@ -130,9 +158,14 @@ public record ScenarioVerdict(
    *
    * @param node the component's name
    * @param waiting age of its input when it started
-   * @param execution its execution time, as stated by the model
+   * @param execution its execution time, as stated by the model, and its value latency
    */
-  public record Part(String node, double waiting, double execution) {}
+  public record Part(String node, double waiting, double execution) {
+
+    private Part later(double delay) {
+      return new Part(node, waiting, execution + delay);
+    }
+  }
 
   /**
    * Curves and scene, every 50 ms.

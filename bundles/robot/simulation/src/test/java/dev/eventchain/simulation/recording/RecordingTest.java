@@ -92,7 +92,7 @@ class RecordingTest {
         new LockstepProcess(program, request.chain().getSoftware().size(), 0)) {
       run =
           new ScenarioRunner(chain, nodes, request.recordings(), process.session(), Map.of())
-              .run(AebProject.scenario(SCENARIO), Optional.empty());
+              .run(AebProject.scenario(SCENARIO));
     }
     JsonNode read = read(only());
     SortedMap<String, List<Long>> published = new TreeMap<>();

@@ -38,6 +38,15 @@ final class DiagramImage {
     System.setProperty("PLANTUML_SECURITY_PROFILE", "SANDBOX");
   }
 
+  /** Failure of PlantUML, which fails for some models and says nothing about them. */
+  static final class UndrawableException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    private UndrawableException(Throwable cause) {
+      super(cause);
+    }
+  }
+
   private DiagramImage() {}
 
   /**
@@ -46,7 +55,7 @@ final class DiagramImage {
    * @param text the output of a template of templates/plantuml
    * @param longest the processor time that it may take
    * @return empty on timeout; the library cannot be stopped and continues in a daemon thread
-   * @throws IllegalStateException if the library cannot draw it, which is a fault of the template
+   * @throws UndrawableException if the library cannot draw it
    */
   static Optional<byte[]> svg(String text, Duration longest) {
     String[] svg = new String[1];
@@ -62,7 +71,7 @@ final class DiagramImage {
       throw new IllegalStateException("The drawing was interrupted", e);
     }
     if (failure[0] != null) {
-      throw new IllegalStateException("PlantUML cannot draw this: " + failure[0], failure[0]);
+      throw new UndrawableException(failure[0]);
     }
     if (drawing.isAlive()) {
       return Optional.empty();

@@ -7,6 +7,7 @@ final class DiagramRules {
 
   static final Rule NOTHING = Rule.error("diagram.nothing");
   static final Rule TOO_LARGE = Rule.error("diagram.too-large");
+  static final Rule UNDRAWN = Rule.error("diagram.undrawn");
 
   private DiagramRules() {}
 }

@@ -96,7 +96,8 @@ public final class Diagrams {
    * @param map the folders by URI prefix of references, such as {@code platform:/resource/}
    * @param models the models to draw; may be empty if only metamodels are drawn
    * @param overwrite true to replace files that a person has edited
-   * @return the findings; a diagram with an error is not written
+   * @return the findings; a diagram with an error is not written, but the text of one that PlantUML
+   *     cannot lay out
    * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
    */
   public static WrittenFiles draw(
@@ -139,13 +140,18 @@ public final class Diagrams {
     }
     String drawing = new String(text, StandardCharsets.UTF_8);
     long size = ITEM.matcher(drawing).results().count();
-    Optional<byte[]> picture =
-        size > MOST ? Optional.empty() : picture(kind, drawn.get(0), drawing);
-    if (picture.isEmpty()) {
-      found.add(tooLarge(kind, size));
-      return Map.of();
+    try {
+      Optional<byte[]> picture =
+          size > MOST ? Optional.empty() : picture(kind, drawn.get(0), drawing);
+      if (picture.isEmpty()) {
+        found.add(tooLarge(kind, size));
+        return Map.of();
+      }
+      return new TreeMap<>(Map.of(kind + ".puml", text, kind + ".svg", picture.get()));
+    } catch (DiagramImage.UndrawableException e) {
+      found.add(undrawn(kind));
+      return Map.of(kind + ".puml", text);
     }
-    return new TreeMap<>(Map.of(kind + ".puml", text, kind + ".svg", picture.get()));
   }
 
   /** Draws a chain as reports and Eclipse do, and other models as PlantUML. */
@@ -189,6 +195,15 @@ public final class Diagrams {
             "There is nothing to draw: the model has " + what + ".",
             SourceLocation.of(source))
         .withHint("Draw a model of another metamodel with --kind instance.");
+  }
+
+  private Diagnostic undrawn(Kind kind) {
+    return Diagnostic.of(
+            DiagramRules.UNDRAWN,
+            "PlantUML cannot lay out the %s diagram.".formatted(kind),
+            SourceLocation.of(source))
+        .withHint(
+            "Draw its text, " + kind + ".puml, with another layout engine, such as Graphviz.");
   }
 
   private Diagnostic tooLarge(Kind kind, long size) {

@@ -4,6 +4,7 @@ import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.constraints.OclResult;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.ocl.evaluation.TimeBudget;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.project.Requirements;
@@ -44,14 +45,23 @@ final class RuleEvidence {
     for (OclResult.Check check : validation.checks()) {
       OclConstraint constraint = check.constraint();
       Set<String> named = new TreeSet<>(constraint.named(ids));
-      if (violated.contains(constraint.qualifiedName())) {
+      if (violated.contains(constraint.qualifiedName()) || isExceeded(constraint, violated)) {
         evidence.violatedIds.addAll(named);
       } else if (!named.isEmpty() && !run.options().isPartial()) {
         TimeBudget budget = TimeBudget.of(run.options().timeLimit());
         why(check, values, budget).ifPresent(why -> evidence.miss(constraint, named, why));
       }
     }
+    MissingTimes missing = MissingTimes.of(run, run.chain().chain(), validation);
+    evidence.untestedIds.addAll(missing.ids());
+    evidence.findings.addAll(missing.findings(run.chain()::locate));
     return evidence;
+  }
+
+  /** Returns whether a constraint states a bound of latencies, one of which was exceeded. */
+  private static boolean isExceeded(OclConstraint constraint, Set<String> violated) {
+    return constraint.context() == EventchainPackage.eINSTANCE.getLatencyConstraint()
+        && violated.contains("LatencyConstraint::MeasuredLatencyWithinMaximum");
   }
 
   /** Returns the identifiers of the project's requirements and design rules. */

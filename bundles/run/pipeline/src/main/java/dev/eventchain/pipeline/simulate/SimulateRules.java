@@ -12,6 +12,8 @@ final class SimulateRules {
       Rule.error("project.requirement.untested", CommonTrait.UNTESTED);
   static final Rule PROJECT_SCENARIO_UNKNOWN = Rule.error("project.scenario.unknown");
   static final Rule SIMULATION_INTERRUPTED = Rule.error("simulation.interrupted");
+  static final Rule SIMULATION_LATENCY_LOWER_BOUND =
+      Rule.error("simulation.latency.lower-bound", CommonTrait.UNTESTED);
   static final Rule SIMULATION_LATENCY_UNMEASURED =
       Rule.error("simulation.latency.unmeasured", CommonTrait.UNTESTED);
   static final Rule SIMULATION_RULE_UNTESTED =
