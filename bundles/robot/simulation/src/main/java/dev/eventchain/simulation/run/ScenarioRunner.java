@@ -206,15 +206,19 @@ public final class ScenarioRunner {
         driver.take(outbound, world);
       }
       world.advanceTo(until);
-      if (world.egoSpeed() > 0.0) {
-        stoppedAt = Long.MAX_VALUE;
-      } else if (stoppedAt == Long.MAX_VALUE) {
-        stoppedAt = world.now();
-      }
+      stoppedAt = stoppedAt(world, stoppedAt);
     }
     driver.expire(world);
     recording.ifPresent(it -> it.scene(world));
     return System.nanoTime() - started;
+  }
+
+  /** Returns when the ego stopped, given that until now; never while it moves. */
+  private static long stoppedAt(World world, long before) {
+    if (world.egoSpeed() > 0.0) {
+      return Long.MAX_VALUE;
+    }
+    return before == Long.MAX_VALUE ? world.now() : before;
   }
 
   private static boolean othersRest(World world) {
