@@ -56,6 +56,7 @@ class DistributionTest {
     Path example = folder.resolve("my example");
     Program.copy(installation.home().resolve("examples/aeb"), example);
     makeWritable(example);
+    Program.withoutStrength(example);
     Map<String, String> python = python();
     run(python, "run", example).expect(0).says("PASSED: 33 of 33 scenarios passed");
     run(python, "validate", example).expect(0).says("constraints evaluated");

@@ -22,7 +22,7 @@ class EvidenceTest {
     Path copy = folder.resolve(fixture);
     Program.copy(
         Program.ROOT.resolve("tests/end-to-end/src/test/resources").resolve(fixture), copy);
-    return new ProjectCopy(copy);
+    return new ProjectCopy(Program.withoutStrength(copy));
   }
 
   private ProjectCopy laneKeeping() throws IOException {

@@ -34,6 +34,7 @@ class InitTest {
     Path project = folder.resolve("my project");
     new Program().run("init", project).expect(0).says("bench.yaml").says("Next: eventchain bench");
     assertEquals(files(Program.ROOT.resolve("examples/radar-aeb")), files(project));
+    Program.withoutStrength(project);
     new Program().run("run", project).expect(0).says("PASSED: 2 of 2 scenarios passed");
     new Program().run("init", project).expect(2).says("[project.exists]");
   }

@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -35,6 +36,8 @@ final class Program {
   static final long LONGEST_SECONDS = 1800;
 
   private static final int TRIES = 20;
+
+  private static final String NO_STRENGTH = "\nstrength: off\n";
 
   private final Map<String, String> environment = new TreeMap<>();
   private final List<String> prefix = new ArrayList<>();
@@ -210,9 +213,30 @@ final class Program {
 
   /** Returns a copy of the AEB example with all of its scenarios, without results of runs. */
   static Path wholeExampleIn(Path folder) throws IOException {
-    Path copy = folder.resolve("aeb");
-    copy(ROOT.resolve("examples/aeb"), copy);
-    return copy;
+    return copyOf("aeb", folder);
+  }
+
+  /** Returns a copy of an example without results of runs, and without strength. */
+  static Path copyOf(String example, Path folder) throws IOException {
+    Path copy = folder.resolve(example);
+    copy(ROOT.resolve("examples").resolve(example), copy);
+    return withoutStrength(copy);
+  }
+
+  /**
+   * Lets a project do without the strength of requirements: few tests are about it, and it takes
+   * longer than all the rest.
+   */
+  static Path withoutStrength(Path project) throws IOException {
+    Path settings = project.resolve("eventchain.yaml");
+    Files.writeString(settings, NO_STRENGTH, StandardOpenOption.APPEND);
+    return project;
+  }
+
+  /** Lets the strength of requirements be measured again, as it is by default. */
+  static void measureStrength(Path project) throws IOException {
+    Path settings = project.resolve("eventchain.yaml");
+    Files.writeString(settings, Files.readString(settings).replace(NO_STRENGTH, ""));
   }
 
   /** Copies a project without its results. */

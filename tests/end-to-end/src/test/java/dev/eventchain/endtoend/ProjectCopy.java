@@ -18,9 +18,7 @@ record ProjectCopy(Path path) {
 
   /** Copies an example into a folder. */
   static ProjectCopy of(String example, Path folder) throws IOException {
-    Path copy = folder.resolve(example);
-    Program.copy(Program.ROOT.resolve("examples").resolve(example), copy);
-    return new ProjectCopy(copy);
+    return new ProjectCopy(Program.copyOf(example, folder));
   }
 
   /** Replaces a text that occurs once in a file. */

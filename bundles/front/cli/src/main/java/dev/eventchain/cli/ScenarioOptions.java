@@ -88,8 +88,8 @@ final class ScenarioOptions {
       negatable = true,
       description =
           "Measure how many standard faults of its components each requirement's criteria notice:"
-              + " a drive of a scenario for each fault. Without it, a project's 'strength' decides;"
-              + " a verdict without the measurement says so.")
+              + " a drive of a scenario for each fault, until one notices it. The default, unless"
+              + " the project says 'strength: off'. A verdict without the measurement says so.")
   Boolean strength;
 
   @Option(

@@ -11,6 +11,7 @@ import dev.eventchain.pipeline.run.Stage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -43,6 +44,8 @@ class ReadOnceTest {
         }
       }
     }
+    Path settings = project.resolve("eventchain.yaml");
+    Files.writeString(settings, "\nstrength: off\n", StandardOpenOption.APPEND);
   }
 
   @Test

@@ -85,6 +85,11 @@ public final class Formula {
     return FormulaEvaluation.of(condition, run).verdict() > 0.0;
   }
 
+  /** Returns whether it is certainly false at the start of a run. */
+  public boolean isViolated(SampledRun run) {
+    return FormulaEvaluation.of(condition, run).verdict() < 0.0;
+  }
+
   /** Returns the formula on one line. */
   public String text() {
     return text;

@@ -38,6 +38,11 @@ public record Outcome(
     this(true, passed, detail, Optional.of(margin));
   }
 
+  /** Returns whether it was tested and does not hold. */
+  public boolean failed() {
+    return tested && !passed;
+  }
+
   /** Returns the outcome of a criterion whose premise never came true. */
   public static Outcome untested(String why) {
     return new Outcome(false, false, why, Optional.empty());

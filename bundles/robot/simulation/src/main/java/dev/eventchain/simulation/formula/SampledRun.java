@@ -12,10 +12,21 @@ import java.util.Map;
 public final class SampledRun {
 
   private final Trace trace;
+  private final boolean cut;
   private final Map<String, double[]> values = new HashMap<>();
 
   public SampledRun(Trace trace) {
+    this(trace, trace.isCut());
+  }
+
+  private SampledRun(Trace trace, boolean cut) {
     this.trace = trace;
+    this.cut = cut;
+  }
+
+  /** Returns the beginning of a run that goes on: what comes after it is unknown. */
+  public static SampledRun beginning(Trace trace) {
+    return new SampledRun(trace, true);
   }
 
   int size() {
@@ -29,7 +40,7 @@ public final class SampledRun {
 
   /** Returns whether the run ended before its time, so that what comes after it is unknown. */
   boolean isCut() {
-    return trace.isCut();
+    return cut;
   }
 
   Trace trace() {

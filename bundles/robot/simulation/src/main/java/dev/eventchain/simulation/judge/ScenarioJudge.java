@@ -84,6 +84,17 @@ public final class ScenarioJudge {
   }
 
   /**
+   * Judges the applicable criteria of the run's scenario as {@link #criteria} does, except that a
+   * criterion passes also where that is no evidence for the software.
+   */
+  public List<CriterionResult> criteriaWithoutEvidence(ScenarioRun run) {
+    return run.scenario().criteria().stream()
+        .filter(this::applies)
+        .map(each -> result(each, withoutEvidence(each, run)))
+        .toList();
+  }
+
+  /**
    * Returns whether a criterion applies; those of every scenario need software that commands the
    * vehicle.
    */
@@ -97,26 +108,26 @@ public final class ScenarioJudge {
   }
 
   private CriterionResult judge(Expectation criterion, ScenarioRun run, boolean worked) {
-    Trace trace = run.trace();
-    Outcome outcome;
-    if (run.isOverrun()) {
-      outcome = overrun(run);
-    } else if (!worked) {
-      outcome = Outcome.untested("not all components worked");
-    } else if (needsBrake(criterion)) {
-      outcome = Outcome.untested("no component's output drives the brake");
-    } else if (criterion instanceof FormulaCriterion formula && !dependsOnSoftware(formula)) {
-      outcome = Outcome.untested("no component's output changes what it reads");
-    } else {
-      outcome = criterion.judge(trace);
-      if (outcome.passed()) {
-        outcome =
-            unlessItEndedEarly(criterion, run)
-                .or(() -> evidence.lackOf(criterion, run))
-                .orElse(outcome);
-      }
+    if (!worked && !run.isOverrun()) {
+      return result(criterion, Outcome.untested("not all components worked"));
     }
-    return result(criterion, outcome);
+    Outcome outcome = withoutEvidence(criterion, run);
+    return result(
+        criterion, outcome.passed() ? evidence.lackOf(criterion, run).orElse(outcome) : outcome);
+  }
+
+  private Outcome withoutEvidence(Expectation criterion, ScenarioRun run) {
+    if (run.isOverrun()) {
+      return overrun(run);
+    }
+    if (needsBrake(criterion)) {
+      return Outcome.untested("no component's output drives the brake");
+    }
+    if (criterion instanceof FormulaCriterion formula && !dependsOnSoftware(formula)) {
+      return Outcome.untested("no component's output changes what it reads");
+    }
+    Outcome outcome = criterion.judge(run.trace());
+    return outcome.passed() ? unlessItEndedEarly(criterion, run).orElse(outcome) : outcome;
   }
 
   /** Returns untested if too little was driven for a criterion that was not violated. */

@@ -311,8 +311,8 @@ final class BenchDriver {
     }
   }
 
-  /** Ends the reception of messages; values beyond their lifetime expire. */
-  void finish(World world) {
+  /** Lets the values of all messages expire that are beyond their lifetime by now. */
+  void expire(World world) {
     receivers.forEach(receiver -> expire(receiver, world.trace().end().time(), world));
   }
 

@@ -23,6 +23,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 
 /**
  * Drives one scenario in a loop: the world publishes sensor data, the nodes react, the vehicle
@@ -90,7 +91,8 @@ public final class ScenarioRunner {
         recordings.map(to -> new Recording(to, scenario, driver.recorded(), chain.catalog()));
     try {
       World world = world(scenario);
-      long hostNanos = drive(world, driver, scenario.horizon(), duration(scenario), recording);
+      long hostNanos =
+          drive(world, driver, scenario.horizon(), duration(scenario), recording, EarlyEnd.never());
       ScenarioRun run = finish(scenario, world, ready, published, hostNanos);
       recording.ifPresent(it -> it.finish("at its end"));
       return run;
@@ -121,7 +123,8 @@ public final class ScenarioRunner {
     long horizon = Math.max(scenario.horizon(), decided + AFTER_FAULT);
     JsonNode ready = session.configure(configuration);
     try {
-      long hostNanos = drive(world, driver, horizon, duration(scenario), Optional.empty());
+      long hostNanos =
+          drive(world, driver, horizon, duration(scenario), Optional.empty(), EarlyEnd.never());
       return new FaultRun(
           fault, finish(scenario, world, ready, none, hostNanos), atWorld, Optional.empty());
     } catch (DiagnosticException e) {
@@ -133,8 +136,11 @@ public final class ScenarioRunner {
   /**
    * Drives a scenario with a fault of an output, until the criteria of the scenario are decided. As
    * with {@link #run(Fault)}, the run continues without a node that fails, and nothing is recorded.
+   *
+   * @param decided returns whether the trace of a beginning shows all that matters; the trace of a
+   *     run that ends with it is cut
    */
-  public OutputFaultRun run(Scenario scenario, OutputFault fault) {
+  public OutputFaultRun run(Scenario scenario, OutputFault fault, Predicate<Trace> decided) {
     OutputRecord none = new OutputRecord(Map.of());
     BenchDriver driver = driver(scenario, new WorldFault(Optional.empty()), none);
     ObjectNode configuration = configuration(scenario, driver);
@@ -143,7 +149,13 @@ public final class ScenarioRunner {
     JsonNode ready = session.configure(configuration);
     try {
       long hostNanos =
-          drive(world, driver, scenario.horizon(), duration(scenario), Optional.empty());
+          drive(
+              world,
+              driver,
+              scenario.horizon(),
+              duration(scenario),
+              Optional.empty(),
+              EarlyEnd.once(decided));
       ScenarioRun run = finish(scenario, world, ready, none, hostNanos);
       return new OutputFaultRun(fault, run, Optional.empty());
     } catch (DiagnosticException e) {
@@ -189,15 +201,21 @@ public final class ScenarioRunner {
 
   /**
    * Advances time to the end, or to an impact, or until the ego and all others have come to rest
-   * and no criterion needs more; returns the wall time that this took, in ns.
+   * and no criterion needs more, or to an early end; returns the wall time that this took, in ns.
    */
   private long drive(
-      World world, BenchDriver driver, long least, long end, Optional<Recording> recording) {
+      World world,
+      BenchDriver driver,
+      long least,
+      long end,
+      Optional<Recording> recording,
+      EarlyEnd early) {
     long stoppedAt = world.egoSpeed() > 0 ? Long.MAX_VALUE : end;
     long started = System.nanoTime();
     long horizon = Math.min(end, least);
     while (world.now() < end
         && !world.impacted()
+        && !early.isNow(world, driver)
         && (world.now() < horizon || world.now() - AFTER_STOP < stoppedAt || !othersRest(world))) {
       List<Inbound> sensed = driver.sense(world);
       recording.ifPresent(it -> it.sensed(world, sensed));
@@ -207,15 +225,19 @@ public final class ScenarioRunner {
         driver.take(outbound, world);
       }
       world.advanceTo(until);
-      if (world.egoSpeed() > 0.0) {
-        stoppedAt = Long.MAX_VALUE;
-      } else if (stoppedAt == Long.MAX_VALUE) {
-        stoppedAt = world.now();
-      }
+      stoppedAt = stoppedAt(world, stoppedAt);
     }
-    driver.finish(world);
+    driver.expire(world);
     recording.ifPresent(it -> it.scene(world));
     return System.nanoTime() - started;
+  }
+
+  /** Returns when the ego stopped, given that until now; never while it moves. */
+  private static long stoppedAt(World world, long before) {
+    if (world.egoSpeed() > 0.0) {
+      return Long.MAX_VALUE;
+    }
+    return before == Long.MAX_VALUE ? world.now() : before;
   }
 
   private static boolean othersRest(World world) {

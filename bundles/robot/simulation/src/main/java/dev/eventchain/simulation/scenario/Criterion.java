@@ -93,6 +93,15 @@ public record Criterion(
   }
 
   @Override
+  public boolean isViolated(Trace beginning) {
+    return switch (kind) {
+      // A vehicle that moves may stop, and a command may come.
+      case STOPS, COMMANDS_ARRIVE -> false;
+      default -> judge(beginning).failed();
+    };
+  }
+
+  @Override
   public String text() {
     return switch (kind) {
       case NO_IMPACT -> "no impact";

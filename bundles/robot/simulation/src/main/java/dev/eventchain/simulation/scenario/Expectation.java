@@ -53,4 +53,11 @@ public interface Expectation {
 
   /** Judges a trace. */
   Outcome judge(Trace trace);
+
+  /**
+   * Returns whether it fails in every run that begins like this.
+   *
+   * @param beginning the trace of a run that goes on
+   */
+  boolean isViolated(Trace beginning);
 }

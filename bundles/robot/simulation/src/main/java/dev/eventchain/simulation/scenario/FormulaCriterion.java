@@ -97,4 +97,9 @@ public record FormulaCriterion(
   public Outcome judge(Trace trace) {
     return formula.judge(trace);
   }
+
+  @Override
+  public boolean isViolated(Trace beginning) {
+    return formula.isViolated(SampledRun.beginning(beginning));
+  }
 }

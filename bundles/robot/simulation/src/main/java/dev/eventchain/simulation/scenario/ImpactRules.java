@@ -69,6 +69,9 @@ final class ImpactRules {
     if (trace.states().get(0).speed() == 0.0) {
       return Outcome.untested("the vehicle was stationary from the start");
     }
+    if (trace.isCut() && trace.impactSpeed().isEmpty()) {
+      return Outcome.untested("the run ended before its time");
+    }
     double speed = trace.end().speed();
     boolean stands = speed == 0.0 && trace.impactSpeed().isEmpty();
     String text = format("speed at the end %.1f km/h", speed * 3.6);

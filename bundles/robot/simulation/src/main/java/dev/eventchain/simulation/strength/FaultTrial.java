@@ -6,11 +6,11 @@ import dev.eventchain.simulation.run.ScenarioRunner;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Margin;
 import dev.eventchain.simulation.verdict.Strength.Reaction;
+import dev.eventchain.simulation.world.Trace;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
@@ -24,14 +24,12 @@ public final class FaultTrial {
    * The number of scenarios of a requirement in which a fault is tried. Further ones are tried only
    * for requirements that have noticed no fault at all.
    */
-  private static final int MOST_SCENARIOS = 6;
+  private static final int MOST_SCENARIOS = 3;
 
   private final OutputFault fault;
   private final List<String> requirements;
-  private final List<JudgedScenario> scenarios;
-  private final List<String> fields;
+  private final List<JudgedScenario> left;
   private final SortedMap<String, Attempts> attempts = new TreeMap<>();
-  private final Map<JudgedScenario, Boolean> tried = new HashMap<>();
   private int limit = MOST_SCENARIOS;
   private boolean noticedAtAll;
   private int runs;
@@ -61,8 +59,8 @@ public final class FaultTrial {
       List<String> fields) {
     this.fault = fault;
     this.requirements = requirements;
-    this.scenarios = scenarios;
-    this.fields = fields;
+    this.left = new ArrayList<>(scenarios);
+    left.removeIf(scenario -> !scenario.canChange(fault, fields));
     requirements.forEach(id -> attempts.put(id, new Attempts()));
   }
 
@@ -102,28 +100,52 @@ public final class FaultTrial {
    * @return the run; empty if no scenario is left
    */
   public Optional<OutputFaultRun> next(ScenarioRunner runner) {
-    for (JudgedScenario scenario : scenarios) {
-      if (!tried.containsKey(scenario) && isOpen(scenario)) {
-        tried.put(scenario, true);
-        if (scenario.canChange(fault, fields)) {
-          OutputFaultRun run = runner.run(scenario.scenario(), fault);
+    Optional<JudgedScenario> scenario = choose();
+    return scenario.map(
+        each -> {
+          left.remove(each);
+          OutputFaultRun run =
+              runner.run(each.scenario(), fault, beginning -> isDecided(each, beginning));
           runs++;
-          judge(scenario, run);
-          return Optional.of(run);
-        }
-      }
-    }
-    return Optional.empty();
+          judge(each, run);
+          return run;
+        });
   }
 
-  /** Returns whether a run may show something new about a requirement or the component. */
-  private boolean isOpen(JudgedScenario scenario) {
-    return (fault.isOmission() && !noticedAtAll)
-        || requirements.stream().anyMatch(id -> scenario.names(id) && isOpen(attempts.get(id)));
+  /** Returns the next scenario of a run that may show something new. */
+  private Optional<JudgedScenario> choose() {
+    Optional<JudgedScenario> about =
+        left.stream()
+            .filter(each -> requirements.stream().anyMatch(id -> isOpen(each, id)))
+            .findFirst();
+    return about.isEmpty() && fault.isOmission() && !noticedAtAll
+        ? left.stream().findFirst()
+        : about;
+  }
+
+  private boolean isOpen(JudgedScenario scenario, String requirement) {
+    return scenario.names(requirement) && isOpen(attempts.get(requirement));
   }
 
   private boolean isOpen(Attempts made) {
     return !made.noticed() && made.count < limit;
+  }
+
+  /**
+   * Returns whether a run need not go on: a criterion has noticed the fault, and so has one of each
+   * requirement that a criterion of the scenario belongs to.
+   */
+  private boolean isDecided(JudgedScenario scenario, Trace beginning) {
+    Set<Integer> violated = scenario.violated(beginning);
+    return !violated.isEmpty()
+        && requirements.stream()
+            .filter(id -> scenario.names(id) && !attempts.get(id).noticed())
+            .allMatch(id -> isDecided(scenario, violated, id));
+  }
+
+  private static boolean isDecided(JudgedScenario scenario, Set<Integer> violated, String id) {
+    Set<Integer> proving = scenario.proving(id);
+    return proving.isEmpty() || proving.stream().anyMatch(violated::contains);
   }
 
   private void judge(JudgedScenario scenario, OutputFaultRun run) {

@@ -7,7 +7,12 @@ import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.scenario.Expectation;
 import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
+import dev.eventchain.simulation.world.Trace;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /**
  * A scenario without faults, and which of its own criteria hold there. Those of every scenario say
@@ -26,7 +31,7 @@ final class JudgedScenario {
     this.scenario = run.scenario().with(own);
     this.judge = judge;
     this.published = run.outputs();
-    this.results = results(run);
+    this.results = judge.criteria(run.with(scenario), true);
   }
 
   /** Returns the scenario with its own criteria only. */
@@ -50,14 +55,33 @@ final class JudgedScenario {
     return result.passed() && result.requirements().contains(requirement);
   }
 
+  /** Returns the criteria that belong to a requirement and hold without faults. */
+  Set<Integer> proving(String requirement) {
+    return IntStream.range(0, results.size())
+        .filter(criterion -> proves(criterion, requirement))
+        .boxed()
+        .collect(Collectors.toSet());
+  }
+
   /** Returns the result of a criterion without faults. */
   CriterionResult result(int criterion) {
     return results.get(criterion);
   }
 
-  /** Judges its own criteria in a run of it. */
+  /** Judges its own criteria in a run of it with a fault. */
   List<CriterionResult> results(ScenarioRun run) {
-    return judge.criteria(run.with(scenario), true);
+    return judge.criteriaWithoutEvidence(run.with(scenario));
+  }
+
+  /** Returns the criteria that hold without faults and fail in every run that begins like this. */
+  Set<Integer> violated(Trace beginning) {
+    Set<Integer> violated = new TreeSet<>();
+    for (int i = 0; i < results.size(); i++) {
+      if (results.get(i).passed() && scenario.criteria().get(i).isViolated(beginning)) {
+        violated.add(i);
+      }
+    }
+    return violated;
   }
 
   /**

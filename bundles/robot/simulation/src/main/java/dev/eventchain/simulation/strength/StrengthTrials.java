@@ -53,11 +53,14 @@ public final class StrengthTrials {
     }
   }
 
-  /** Scenarios with many criteria first, which notice most; of these, the shortest. */
+  /** Scenarios with many criteria for their time first. */
   private static final Comparator<JudgedScenario> ORDER =
-      Comparator.comparing(JudgedScenario::criteria, Comparator.reverseOrder())
-          .thenComparing(each -> each.scenario().duration())
+      Comparator.comparingDouble(StrengthTrials::secondsPerCriterion)
           .thenComparing(each -> each.scenario().name());
+
+  private static double secondsPerCriterion(JudgedScenario scenario) {
+    return scenario.scenario().duration() / scenario.criteria();
+  }
 
   private static List<FaultTrial> trials(
       SoftwareNode node,

@@ -34,16 +34,26 @@ class FormulaTest {
   private static final double INFINITE = Double.POSITIVE_INFINITY;
 
   private static Trace run() {
+    return run(100);
+  }
+
+  private static Trace run(int last) {
     Trace trace = new Trace();
-    for (int i = 0; i <= 100; i++) {
+    for (int i = 0; i <= last; i++) {
       double timeToCollision = i < 50 ? INFINITE : (200 - 2 * (i - 50)) / 100.0;
       double gap = (200 - i) / 10.0;
       trace.state(States.of(i * World.TRACE_STEP, i / 10.0, gap, timeToCollision, -10));
     }
-    trace.command(0, VehicleCommand.drive(0.25));
-    trace.command(595_000_000L, VehicleCommand.brake(1));
-    trace.command(795_000_000L, VehicleCommand.brake(0));
+    command(trace, 0, VehicleCommand.drive(0.25));
+    command(trace, 595_000_000L, VehicleCommand.brake(1));
+    command(trace, 795_000_000L, VehicleCommand.brake(0));
     return trace;
+  }
+
+  private static void command(Trace trace, long time, VehicleCommand command) {
+    if (time <= trace.end().time()) {
+      trace.command(time, command);
+    }
   }
 
   private static Formula parse(String formula) {
@@ -60,6 +70,34 @@ class FormulaTest {
   @CsvFileSource(resources = "/formulas/judged.csv", delimiter = ';', numLinesToSkip = 1)
   void verdictAndMarginAreThoseComputedByHand(String formula, String expected) {
     assertEquals(expected, judge(formula, run()));
+  }
+
+  /** What a beginning violates fails in the whole run. */
+  @ParameterizedTest
+  @CsvFileSource(resources = "/formulas/judged.csv", delimiter = ';', numLinesToSkip = 1)
+  void noBeginningViolatesWhatDoesNotFail(String formula, String expected) {
+    for (int last = 0; last <= 100; last++) {
+      if (parse(formula).isViolated(SampledRun.beginning(run(last)))) {
+        assertTrue(expected.startsWith("failed"), formula + " up to sample " + last);
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = ';',
+      value = {
+        "always ego.speed < 5 m/s; true",
+        "always ego.speed < 50 m/s; false",
+        "eventually ego.speed > 50 m/s; false",
+        "eventually[0, 2] ego.speed > 50 m/s; false",
+        "eventually[0, 0.5] ego.speed > 50 m/s; true",
+        "always[0, 0.4] ego.speed < 5 m/s; false",
+        "ego.speed < 1 m/s until brake > 0.5; true",
+        "gap > 1 m until brake < -1; false"
+      })
+  void aBeginningViolatesWhatNothingCanMakeUpFor(String formula, boolean expected) {
+    assertEquals(expected, parse(formula).isViolated(SampledRun.beginning(run())), formula);
   }
 
   @ParameterizedTest

@@ -126,6 +126,39 @@ class CriterionTest {
     }
   }
 
+  /** A vehicle that still moves may stop, and one that still drives may hit something. */
+  @ParameterizedTest
+  @CsvSource({
+    "NEVER_BRAKES, 0, 700, true",
+    "NEVER_BRAKES, 0, 5000, false",
+    "NO_BRAKE_AT_TTC, 2, 700, true",
+    "BRAKE_BELOW_TTC, 2, 5000, true",
+    "BRAKE_BELOW_TTC, 2, 900, false",
+    "MINIMAL_GAP, 5, 5000, true",
+    "MINIMAL_GAP, 1, 5000, false",
+    "NO_IMPACT, 0, 5000, false",
+    "STOPS, 0, 5000, false",
+  })
+  void aBeginningViolatesWhatNothingCanMakeUpFor(
+      CriterionKind kind, double limit, long brakesFrom, boolean expected) {
+    Trace beginning = approach(millisecond -> millisecond >= brakesFrom ? 0.5 : 0);
+    assertEquals(
+        expected,
+        new Criterion(kind, limit, Criterion.Tolerances.USUAL, SourceLocation.NONE)
+            .isViolated(beginning));
+  }
+
+  @Test
+  void aFirstCommandMayStillCome() {
+    Trace silent = new Trace();
+    silent.state(States.of(0, SPEED, 20, 9, 0));
+    Criterion arrive =
+        new Criterion(
+            CriterionKind.COMMANDS_ARRIVE, 0, Criterion.Tolerances.USUAL, SourceLocation.NONE);
+    assertEquals(true, arrive.judge(silent).failed());
+    assertEquals(false, arrive.isViolated(silent));
+  }
+
   private static boolean tested(CriterionKind kind, double limit, Trace trace) {
     return new Criterion(kind, limit, Criterion.Tolerances.USUAL, SourceLocation.NONE)
         .judge(trace)

@@ -8,6 +8,7 @@ import dev.eventchain.pipeline.results.RequirementOutcome;
 import dev.eventchain.pipeline.results.Simulated;
 import dev.eventchain.pipeline.results.SimulatedFault;
 import dev.eventchain.pipeline.results.SimulatedScenario;
+import dev.eventchain.pipeline.simulate.RequirementStrength;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
@@ -23,6 +24,7 @@ final class RunTrials {
 
   private static final String CRITERION = "simulation.criterion.";
   private static final String REQUIREMENT = "project.requirement.";
+  private static final String STRENGTH = "simulation.strength.";
 
   private final List<Diagnostic> found;
   private final List<Diagnostic> suppressed;
@@ -118,13 +120,18 @@ final class RunTrials {
         Trial.Kind.REQUIREMENT,
         id,
         outcome(requirement.outcome() == RequirementOutcome.Outcome.PROVED, isExcused),
-        requirement.outcome().words(),
+        requirement.outcome().words() + strength(requirement),
         seconds.getOrDefault(id, 0.0),
         about);
   }
 
+  private static String strength(RequirementOutcome requirement) {
+    return requirement.strength().map(it -> ", " + RequirementStrength.words(it)).orElse("");
+  }
+
   private static boolean isAbout(Diagnostic finding, String requirement) {
-    return finding.id().startsWith(REQUIREMENT) && finding.rule().equals(requirement);
+    return (finding.id().startsWith(REQUIREMENT) || finding.id().startsWith(STRENGTH))
+        && finding.rule().equals(requirement);
   }
 
   private Trial fault(SimulatedFault fault) {

@@ -11,14 +11,14 @@ import java.util.TreeMap;
  * The section {@code strength} of a project: the part of the standard faults of its components that
  * each requirement has to notice.
  *
- * @param measured true if the project wants strength to be measured
+ * @param measured false if the project does not want strength to be measured
  * @param minimum the least part for each requirement, in percent; 0 asks for one fault only
  * @param own the least part for some requirements, in percent, by identifier
  */
 public record StrengthSettings(boolean measured, double minimum, SortedMap<String, Double> own) {
 
   /** The settings of a project that states none. */
-  public static final StrengthSettings DEFAULT = new StrengthSettings(false, 0, new TreeMap<>());
+  public static final StrengthSettings DEFAULT = new StrengthSettings(true, 0, new TreeMap<>());
 
   private static final String KEY = "strength";
   private static final NumberRange PERCENT = NumberRange.of(0, 100);

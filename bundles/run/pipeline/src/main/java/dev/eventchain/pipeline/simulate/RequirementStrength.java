@@ -40,6 +40,12 @@ public final class RequirementStrength {
         result.strength(), run.project().configuration().strength(), run.writtenRequirements());
   }
 
+  /** Returns whether strength is to be measured where a run can. */
+  static boolean isWanted(RunContext run) {
+    boolean usual = run.project().configuration().strength().measured();
+    return run.options().strength().orElse(usual);
+  }
+
   /** Returns whether a run measures strength. */
   static boolean isMeasured(RunContext run) {
     return whyNot(run).isEmpty();
@@ -48,8 +54,8 @@ public final class RequirementStrength {
   /** Returns why a run does not measure strength, whatever its result; empty if it does. */
   static String whyNot(RunContext run) {
     RunOptions options = run.options();
-    if (!options.strength().orElse(run.project().configuration().strength().measured())) {
-      return options.strength().isPresent() ? "switched off" : "not asked for";
+    if (!isWanted(run)) {
+      return options.strength().isPresent() ? "switched off" : "the project does not want it";
     }
     if (options.isPartial()) {
       return "only some scenarios were simulated";

@@ -65,7 +65,7 @@ public final class SimulateStage implements StageWork {
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     Project project = run.project();
     fingerprint.add(run.options().driver()).add(Confinement.demanded());
-    fingerprint.add(run.options().strength());
+    fingerprint.add(RequirementStrength.isWanted(run));
     fingerprint.addSetting("strength", project.configuration().strength().asValue());
     run.options().faults().ifPresent(fingerprint::addFile);
     fingerprint.addFile(run.model());

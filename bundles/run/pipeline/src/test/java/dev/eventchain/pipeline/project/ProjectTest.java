@@ -33,10 +33,10 @@ class ProjectTest {
   }
 
   @Test
-  void strengthIsMeasuredIfTheProjectAsksForIt() throws IOException {
+  void strengthIsMeasuredUnlessTheProjectDoesNotWantIt() throws IOException {
     StrengthSettings usual = open("name: aeb\n").configuration().strength();
     assertEquals(StrengthSettings.DEFAULT, usual);
-    assertFalse(usual.measured());
+    assertTrue(usual.measured());
     assertTrue(open("name: aeb\nstrength: on\n").configuration().strength().measured());
     assertFalse(open("name: aeb\nstrength: off\n").configuration().strength().measured());
     StrengthSettings stricter =
