@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * A small defect in one place of a component.
@@ -58,6 +59,19 @@ public record ComponentMutant(
     return line.length() <= LONGEST
         ? line
         : line.substring(0, KEPT) + "... " + Sha256.of(line).hex().substring(0, DIGITS);
+  }
+
+  /** Returns the lines of the component, from 1, that the defect changes. */
+  public IntStream lines(String source) {
+    byte[] bytes = source.getBytes(StandardCharsets.UTF_8);
+    return edits.stream()
+        .flatMapToInt(
+            edit -> IntStream.rangeClosed(line(bytes, edit.start()), line(bytes, edit.end())))
+        .distinct();
+  }
+
+  private static int line(byte[] bytes, int offset) {
+    return 1 + (int) IntStream.range(0, offset).filter(at -> bytes[at] == '\n').count();
   }
 
   /** Returns the text of the component with the defect. */

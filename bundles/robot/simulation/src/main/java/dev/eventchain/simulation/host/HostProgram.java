@@ -40,6 +40,7 @@ public record HostProgram(
         .module(module)
         .pythonPath(runtime)
         .readable(generated.messages(), generated.folder())
+        .readable(generated.variants().toArray(Path[]::new))
         .workFolder(workFolder.path())
         .components(turn)
         .limits(new ConfinedProcess.Limits(longest, longest, MEMORY_MIB))
