@@ -81,10 +81,9 @@ class MutateTest {
     ended.says("component                     mutants  by test   by run accepted  survive");
     ended.says("Collision_Warning                   7        0        1        0        6");
     assertTrue(outcomes().contains("CRITERION"), outcomes()::toString);
-    byte[] first = Files.readAllBytes(copy.path().resolve("out/mutants.json"));
+    String first = Files.readString(copy.path().resolve("out/mutants.json"));
     mutate().expect(1).says("= Simulate").says("unchanged: 7 mutants").says(SURVIVED);
-    assertEquals(
-        new String(first), Files.readString(copy.path().resolve("out/mutants.json")), "the same");
+    assertEquals(first, Files.readString(copy.path().resolve("out/mutants.json")));
   }
 
   @Test

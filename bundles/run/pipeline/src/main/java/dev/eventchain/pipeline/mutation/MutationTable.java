@@ -10,9 +10,6 @@ import java.util.function.Predicate;
 /** A line for each component: how many of its mutants were noticed, and by what. */
 final class MutationTable {
 
-  private static final String HEAD = "%-28s %8s %8s %8s %8s %8s%n";
-  private static final String ROW = "%-28s %8d %8d %8d %8d %8d%n";
-
   private MutationTable() {}
 
   /**
@@ -27,9 +24,7 @@ final class MutationTable {
       components.computeIfAbsent(result.component(), name -> new ArrayList<>()).add(result);
     }
     StringBuilder table = new StringBuilder();
-    table.append(
-        String.format(
-            Locale.ROOT, HEAD, "component", "mutants", "by test", "by run", "accepted", "survive"));
+    table.append(line("component", "mutants", "by test", "by run", "accepted", "survive"));
     components.forEach((name, all) -> table.append(row(name, all, accepted)));
     if (components.size() > 1) {
       table.append(row("all", results, accepted));
@@ -44,7 +39,10 @@ final class MutationTable {
     long caught = results.stream().filter(each -> each.outcome().isCaught()).count();
     long explained = results.stream().filter(MutantResult::survives).filter(accepted).count();
     long survive = results.stream().filter(MutantResult::survives).count() - explained;
-    return String.format(
-        Locale.ROOT, ROW, name, results.size(), tests, caught - tests, explained, survive);
+    return line(name, results.size(), tests, caught - tests, explained, survive);
+  }
+
+  private static String line(Object... cells) {
+    return String.format(Locale.ROOT, "%-28s %8s %8s %8s %8s %8s%n", cells);
   }
 }
