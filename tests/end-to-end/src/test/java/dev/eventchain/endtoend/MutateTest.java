@@ -130,7 +130,6 @@ class MutateTest {
     copy.replace(COMPONENT, "WARNING_TTC = 2.6", "WARNING_TTC = 2.61");
     mutate("--since", "HEAD").expect(1).says("Collision_Warning                   4");
     mutate("--since", "no-such").expect(2).says("mutation.since");
-    mutate("--since=--output=x").expect(2).says("mutation.since");
   }
 
   private void git(String... arguments) throws IOException, InterruptedException {
