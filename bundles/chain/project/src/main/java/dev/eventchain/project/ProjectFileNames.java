@@ -31,6 +31,7 @@ public final class ProjectFileNames {
           "eventchain-suppressions.yaml",
           "model",
           "model/chain.xmi",
+          "mutants.yaml",
           "recordings",
           "requirements.md",
           "scenarios",

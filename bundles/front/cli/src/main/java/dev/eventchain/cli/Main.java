@@ -43,6 +43,7 @@ public final class Main {
           GenerateCommand.class,
           StageCommands.Simulate.class,
           AcceptCommand.class,
+          MutateCommand.class,
           EvaluateCommand.class,
           InitCommand.class,
           BenchCommand.class,

@@ -17,6 +17,7 @@ import dev.eventchain.project.ProjectFolder;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.time.LocalDate;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -149,6 +150,11 @@ abstract class ProjectCommand implements Callable<Integer> {
     return reporting.suppressions(project.suppressions(), console.today());
   }
 
+  /** Returns the day for which suppressions and acceptances are evaluated. */
+  final LocalDate day() {
+    return reporting.day(console.today());
+  }
+
   /** Returns the format of findings on standard output. */
   final DiagnosticFormat format() {
     return reporting.format;
@@ -179,25 +185,36 @@ abstract class ProjectCommand implements Callable<Integer> {
       boolean again,
       LlmOptions llm,
       ScenarioOptions scenarios) {
-    RunOptions options =
-        new RunOptions(
-            results,
-            first,
-            last,
-            again,
-            Optional.ofNullable(llm.llm),
-            llm.record,
-            overwrite,
-            scenarios.scenarios,
-            driver(scenarios),
-            scenarios.mcap,
-            Optional.ofNullable(scenarios.compare),
-            Optional.ofNullable(scenarios.faults),
-            Optional.ofNullable(scenarios.strength),
-            suppressions(project),
-            timeLimit());
+    RunOptions options = runOptions(project, results, first, last, again, llm, scenarios);
     return Outcome.of(
         Pipeline.run(project, options, new ProgressLines(console.err(), console.terminal())));
+  }
+
+  /** Returns the options of a run. */
+  final RunOptions runOptions(
+      Project project,
+      Path results,
+      Stage first,
+      Stage last,
+      boolean again,
+      LlmOptions llm,
+      ScenarioOptions scenarios) {
+    return new RunOptions(
+        results,
+        first,
+        last,
+        again,
+        Optional.ofNullable(llm.llm),
+        llm.record,
+        overwrite,
+        scenarios.scenarios,
+        driver(scenarios),
+        scenarios.mcap,
+        Optional.ofNullable(scenarios.compare),
+        Optional.ofNullable(scenarios.faults),
+        Optional.ofNullable(scenarios.strength),
+        suppressions(project),
+        timeLimit());
   }
 
   private RunOptions.Driver driver(ScenarioOptions scenarios) {

@@ -103,6 +103,11 @@ final class ReportOptions {
     targets.forEach(target -> ReportFile.remove(target.file()));
   }
 
+  /** Returns the day for which suppressions and acceptances are evaluated. */
+  LocalDate day(Today today) {
+    return date == null ? today.date() : date;
+  }
+
   /**
    * Returns the suppressions.
    *
@@ -114,7 +119,7 @@ final class ReportOptions {
       return Suppressions.NONE;
     }
     try {
-      return SuppressionFile.read(file.get(), date == null ? today.date() : date);
+      return SuppressionFile.read(file.get(), day(today));
     } catch (IllegalArgumentException e) {
       throw new ParameterException(spec.commandLine(), e.getMessage(), e);
     }

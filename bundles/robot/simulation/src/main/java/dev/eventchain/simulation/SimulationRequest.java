@@ -14,6 +14,7 @@ import dev.eventchain.simulation.node.NodePackage;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
@@ -282,7 +283,13 @@ public record SimulationRequest(
    */
   public NodePackage nodePackage() {
     return new NodePackage(
-        packageFolder, manifest, MessageFile.of(messageFolders), generated, limits);
+        packageFolder,
+        manifest,
+        MessageFile.of(messageFolders),
+        generated,
+        limits,
+        List.of(),
+        Map.of());
   }
 
   /**

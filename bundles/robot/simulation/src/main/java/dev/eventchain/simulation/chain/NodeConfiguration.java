@@ -76,7 +76,7 @@ public final class NodeConfiguration {
     ObjectNode component = json.putObject("component");
     component.put("module", known.module());
     component.put("class", known.className());
-    component.put("file", absolute(generated.folder().resolve(known.file())));
+    component.put("file", absolute(generated.componentFile(node)));
     component.put("seed", seed + "/" + name);
     component.put("restricted", generated.restricted().contains(name));
     ArrayNode inputs = component.putArray("inputs");

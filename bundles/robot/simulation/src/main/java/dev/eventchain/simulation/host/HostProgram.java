@@ -51,6 +51,7 @@ public record HostProgram(
         .module(module)
         .pythonPath(runtime)
         .readable(generated.messages(), generated.folder())
+        .readable(generated.variants().toArray(Path[]::new))
         .workFolder(workFolder.path())
         .components(turn)
         .hashSeed(hashSeed)

@@ -1,7 +1,10 @@
 package dev.eventchain.simulation.node;
 
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 
 /**
  * The Python package of the generated nodes, with their limits.
@@ -11,6 +14,40 @@ import java.util.Set;
  * @param messages the file with the user's message definitions, as the runtime reads them
  * @param restricted names of the components that must follow the rules for generated code
  * @param limits the limits of the nodes and their components
+ * @param variants folders with other versions of components
+ * @param replaced the files in these folders that components are loaded from instead of their own,
+ *     by the names of the components
  */
 public record NodePackage(
-    Path folder, NodeManifest manifest, Path messages, Set<String> restricted, NodeLimits limits) {}
+    Path folder,
+    NodeManifest manifest,
+    Path messages,
+    Set<String> restricted,
+    NodeLimits limits,
+    List<Path> variants,
+    Map<String, Path> replaced) {
+
+  /** Copies the collections. */
+  public NodePackage {
+    restricted = Set.copyOf(restricted);
+    variants = List.copyOf(variants);
+    replaced = Map.copyOf(replaced);
+  }
+
+  /** Returns the file of a node's component. */
+  public Path componentFile(NodeManifest.Node node) {
+    return replaced.getOrDefault(node.name(), folder.resolve(node.component().file()));
+  }
+
+  /** Returns a copy whose processes may read a folder with other versions of components. */
+  public NodePackage withVariants(Path from) {
+    return new NodePackage(folder, manifest, messages, restricted, limits, List.of(from), replaced);
+  }
+
+  /** Returns a copy that loads a component from another file. */
+  public NodePackage with(String component, Path file) {
+    Map<String, Path> files = new TreeMap<>(replaced);
+    files.put(component, file);
+    return new NodePackage(folder, manifest, messages, restricted, limits, variants, files);
+  }
+}

@@ -2,6 +2,7 @@ package dev.eventchain.simulation.run;
 
 import dev.eventchain.messages.MessageValue;
 import java.lang.reflect.Array;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -10,8 +11,12 @@ import java.util.TreeMap;
 /** What was published in a scenario: the range of each field that components write. */
 public final class OutputRecord {
 
+  /** A large odd number, which spreads the hashes of single values over 64 bits. */
+  private static final long PRIME = 0x9E3779B97F4A7C15L;
+
   private final Map<String, List<String>> fields;
   private final Map<String, Values> values = new TreeMap<>();
+  private long digest;
 
   /**
    * Values of a field. Its numbers are those of a single value or of all elements of an array;
@@ -95,8 +100,15 @@ public final class OutputRecord {
   /** Adds a message. */
   public void add(String topic, MessageValue message) {
     for (String path : fields.getOrDefault(topic, List.of())) {
-      values.computeIfAbsent(key(topic, path), key -> new Values()).add(message.get(path));
+      Object value = message.get(path);
+      values.computeIfAbsent(key(topic, path), key -> new Values()).add(value);
+      digest = PRIME * digest + Arrays.deepHashCode(new Object[] {topic, path, value});
     }
+  }
+
+  /** Returns a hash of all values in their order: equal for runs with the same outputs. */
+  public long digest() {
+    return digest;
   }
 
   /** Returns the values of a field; without numbers and changes if it was never published. */

@@ -177,7 +177,7 @@ public final class FaultTrial {
           made.reaction = Optional.of(reaction(true, scenario, result.text(), result.margin()));
           return;
         }
-        double left = left(scenario.result(i), result);
+        double left = result.leftOf(scenario.result(i));
         if (left < made.nearest) {
           made.nearest = left;
           made.reaction = Optional.of(reaction(false, scenario, result.text(), result.margin()));
@@ -188,16 +188,6 @@ public final class FaultTrial {
 
   private static boolean fails(CriterionResult result) {
     return result.tested() && !result.passed();
-  }
-
-  /** Returns the part of the margin without the fault that is left with it. */
-  private static double left(CriterionResult without, CriterionResult with) {
-    if (!with.passed() || without.margin().isEmpty() || with.margin().isEmpty()) {
-      return Double.POSITIVE_INFINITY;
-    }
-    double before = without.margin().get().value();
-    double left = with.margin().get().value() / before;
-    return before > 0 && Double.isFinite(left) ? left : Double.POSITIVE_INFINITY;
   }
 
   private Reaction reaction(

@@ -94,6 +94,19 @@ public record ScenarioVerdict(
       limits = List.copyOf(limits);
       requirements = List.copyOf(requirements);
     }
+
+    /**
+     * Returns the part of its margin in another run that is left in this one; infinite if it does
+     * not hold in both, or its margin has no size.
+     */
+    public double leftOf(CriterionResult other) {
+      if (!passed || margin.isEmpty() || other.margin.isEmpty()) {
+        return Double.POSITIVE_INFINITY;
+      }
+      double before = other.margin.get().value();
+      double left = margin.get().value() / before;
+      return before > 0 && Double.isFinite(left) ? left : Double.POSITIVE_INFINITY;
+    }
   }
 
   /**

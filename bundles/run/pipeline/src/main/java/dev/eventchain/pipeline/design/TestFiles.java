@@ -25,7 +25,7 @@ import java.util.Optional;
  * Tests of components: files {@code tests/NAME.yaml} of the project, or for missing components
  * without one, proposals of a language model in {@code out/tests}.
  */
-final class TestFiles {
+public final class TestFiles {
   static final String FOLDER = "tests";
   private static final String SUFFIX = ".yaml";
 
@@ -34,7 +34,12 @@ final class TestFiles {
   private final List<String> proposed = new ArrayList<>();
   private final List<AgentResult> results = new ArrayList<>();
 
-  TestFiles(RunContext run, SourceText chain) {
+  /**
+   * Creates the tests of a run.
+   *
+   * @param chain the description of the chain
+   */
+  public TestFiles(RunContext run, SourceText chain) {
     this.run = run;
     this.chain = chain;
   }
@@ -54,6 +59,19 @@ final class TestFiles {
     return isWritten(run.project(), component)
         ? Optional.of(read(file(run.project(), component), component))
         : Optional.empty();
+  }
+
+  /** Returns the files of all tests, those that people wrote and those that a run proposed. */
+  public static List<Path> all(RunContext run) {
+    List<Path> files = new ArrayList<>(ofProject(run.project()));
+    files.addAll(Project.existingBelow(run.file(FOLDER)));
+    return files;
+  }
+
+  /** Returns whether there are tests of a component. */
+  public static boolean hasTests(RunContext run, String component) {
+    return isWritten(run.project(), component)
+        || Files.isRegularFile(run.file(FOLDER + "/" + component + SUFFIX));
   }
 
   /** Returns whether people wrote tests for a component. */
@@ -82,7 +100,7 @@ final class TestFiles {
    *
    * @throws DiagnosticException if there are none any more
    */
-  ComponentTester standing(String component) {
+  public ComponentTester standing(String component) {
     String name = FOLDER + "/" + component + SUFFIX;
     return written(component)
         .orElseGet(

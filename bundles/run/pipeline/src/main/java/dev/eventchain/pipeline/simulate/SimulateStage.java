@@ -337,6 +337,16 @@ public final class SimulateStage implements StageWork {
     return count <= all ? count + " of " + all : "fault " + (count - all);
   }
 
+  /**
+   * Returns the request for the simulation of a project without faults.
+   *
+   * @throws DiagnosticException INPUT if nothing was generated, or a scenario cannot be read
+   */
+  public static SimulationRequest request(RunContext run) {
+    return request(
+        run, run.chain().chain(), GeneratedPackage.required(run), ProjectScenarios.selected(run));
+  }
+
   private static SimulationRequest request(
       RunContext run, EventChain chain, GeneratedPackage generated, List<Scenario> scenarios) {
     SimulationRequest request =

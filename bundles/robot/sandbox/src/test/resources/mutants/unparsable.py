@@ -1,0 +1,3 @@
+class Example:
+    def execute(self speed):
+        return {}

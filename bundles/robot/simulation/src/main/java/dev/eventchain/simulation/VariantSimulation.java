@@ -1,0 +1,133 @@
+package dev.eventchain.simulation;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.sandbox.Confinement;
+import dev.eventchain.sandbox.PythonEnvironment;
+import dev.eventchain.simulation.chain.NodeConfiguration;
+import dev.eventchain.simulation.chain.SimulatedChain;
+import dev.eventchain.simulation.host.HostProgram;
+import dev.eventchain.simulation.host.LockstepProcess;
+import dev.eventchain.simulation.host.NodeHosts;
+import dev.eventchain.simulation.judge.ScenarioJudge;
+import dev.eventchain.simulation.node.NodePackage;
+import dev.eventchain.simulation.run.ScenarioRun;
+import dev.eventchain.simulation.run.ScenarioRunner;
+import dev.eventchain.simulation.strength.StrengthTrials;
+import dev.eventchain.simulation.variant.PassedScenario;
+import dev.eventchain.simulation.variant.VariantTrial;
+import dev.eventchain.simulation.verdict.VariantReaction;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Simulates variants of components in the scenarios that pass with the components as they are, in
+ * lock-step. A process reads the component again for each scenario, so a few processes are enough
+ * for all variants.
+ */
+public final class VariantSimulation {
+
+  private final SimulationRequest request;
+  private final SimulatedChain chain;
+  private final NodePackage original;
+  private final PythonEnvironment python;
+
+  /**
+   * A variant of a component.
+   *
+   * @param component the component's name
+   * @param file the file that its process loads instead
+   */
+  public record Variant(String component, Path file) {}
+
+  /** Receives reactions, one at a time, in an order that depends on the machine. */
+  public interface Listener {
+
+    /** Receives the reaction to a variant. */
+    void reacted(int variant, VariantReaction reaction);
+  }
+
+  /**
+   * Creates a simulation.
+   *
+   * @param folder the folder with the files of all variants
+   * @throws dev.eventchain.diagnostics.DiagnosticException as {@link Simulation#run} does before it
+   *     starts a process
+   */
+  public VariantSimulation(SimulationRequest request, PythonEnvironment python, Path folder) {
+    this.request = request;
+    this.chain = request.simulatedChain();
+    this.original = request.nodePackage().withVariants(folder);
+    this.python = python;
+  }
+
+  /**
+   * Simulates each variant until a scenario notices it.
+   *
+   * @param same a copy of each component, which is loaded as the variants are, to learn what the
+   *     scenarios do without a defect
+   * @return the findings about scenarios that fail with these copies, so that nothing was tried
+   * @throws dev.eventchain.diagnostics.DiagnosticException as {@link Simulation#run} does, except
+   *     for failures of a variant
+   * @throws InterruptedException if the calling thread was interrupted; the processes are ended
+   */
+  public List<Diagnostic> run(List<Variant> same, List<Variant> variants, Listener listener)
+      throws InterruptedException {
+    ScenarioRun[] runs = new ScenarioRun[request.scenarios().size()];
+    HostPool.Job drive =
+        (number, hosts) -> {
+          runs[number] = runner(same, hosts).run(request.scenarios().get(number));
+          return HostPool.State.DONE;
+        };
+    new HostPool(runs.length, this::start, drive).run(request.processes());
+    ScenarioJudge judge = new ScenarioJudge(chain, Arrays.asList(runs), true);
+    List<Diagnostic> failed =
+        Arrays.stream(runs)
+            .flatMap(run -> judge.verdict(run, true).diagnostics().stream())
+            .filter(finding -> !request.accepted().test(finding))
+            .toList();
+    if (failed.isEmpty()) {
+      List<PassedScenario> passed =
+          Arrays.stream(runs)
+              .map(run -> new PassedScenario(run, judge))
+              .sorted(PassedScenario.ORDER)
+              .toList();
+      HostPool.Job job = (number, hosts) -> work(number, variants, passed, hosts, listener);
+      new HostPool(variants.size(), this::start, job).run(request.processes());
+    }
+    return failed;
+  }
+
+  private HostPool.State work(
+      int number,
+      List<Variant> variants,
+      List<PassedScenario> passed,
+      NodeHosts hosts,
+      Listener listener) {
+    ScenarioRunner runner = runner(List.of(variants.get(number)), hosts);
+    VariantReaction reaction = new VariantTrial(passed).run(runner);
+    synchronized (this) {
+      listener.reacted(number, reaction);
+    }
+    return reaction.kind() == VariantReaction.Kind.RAISED
+        ? HostPool.State.DONE_AT_THE_END
+        : HostPool.State.DONE;
+  }
+
+  private ScenarioRunner runner(List<Variant> loaded, NodeHosts hosts) {
+    NodePackage nodes = original;
+    for (Variant variant : loaded) {
+      nodes = nodes.with(variant.component(), variant.file());
+    }
+    Map<String, List<String>> recorded = StrengthTrials.recorded(chain);
+    return new ScenarioRunner(
+        chain, new NodeConfiguration(chain, nodes), Optional.empty(), hosts.session(), recorded);
+  }
+
+  private NodeHosts start(int turn) {
+    HostProgram program = new HostProgram(original, python, Confinement.detect());
+    return new LockstepProcess(program, request.chain().getSoftware().size(), turn);
+  }
+}

@@ -1,0 +1,228 @@
+package dev.eventchain.pipeline.mutation;
+
+import dev.eventchain.agents.component.ComponentTester;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.design.TestFiles;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.simulate.SimulateStage;
+import dev.eventchain.pipeline.stage.ComponentFiles;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.sandbox.ComponentProbe;
+import dev.eventchain.sandbox.PythonEnvironment;
+import dev.eventchain.sandbox.WorkFolder;
+import dev.eventchain.simulation.SimulationRequest;
+import dev.eventchain.simulation.VariantSimulation;
+import dev.eventchain.simulation.VariantSimulation.Variant;
+import dev.eventchain.simulation.node.NodeLimits;
+import dev.eventchain.simulation.verdict.ScenarioVerdict.Margin;
+import dev.eventchain.simulation.verdict.VariantReaction;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+
+/**
+ * Trials of mutants: each by the tests of its component, and then by the scenarios, until something
+ * notices it. Copies of the components as they are take the same way first, and must pass.
+ */
+final class MutantTrials implements AutoCloseable {
+
+  /** A mutant may loop; the component as it is needs far less for a call. */
+  private static final NodeLimits LIMITS =
+      new NodeLimits(Duration.ofSeconds(2), Duration.ofMinutes(1), Duration.ofHours(100));
+
+  private final RunContext run;
+  private final PythonEnvironment python;
+  private final Consumer<MutantResult> ended;
+  private final int processes = Runtime.getRuntime().availableProcessors();
+  private final WorkFolder folder = WorkFolder.create();
+  private final Map<String, ComponentTester> tests = new TreeMap<>();
+  private int copies;
+
+  /**
+   * Prepares trials.
+   *
+   * @param ended receives each result, one at a time, in an order that depends on the machine
+   */
+  MutantTrials(RunContext run, Consumer<MutantResult> ended) {
+    this.run = run;
+    this.python = run.python(Stage.SIMULATE);
+    this.ended = ended;
+    TestFiles files =
+        new TestFiles(run, SourceText.read(run.required(ProjectFolder.DESCRIPTION, Stage.DESIGN)));
+    for (SoftwareNode node : ProjectMutants.nodes(run)) {
+      if (TestFiles.hasTests(run, node.getName())) {
+        tests.put(node.getName(), files.standing(node.getName()));
+      }
+    }
+  }
+
+  /**
+   * Tries mutants.
+   *
+   * @throws DiagnosticException FINDINGS, {@code mutation.unproved}: the components as they are do
+   *     not pass
+   * @throws InterruptedException if the calling thread was interrupted
+   */
+  void tryAll(List<Mutant> mutants) throws InterruptedException {
+    List<Variant> same = new ArrayList<>();
+    for (SoftwareNode node : ProjectMutants.nodes(run)) {
+      Path file = ComponentFiles.of(run, node);
+      same.add(new Variant(node.getName(), copy(file, SourceText.read(file).text())));
+    }
+    List<Mutant> left = untested(same, mutants);
+    List<Variant> variants = new ArrayList<>();
+    for (Mutant mutant : left) {
+      variants.add(new Variant(mutant.component(), copy(mutant.file(), mutant.text())));
+    }
+    if (variants.isEmpty()) {
+      return;
+    }
+    SimulationRequest request =
+        SimulateStage.request(run)
+            // A mutant need not follow the rules for generated code, which the component does.
+            .withGenerated(Set.of())
+            .withLimits(LIMITS)
+            .withProcesses(processes);
+    List<Diagnostic> failed =
+        new VariantSimulation(request, python, folder.path())
+            .run(same, variants, (number, each) -> ended.accept(result(left.get(number), each)));
+    refuse(failed);
+  }
+
+  /** Returns the mutants that pass the tests of their components, or have none. */
+  private List<Mutant> untested(List<Variant> same, List<Mutant> mutants)
+      throws InterruptedException {
+    for (Variant each : same) {
+      if (mutants.stream().anyMatch(mutant -> mutant.component().equals(each.component()))) {
+        refuse(test(each.component(), each.file()).stream().toList());
+      }
+    }
+    List<Mutant> left = new ArrayList<>();
+    ExecutorService workers = Executors.newFixedThreadPool(processes);
+    try {
+      Map<Mutant, Future<Optional<Diagnostic>>> begun = new LinkedHashMap<>();
+      for (Mutant mutant : mutants) {
+        begun.put(mutant, workers.submit(() -> test(mutant)));
+      }
+      for (var each : begun.entrySet()) {
+        Optional<Diagnostic> failed = each.getValue().get();
+        failed.ifPresent(finding -> ended.accept(failed(each.getKey(), finding)));
+        if (failed.isEmpty()) {
+          left.add(each.getKey());
+        }
+      }
+    } catch (ExecutionException e) {
+      throw e.getCause() instanceof RuntimeException known
+          ? known
+          : new IllegalStateException(e.getCause());
+    } finally {
+      workers.shutdownNow();
+    }
+    return left;
+  }
+
+  private Optional<Diagnostic> test(Mutant mutant) {
+    return tests.containsKey(mutant.component())
+        ? test(mutant.component(), copy(mutant.file(), mutant.text()))
+        : Optional.empty();
+  }
+
+  private Optional<Diagnostic> test(String component, Path file) {
+    if (!tests.containsKey(component)) {
+      return Optional.empty();
+    }
+    return tests.get(component).run(new ComponentProbe(python).ofExisting(), file).stream()
+        .filter(finding -> finding.severity() == Severity.ERROR)
+        .findFirst();
+  }
+
+  private static void refuse(List<Diagnostic> failed) {
+    if (!failed.isEmpty()) {
+      Diagnostic first = failed.get(0);
+      throw new DiagnosticException(
+          DiagnosticException.Reason.FINDINGS,
+          Diagnostic.of(
+                  MutationRules.MUTATION_UNPROVED,
+                  "Without a defect, this fails when it is repeated: " + first.message(),
+                  first.location())
+              .withHint(
+                  "Find out what differs from run to run, such as a clock or random numbers."));
+    }
+  }
+
+  private static MutantResult failed(Mutant mutant, Diagnostic finding) {
+    return MutantResult.of(
+        mutant,
+        MutantResult.Outcome.TEST,
+        Optional.empty(),
+        Optional.of(finding.message()),
+        Optional.empty());
+  }
+
+  private static MutantResult result(Mutant mutant, VariantReaction reaction) {
+    MutantResult.Outcome outcome =
+        switch (reaction.kind()) {
+          case CRITERION -> MutantResult.Outcome.CRITERION;
+          case UNTESTED -> MutantResult.Outcome.UNTESTED;
+          case RAISED -> MutantResult.Outcome.RAISED;
+          case UNNOTICED -> MutantResult.Outcome.UNNOTICED;
+          case UNCHANGED -> MutantResult.Outcome.UNCHANGED;
+        };
+    return MutantResult.of(
+        mutant,
+        outcome,
+        Optional.of(reaction.scenario()).filter(text -> !text.isEmpty()),
+        Optional.of(reaction.words()).filter(text -> !text.isEmpty()),
+        reaction.margin().map(MutantTrials::words));
+  }
+
+  private static String words(Margin margin) {
+    String unit = margin.unit().equals("1") ? "" : " " + margin.unit();
+    return String.format(Locale.ROOT, "%.3g%s", margin.value(), unit);
+  }
+
+  /** Writes a version of a component into a folder of its own, with the modules next to it. */
+  private Path copy(Path file, String text) {
+    Path own = folder.path().resolve("copy-" + nextCopy());
+    try {
+      Files.createDirectory(own);
+      try (Stream<Path> beside = Files.list(file.toAbsolutePath().getParent())) {
+        for (Path module : beside.filter(each -> each.toString().endsWith(".py")).toList()) {
+          Files.copy(module, own.resolve(module.getFileName()));
+        }
+      }
+      return Files.writeString(own.resolve(file.getFileName()), text);
+    } catch (IOException e) {
+      throw folder.unwritable(e);
+    }
+  }
+
+  private synchronized int nextCopy() {
+    return ++copies;
+  }
+
+  @Override
+  public void close() {
+    folder.close();
+  }
+}

@@ -1,0 +1,50 @@
+package dev.eventchain.pipeline.mutation;
+
+import dev.eventchain.documents.JsonLayout;
+import dev.eventchain.pipeline.results.ResultJson;
+import dev.eventchain.pipeline.stage.RunContext;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The content of {@code mutants.json}: results, from which an interrupted command continues.
+ *
+ * @param chain the chain's name
+ * @param inputs a hash of everything that the results depend on
+ * @param mutants all mutants of all components, in the order of the chain and of their places
+ */
+record MutantsFile(String chain, String inputs, List<MutantResult> mutants) {
+
+  static final String NAME = "mutants.json";
+
+  /** Copies the list. */
+  MutantsFile {
+    mutants = List.copyOf(mutants);
+  }
+
+  /**
+   * Returns the results of an earlier command with the same inputs; none if there are none, or if
+   * somebody has changed the file.
+   */
+  static List<MutantResult> recall(RunContext run, String inputs) {
+    Optional<byte[]> bytes =
+        run.output().isEdited(NAME) ? Optional.empty() : run.output().read(NAME);
+    try {
+      return bytes.isEmpty()
+          ? List.of()
+          : Optional.of(ResultJson.read(bytes.get(), MutantsFile.class))
+              .filter(file -> file.inputs().equals(inputs))
+              .map(MutantsFile::mutants)
+              .orElse(List.of());
+    } catch (IOException e) {
+      return List.of(); // of another version, which only costs the time to try them again
+    }
+  }
+
+  void write(RunContext run) {
+    String json = JsonLayout.of(ResultJson.tree(this)) + "\n";
+    run.writeResult(NAME, json.getBytes(StandardCharsets.UTF_8));
+  }
+}

@@ -1,0 +1,189 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Set;
+import java.util.TreeSet;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests of {@code mutate}: on one component of a small project, which has seven mutants. */
+class MutateTest {
+
+  private static final String NAME = "Collision_Warning";
+  private static final String COMPONENT = "software-base/components/" + NAME + ".py";
+  private static final String SURVIVED = "mutation.survived";
+
+  /** Tests that notice each mutant: at the limit, below it, and after a warning. */
+  private static final String TESTS =
+      """
+      tests:
+        - {name: at the limit, requirement: RAD-2, inputs: {ttc: 2.6}, outputs: {warns: false}}
+        - {name: just below, requirement: RAD-2, inputs: {ttc: 2.59}, outputs: {warns: true}}
+        - {name: afterwards, requirement: RAD-2, steps: [{inputs: {ttc: 1}}, {inputs: {ttc: 3}}],
+           outputs: {warns: false}}
+      """;
+
+  private static final String ENTRY =
+      "- {component: Collision_Warning, mutant: '%s', reason: a measurement, expires: %s}\n";
+
+  @TempDir Path folder;
+  private ProjectCopy copy;
+
+  @BeforeEach
+  void copyTheExample() throws IOException {
+    copy = ProjectCopy.of("radar-aeb", folder);
+    Files.deleteIfExists(copy.path().resolve("mutants.yaml"));
+    Files.deleteIfExists(copy.path().resolve("tests/" + NAME + ".yaml"));
+  }
+
+  private Program.Ended mutate(Object... more) {
+    Object[] arguments = new Object[more.length + 4];
+    arguments[0] = "mutate";
+    arguments[1] = copy.path();
+    arguments[2] = "--component";
+    arguments[3] = NAME;
+    System.arraycopy(more, 0, arguments, 4, more.length);
+    return new Program().run(arguments);
+  }
+
+  private JsonNode results() throws IOException {
+    return new ObjectMapper()
+        .readTree(copy.path().resolve("out/mutants.json").toFile())
+        .path("mutants");
+  }
+
+  private Set<String> outcomes() throws IOException {
+    Set<String> outcomes = new TreeSet<>();
+    for (JsonNode mutant : results()) {
+      if (mutant.path("component").asText().equals(NAME)) {
+        outcomes.add(mutant.path("outcome").asText());
+      }
+    }
+    return outcomes;
+  }
+
+  @Test
+  void survivorsAreFindingsWithTheirLineAndWhatToAdd() throws IOException {
+    Program.Ended ended = mutate().expect(1);
+    ended.says("Collision_Warning.py:3:15: error: ").says("[" + SURVIVED + "]");
+    ended.says("constant in module, WARNING_TTC = 2.6 -> WARNING_TTC = 2.34.");
+    ended.says("in none of which it changes an output: comparison in execute, ");
+    ended.says("add a test to tests/Collision_Warning.yaml").says("accept it in mutants.yaml");
+    ended.says("component                     mutants  by test   by run accepted  survive");
+    ended.says("Collision_Warning                   7        0        1        0        6");
+    assertTrue(outcomes().contains("CRITERION"), outcomes()::toString);
+    String first = Files.readString(copy.path().resolve("out/mutants.json"));
+    mutate().expect(1).says("= Simulate").says("unchanged: 7 mutants").says(SURVIVED);
+    assertEquals(first, Files.readString(copy.path().resolve("out/mutants.json")));
+  }
+
+  @Test
+  void testsOfTheComponentCatchThem() throws IOException {
+    copy.write("tests/" + NAME + ".yaml", TESTS);
+    mutate("--format", "json").expect(0).says("\"findings\" : [ ]");
+    assertEquals(Set.of("TEST"), outcomes());
+    assertTrue(results().size() > 40, "the others are listed, too");
+    assertEquals("NOT_TRIED", results().get(0).path("outcome").asText());
+  }
+
+  @Test
+  void acceptedMutantsAreExplainedForATime() throws IOException {
+    copy.write("tests/" + NAME + ".yaml", TESTS.replaceFirst("(?m)^.*at the limit.*\n", ""));
+    mutate().expect(1).says("2.626").says("2.86").says("<=");
+    String boundary = "comparison in execute, ''warns'': ttc < WARNING_TTC -> ''warns'': ttc <= ";
+    String one = ENTRY.formatted(boundary + "WARNING_TTC", "2999-12-31");
+    String limit = "constant in module, WARNING_TTC = 2.6 -> WARNING_TTC = ";
+    String two = ENTRY.formatted(limit + "2.626", "2999-12-31");
+    String three = ENTRY.formatted(limit + "2.86", "2999-12-31");
+    copy.write("mutants.yaml", one + two + three);
+    mutate().expect(0).says("7        4        0        3        0");
+    copy.write("mutants.yaml", one + two + three.replace("2999", "2001"));
+    mutate()
+        .expect(1)
+        .says("2.86. [" + SURVIVED)
+        .says("mutants.yaml:3:3: warning: ")
+        .says("expired");
+    String caught = ENTRY.formatted(limit + "2.34", "2999-12-31");
+    copy.write("mutants.yaml", one + two + three + caught + caught.replace("2.34", "2.35"));
+    Program.Ended ended = mutate().expect(0);
+    ended.says("WARNING_TTC = 2.34' of Collision_Warning is caught. [mutation.accepted]");
+    ended.says("WARNING_TTC = 2.35' of Collision_Warning does not exist.");
+    copy.write("mutants.yaml", one + one.replace("reason: a measurement", "reason: ' '"));
+    mutate().expect(2).says("accepted twice").says("'reason' is empty");
+  }
+
+  @Test
+  void onlyChangedLinesAreMutatedSinceARevision() throws Exception {
+    git("init", "--quiet");
+    git("add", "--all");
+    git("-c", "user.name=a", "-c", "user.email=a@b", "commit", "--quiet", "--message", "all");
+    mutate("--since", "HEAD").expect(0).says("mutation.none").says("since HEAD");
+    copy.replace(COMPONENT, "WARNING_TTC = 2.6", "WARNING_TTC = 2.61");
+    mutate("--since", "HEAD").expect(1).says("Collision_Warning                   4");
+    mutate("--since", "no-such").expect(2).says("mutation.since");
+  }
+
+  private void git(String... arguments) throws IOException, InterruptedException {
+    String[] command = new String[arguments.length + 1];
+    command[0] = "git";
+    System.arraycopy(arguments, 0, command, 1, arguments.length);
+    Process process =
+        new ProcessBuilder(command).directory(copy.path().toFile()).inheritIO().start();
+    assertEquals(0, process.waitFor());
+  }
+
+  @Test
+  void aMutantThatLoopsIsCaughtByItsLimit() throws IOException {
+    copy.write(
+        COMPONENT,
+        """
+        class Collision_Warning:
+            def execute(self, ttc):
+                count = 0
+                while count < 3:
+                    count += 1
+                return {"warns": ttc < 2.6}
+        """);
+    copy.write("tests/" + NAME + ".yaml", TESTS);
+    mutate().says("by test");
+    JsonNode loops = null;
+    for (JsonNode mutant : results()) {
+      loops = mutant.path("mutant").asText().equals("sign in execute, 1 -> -1") ? mutant : loops;
+    }
+    assertEquals("TEST", loops.path("outcome").asText());
+    assertTrue(loops.path("words").asText().contains("processor time"), loops::toString);
+  }
+
+  @Test
+  void nothingIsTriedWhereTheProjectDoesNotPass() throws IOException {
+    copy.replace(COMPONENT, "WARNING_TTC = 2.6", "WARNING_TTC = 1.6");
+    mutate().expect(1).says("mutation.unproved").says("FAILED");
+    assertFalse(Files.exists(copy.path().resolve("out/mutants.json")));
+  }
+
+  /** A component that differs where it is loaded from would let every mutant count as caught. */
+  @Test
+  void whatFailsWithoutADefectProvesNothing() throws IOException {
+    copy.replace(
+        COMPONENT, "return {\"warns\": ttc <", "return {\"warns\": \"out\" in __file__ and ttc <");
+    mutate().expect(1).says("mutation.unproved").says("fails when it is repeated");
+  }
+
+  @Test
+  void aComponentThatDecidesNothingHasNoMutants() throws IOException {
+    new Program()
+        .run("mutate", copy.path(), "--component", "Colision_Warning")
+        .expect(2)
+        .says("mutation.none")
+        .says("Collision_Warning");
+  }
+}
