@@ -115,7 +115,7 @@ class ComponentMutatorTest {
 
   @Test
   void nothingOfTheComponentIsRun() {
-    String text = "raise SystemExit(1 + 1)\nwhile True:\n    open('/tmp/ran', 'w')\n";
+    String text = "raise SystemExit(1 + 1)\nwhile True:\n    open('ran', 'w')\n";
     assertTrue(ids(mutants(SourceText.of("a.py", text), "")).stream().noneMatch(String::isEmpty));
   }
 }
