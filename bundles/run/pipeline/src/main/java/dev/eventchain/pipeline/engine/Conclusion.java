@@ -35,6 +35,8 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 
 /** The conclusion of a run: the verdict and the report. */
 final class Conclusion {
@@ -69,25 +71,18 @@ final class Conclusion {
   }
 
   RunResult conclude() {
-    List<Diagnostic> found = new ArrayList<>();
-    List<Suppressed> suppressed = new ArrayList<>();
-    Coverage coverage = Coverage.NONE;
-    for (StageOutcome outcome : outcomes.values()) {
-      found.addAll(outcome.diagnostics());
-      suppressed.addAll(outcome.found().suppressed());
-      coverage = coverage.and(outcome.coverage());
-    }
-    found.addAll(run.takeFindings());
+    List<Diagnostic> all = all(StageOutcome::diagnostics);
+    all.addAll(run.takeFindings());
     // Stages that need a valid model report the validation's findings.
-    found = new ArrayList<>(new LinkedHashSet<>(found));
-    suppressed = new ArrayList<>(new LinkedHashSet<>(suppressed));
+    List<Diagnostic> found = new ArrayList<>(new LinkedHashSet<>(all));
+    List<Suppressed> suppressed =
+        List.copyOf(new LinkedHashSet<>(all(outcome -> outcome.found().suppressed())));
+    Coverage coverage =
+        outcomes.values().stream().map(StageOutcome::coverage).reduce(Coverage.NONE, Coverage::and);
     found.addAll(aboutSuppressions(found, suppressed, coverage));
     List<ScenarioLine> scenarios = scenarioLines();
     Verdict verdict = verdict(found);
-    boolean unproved = scenarios.stream().anyMatch(scenario -> !scenario.passed());
-    if (verdict == Verdict.PASSED && unproved && suppressed.isEmpty()) {
-      throw new IllegalStateException("a scenario did not pass, and no finding says why");
-    }
+    requireReason(verdict, scenarios, suppressed);
     String summary = summary(verdict, scenarios, found) + suppressedText(suppressed) + attached();
     Optional<Path> report = report(verdict, summary, found);
     List<Trial> trials = RunTrials.of(simulated(), found, suppressed, verdict == Verdict.PASSED);
@@ -104,6 +99,20 @@ final class Conclusion {
         faultLines(),
         trials,
         requirementLines());
+  }
+
+  private <T> List<T> all(Function<StageOutcome, List<T>> part) {
+    return outcomes.values().stream()
+        .flatMap(outcome -> part.apply(outcome).stream())
+        .collect(Collectors.toCollection(ArrayList::new));
+  }
+
+  private static void requireReason(
+      Verdict verdict, List<ScenarioLine> scenarios, List<Suppressed> suppressed) {
+    boolean unproved = scenarios.stream().anyMatch(scenario -> !scenario.passed());
+    if (verdict == Verdict.PASSED && unproved && suppressed.isEmpty()) {
+      throw new IllegalStateException("a scenario did not pass, and no finding says why");
+    }
   }
 
   /** Returns the report, written now unless the standing one stays; adds findings about it. */
