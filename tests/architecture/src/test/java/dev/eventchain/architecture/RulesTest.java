@@ -109,6 +109,7 @@ class RulesTest {
                 "simulation.fault.no-effect",
                 "simulation.fault.untested",
                 "simulation.impact.unjudged",
+                "simulation.latency.lower-bound",
                 "simulation.latency.unmeasured",
                 "simulation.node.silent",
                 "simulation.rule.untested",

@@ -79,14 +79,16 @@ public record RunLog(
     json.required("publications")
         .properties()
         .forEach(topic -> publications.put(topic.getKey(), times(topic.getValue())));
-    Map<String, List<Answer>> answers = new LinkedHashMap<>();
-    json.path("answers")
-        .properties()
-        .forEach(node -> answers.put(node.getKey(), answers(node.getValue())));
-    return new RunLog(nodes, publications, affected, answers);
+    return new RunLog(nodes, publications, affected, answers(json.path("answers")));
   }
 
-  private static List<Answer> answers(JsonNode json) {
+  private static Map<String, List<Answer>> answers(JsonNode json) {
+    Map<String, List<Answer>> answers = new LinkedHashMap<>();
+    json.properties().forEach(node -> answers.put(node.getKey(), answersOfNode(node.getValue())));
+    return answers;
+  }
+
+  private static List<Answer> answersOfNode(JsonNode json) {
     List<Answer> answers = new ArrayList<>(json.size());
     for (JsonNode answer : json) {
       String input = text(answer.required(0));

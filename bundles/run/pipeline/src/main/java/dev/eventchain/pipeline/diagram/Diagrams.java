@@ -138,11 +138,16 @@ public final class Diagrams {
     if (text == null || Diagnostic.anyError(result.diagnostics())) {
       return Map.of();
     }
+    return withPicture(kind, drawn.get(0), text, found);
+  }
+
+  /** Returns the text and the picture of a diagram, as far as it can be drawn. */
+  private Map<String, byte[]> withPicture(
+      Kind kind, EObject first, byte[] text, List<Diagnostic> found) {
     String drawing = new String(text, StandardCharsets.UTF_8);
     long size = ITEM.matcher(drawing).results().count();
     try {
-      Optional<byte[]> picture =
-          size > MOST ? Optional.empty() : picture(kind, drawn.get(0), drawing);
+      Optional<byte[]> picture = size > MOST ? Optional.empty() : picture(kind, first, drawing);
       if (picture.isEmpty()) {
         found.add(tooLarge(kind, size));
         return Map.of();
