@@ -111,6 +111,7 @@ class RulesTest {
                 "simulation.impact.unjudged",
                 "simulation.latency.unmeasured",
                 "simulation.node.silent",
+                "simulation.not-repeatable",
                 "simulation.rule.untested",
                 "simulation.strength.idle",
                 "simulation.strength.low",
