@@ -112,6 +112,7 @@ class RulesTest {
                 "simulation.latency.lower-bound",
                 "simulation.latency.unmeasured",
                 "simulation.node.silent",
+                "simulation.not-repeatable",
                 "simulation.rule.untested",
                 "simulation.strength.idle",
                 "simulation.strength.low",
