@@ -99,7 +99,7 @@ public final class ConstraintCheck {
   }
 
   private static Severity severity(OclConstraint constraint, Objection objection) {
-    boolean possible = objection.holds() && objection.unknown().isEmpty();
+    boolean possible = objection.doubtful() && objection.unknown().isEmpty();
     return possible && !constraint.holdsForAnything() ? Severity.WARNING : Severity.ERROR;
   }
 }

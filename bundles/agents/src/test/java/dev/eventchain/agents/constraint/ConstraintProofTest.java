@@ -37,6 +37,7 @@ class ConstraintProofTest {
         Optional.of(
             new ConstraintProof.Objection(
                 false,
+                false,
                 List.of(),
                 "No model was found in the time available for which 'Slow' holds")),
         ConstraintProof.objection(

@@ -45,10 +45,12 @@ public final class ConstraintProof {
    * The objection to a constraint.
    *
    * @param holds true if a model satisfies it, so that only one that violates it is missing
+   * @param doubtful true if the right model may only not have been tried: it holds, and depends on
+   *     conditions that may not have come true
    * @param unknown texts in it that are no value in the model, such as misspelt names, if it holds
    * @param message a sentence without its full stop
    */
-  public record Objection(boolean holds, List<String> unknown, String message) {
+  public record Objection(boolean holds, boolean doubtful, List<String> unknown, String message) {
     /** Copies the list. */
     public Objection {
       unknown = List.copyOf(unknown);
@@ -78,6 +80,7 @@ public final class ConstraintProof {
     return Optional.of(
         new Objection(
             proof.holds,
+            proof.holds && constraint.isConditional(),
             proof.holds ? unknown(constraint, model) : List.of(),
             "No model was found%s for which '%s' %s"
                 .formatted(within, constraint.name(), missing)));

@@ -96,6 +96,11 @@ public final class OclConstraint {
     return condition.navigations();
   }
 
+  /** Returns whether a part of it may not matter, such as the conclusion of a false premise. */
+  boolean isConditional() {
+    return condition.isConditional();
+  }
+
   /** Returns the texts and numbers in it and in the definitions that it uses. */
   Set<Object> literals() {
     return condition.literals();

@@ -124,6 +124,15 @@ public final class Expression {
   }
 
   /**
+   * Returns whether a part of it may not matter, depending on other parts or on what a collection
+   * holds: whether it, or a definition that it uses, has a connective of Booleans, an {@code if} or
+   * a loop.
+   */
+  public boolean isConditional() {
+    return Navigations.isConditional(ast, language.environment());
+  }
+
+  /**
    * Returns the texts and numbers that stand in it and in the definitions that it uses, in the
    * order of first mention: with these it compares what it reads.
    */

@@ -13,19 +13,25 @@ import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
+import org.eclipse.ocl.ecore.IfExp;
 import org.eclipse.ocl.ecore.IntegerLiteralExp;
 import org.eclipse.ocl.ecore.OperationCallExp;
 import org.eclipse.ocl.ecore.PropertyCallExp;
 import org.eclipse.ocl.ecore.RealLiteralExp;
 import org.eclipse.ocl.ecore.StringLiteralExp;
+import org.eclipse.ocl.expressions.LoopExp;
 import org.eclipse.ocl.expressions.OCLExpression;
 
 /** Finds the features that an expression reads and the literals in it, also through definitions. */
 final class Navigations {
 
+  /** Operations of Booleans, with which a part of a condition may not matter. */
+  private static final Set<String> CONNECTIVES = Set.of("and", "or", "xor", "not", "implies");
+
   private final OclEnvironment environment;
   private final Set<Expression.Navigation> found = new LinkedHashSet<>();
   private final Set<Object> literals = new LinkedHashSet<>();
+  private boolean conditional;
   private final Set<OCLExpression<EClassifier>> visited = new HashSet<>();
 
   private Navigations(OclEnvironment environment) {
@@ -36,6 +42,12 @@ final class Navigations {
     Navigations navigations = new Navigations(environment);
     navigations.walk(expression);
     return new ArrayList<>(navigations.found);
+  }
+
+  static boolean isConditional(EObject expression, OclEnvironment environment) {
+    Navigations navigations = new Navigations(environment);
+    navigations.walk(expression);
+    return navigations.conditional;
   }
 
   static Set<Object> literals(EObject expression, OclEnvironment environment) {
@@ -65,6 +77,7 @@ final class Navigations {
     TreeIterator<EObject> nodes = EcoreUtil.getAllContents(List.of(expression));
     while (nodes.hasNext()) {
       EObject node = nodes.next();
+      conditional |= node instanceof IfExp || node instanceof LoopExp<?, ?> || isConnective(node);
       if (node instanceof PropertyCallExp call) {
         EStructuralFeature feature = call.getReferredProperty();
         if (!followed(environment.bodyOf(feature)) && feature.getEContainingClass() != null) {
@@ -80,6 +93,12 @@ final class Navigations {
         addLiteral(node);
       }
     }
+  }
+
+  private static boolean isConnective(EObject node) {
+    return node instanceof OperationCallExp call
+        && call.getReferredOperation() != null
+        && CONNECTIVES.contains(call.getReferredOperation().getName());
   }
 
   private void addLiteral(EObject node) {
