@@ -6,13 +6,13 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.DataFlowIndex;
 import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.model.eventchain.ComponentImplementation;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.run.RunOptions.Driver;
 import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.simulation.chain.SimulatedChain;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -112,11 +112,16 @@ final class MissingTimes {
     Set<EStructuralFeature> read = new HashSet<>();
     rule.navigations().forEach(each -> read.add(each.feature()));
     boolean ofChain =
-        read.contains(OF_CHAIN)
-            && add(SimulatedChain.components(chain), "'" + rule.qualifiedName() + "'");
+        read.contains(OF_CHAIN) && add(components(), "'" + rule.qualifiedName() + "'");
     if (ofChain || (!bounds.isEmpty() && !Collections.disjoint(read, BOUNDED))) {
       ids.addAll(named);
     }
+  }
+
+  private List<SoftwareNode> components() {
+    return chain.getSoftware().stream()
+        .filter(node -> node.getImplementation() == ComponentImplementation.COMPONENT)
+        .toList();
   }
 
   /** Adds a bound of the components without a time; returns whether there are any. */
