@@ -84,7 +84,7 @@ class LaneDepartureTest {
     project.replace(
         "scenarios/too-slow.yaml",
         "not (/cluster/lane_departure.left or /cluster/lane_departure.right)",
-        "(ego.speed > 200 km/h implies not /cluster/lane_departure.left)");
+        "(ego.speed > 120 km/h implies not /cluster/lane_departure.left)");
     project
         .run()
         .expect(1)
