@@ -112,13 +112,13 @@ final class MissingTimes {
     Set<EStructuralFeature> read = new HashSet<>();
     rule.navigations().forEach(each -> read.add(each.feature()));
     boolean ofChain =
-        read.contains(OF_CHAIN) && add(components(), "'" + rule.qualifiedName() + "'");
+        read.contains(OF_CHAIN) && add(components(chain), "'" + rule.qualifiedName() + "'");
     if (ofChain || (!bounds.isEmpty() && !Collections.disjoint(read, BOUNDED))) {
       ids.addAll(named);
     }
   }
 
-  private List<SoftwareNode> components() {
+  private static List<SoftwareNode> components(EventChain chain) {
     return chain.getSoftware().stream()
         .filter(node -> node.getImplementation() == ComponentImplementation.COMPONENT)
         .toList();

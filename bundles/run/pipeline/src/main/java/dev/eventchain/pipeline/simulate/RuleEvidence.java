@@ -3,6 +3,8 @@ package dev.eventchain.pipeline.simulate;
 import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.constraints.OclResult;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.FileReads;
+import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.ocl.evaluation.TimeBudget;
@@ -64,11 +66,13 @@ final class RuleEvidence {
         && violated.contains("LatencyConstraint::MeasuredLatencyWithinMaximum");
   }
 
-  /** Returns the identifiers of the project's requirements and design rules. */
+  /** Returns the identifiers of requirements and design rules, of which nothing else matters. */
   static Set<String> ids(RunContext run) {
     Set<String> ids = new TreeSet<>();
     run.writtenRequirements().forEach(item -> ids.add(item.id()));
-    run.designRules().map(Requirements::items).orElse(List.of()).forEach(it -> ids.add(it.id()));
+    FileReads.unrecorded(run::designRules).map(Requirements::items).orElse(List.of()).stream()
+        .map(WrittenRequirement::id)
+        .forEach(ids::add);
     return ids;
   }
 

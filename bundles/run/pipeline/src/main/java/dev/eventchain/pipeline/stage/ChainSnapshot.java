@@ -3,6 +3,7 @@ package dev.eventchain.pipeline.stage;
 import dev.eventchain.check.ChainChecks;
 import dev.eventchain.check.ChainModel;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileReads;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.model.eventchain.EventChain;
@@ -31,7 +32,9 @@ public final class ChainSnapshot {
     this.model =
         run.project().editedModel().isPresent()
             ? loaded
-            : loaded.describedBy(description, () -> direct(run, description));
+            // For the locations of elements only, on which no result depends.
+            : loaded.describedBy(
+                description, () -> FileReads.unrecorded(() -> direct(run, description)));
   }
 
   static ChainSnapshot of(RunContext run) {
