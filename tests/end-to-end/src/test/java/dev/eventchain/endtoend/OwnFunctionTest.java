@@ -209,25 +209,39 @@ class OwnFunctionTest {
   @ParameterizedTest
   @ValueSource(
       strings = {
-        "always[0.1, 11.5] (ttc < 2.5 s implies (ttc > 3 s implies W))",
         "eventually[0.1, 11.5] (ttc < 2.5 s implies W)",
         "always[0.1, 11.5] not (ttc < 0.1 s and not W)",
-        "always[0.1, 11.5] (ego.speed >= 0 m/s or W)",
         "(ttc < 2.5 s implies W) until[0, 10] ttc < 3 s"
       })
   void formulaThatHoldsWhateverTheComponentSays(String formula) throws IOException {
-    String text = Files.readString(project.path().resolve(SCENARIO));
-    Files.writeString(
-        project.path().resolve(SCENARIO),
-        text.replaceAll(
-            "formula: always.*collision_warning.data.*",
-            "formula: " + formula.replace("W", "/cluster/collision_warning.data")));
+    replaceWarning(formula);
     project
         .run()
         .expect(1)
         .says("INCOMPLETE")
         .says("it holds whatever is in /cluster/collision_warning.data");
     project.requireNotPassed();
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "always[0.1, 11.5] (ttc < 2.5 s implies (ttc > 3 s implies W))",
+        "always[0.1, 11.5] (ego.speed >= 0 m/s or W)"
+      })
+  void formulaThatHoldsInEveryRun(String formula) throws IOException {
+    replaceWarning(formula);
+    project.run().expect(2).says("INCOMPLETE").says("[scenario.formula.constant]");
+    project.requireNotPassed();
+  }
+
+  private void replaceWarning(String formula) throws IOException {
+    String text = Files.readString(project.path().resolve(SCENARIO));
+    Files.writeString(
+        project.path().resolve(SCENARIO),
+        text.replaceAll(
+            "formula: always.*collision_warning.data.*",
+            "formula: " + formula.replace("W", "/cluster/collision_warning.data")));
   }
 
   @Test
@@ -277,7 +291,7 @@ class OwnFunctionTest {
     project
         .run()
         .expect(1)
-        .says(copy + ": error: This copy of the component 'Collision_Warning' differs from ")
+        .says(copy + ": error: This copy differs from ")
         .says("[eventchain.file.edited]");
     project.requireNotPassed();
     new Program().run("run", project.path(), "--overwrite").expect(0).says("PASSED");

@@ -189,7 +189,17 @@ class VerdictTest {
 
   @Test
   void constraintThatWhatWasMeasuredDecidesProvesItsRequirement() throws IOException {
+    editModel(
+        "name=\"Braking_Decision\"", "name=\"Braking_Decision\" worstCaseExecutionTime=\"2\"");
     constrain("context ChainMeasurement inv Quick: self.latency.maximum <= 250.0");
+    run()
+        .expect(1)
+        .says("'TTC_Calculation' has no worst-case execution time")
+        .says("5 requirements proved, 1 not tested");
+    replace(
+        "model/chain.xmi",
+        "name=\"TTC_Calculation\"",
+        "name=\"TTC_Calculation\" worstCaseExecutionTime=\"2\"");
     run().expect(0).says("PASSED: 1 of 1 scenarios passed, 6 requirements proved");
   }
 
