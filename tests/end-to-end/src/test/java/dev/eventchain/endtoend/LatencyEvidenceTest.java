@@ -19,7 +19,7 @@ class LatencyEvidenceTest {
   private ProjectCopy pedestrianBrake() throws IOException {
     Program.copy(
         Program.ROOT.resolve("tests/end-to-end/src/test/resources/pedestrian-brake"), folder);
-    return new ProjectCopy(folder);
+    return new ProjectCopy(Program.withoutStrength(folder));
   }
 
   @Test
