@@ -7,6 +7,7 @@ import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.evaluation.Evaluation;
 import dev.eventchain.ocl.evaluation.Invalid;
 import dev.eventchain.ocl.evaluation.TimeBudget;
+import java.time.Duration;
 import java.util.Collection;
 import java.util.List;
 import java.util.Set;
@@ -23,6 +24,9 @@ public final class OclConstraint {
     /** Neither: the value is null or invalid. */
     UNDEFINED
   }
+
+  /** Limit of processor time for the value of a condition that reads no model. */
+  private static final Duration CONSTANT_TIME = Duration.ofMillis(200);
 
   private final String name;
   private final EClassifier context;
@@ -123,11 +127,13 @@ public final class OclConstraint {
 
   /**
    * Returns whether it is true by itself, such as {@code 1 = 1}: no model can violate it, so it
-   * shows nothing about any.
+   * shows nothing about any. One whose value takes long is not known to be.
    */
   public boolean holdsForAnything() {
     return condition.isConstant()
-        && Boolean.TRUE.equals(condition.evaluate(Evaluations.over(List.of())));
+        && Boolean.TRUE.equals(
+            condition.evaluate(
+                Evaluations.over(List.of()).withBudget(TimeBudget.of(CONSTANT_TIME))));
   }
 
   /** Returns whether evaluating it may need a deep stack. */
