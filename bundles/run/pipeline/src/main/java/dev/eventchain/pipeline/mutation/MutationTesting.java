@@ -92,10 +92,7 @@ public final class MutationTesting {
     all.forEach(mutant -> results.put(key(mutant), MutantResult.notTried(mutant)));
     earlier.forEach(each -> results.replace(key(each), each));
     List<Mutant> chosen = all.stream().filter(chosen()).toList();
-    List<Mutant> open =
-        chosen.stream()
-            .filter(each -> result(each).outcome() == MutantResult.Outcome.NOT_TRIED)
-            .toList();
+    List<Mutant> open = chosen.stream().filter(this::isNotTried).toList();
     tryAll(open, chosen.size() - open.size());
     MutationOutcome outcome = outcome(chosen);
     Duration duration = Duration.ofNanos(System.nanoTime() - start);
@@ -154,6 +151,9 @@ public final class MutationTesting {
     int all = open.size() + known;
     try (MutantTrials trials = new MutantTrials(run, result -> ended(result, known, all))) {
       trials.tryAll(open);
+      if (open.stream().anyMatch(this::isNotTried)) {
+        throw new IllegalStateException("a mutant was not tried");
+      }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new IllegalStateException("nobody interrupts mutation testing", e);
@@ -216,6 +216,10 @@ public final class MutationTesting {
             "There is no mutant of these components, so nothing is known about their tests.",
             place)
         .withHint("Try all components, or those that calculate and decide something.");
+  }
+
+  private boolean isNotTried(Mutant mutant) {
+    return result(mutant).outcome() == MutantResult.Outcome.NOT_TRIED;
   }
 
   private MutantResult result(Mutant mutant) {
