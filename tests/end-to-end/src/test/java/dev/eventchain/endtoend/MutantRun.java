@@ -125,8 +125,7 @@ final class MutantRun {
                 messages,
                 bench,
                 wanted)
-            .withProcesses(1)
-            .withGenerated(written());
+            .with(settings -> settings.withProcesses(1).withGenerated(written()));
     int[] next = {0};
     change(trials.get(0), copy);
     try {

@@ -116,19 +116,24 @@ class StrengthTest {
     }
   }
 
+  /** A budget too small for anything: only what would fail because of it is driven as a whole. */
   @Test
   void strengthBelowWhatTheProjectAsksFor() throws IOException {
     Program.measureStrength(project.path());
     Path settings = project.path().resolve("eventchain.yaml");
     Files.writeString(
         settings,
-        "\nstrength: {minimum_percent: 10, requirements: {RAD-2: 95}}\n",
+        "\nstrength: {minimum_percent: 10, budget_s: 1, requirements: {RAD-2: 95}}\n",
         StandardOpenOption.APPEND);
     run()
         .expect(1)
         .says("INCOMPLETE: 1 of 1 scenarios passed")
         .says("[simulation.strength.low RAD-2]");
+    assertFalse(requirement("RAD-2").path("strength").has("sampleOf"));
+    assertTrue(requirement("RAD-1").path("strength").has("sampleOf"));
+    assertTrue(verdict().path("strength").asText().startsWith("a sample of "));
     run("--no-strength").expect(0);
+    run("--no-strength", "--strength=whole").expect(2).says("--no-strength contradicts");
   }
 
   @Test

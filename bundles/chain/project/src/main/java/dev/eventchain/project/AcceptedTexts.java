@@ -1,17 +1,10 @@
 package dev.eventchain.project;
 
-import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.documents.Document;
-import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.DocumentRules;
-import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.model.WrittenRequirement;
 import java.nio.file.Path;
-import java.time.DateTimeException;
 import java.time.LocalDate;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -54,39 +47,17 @@ public record AcceptedTexts(List<Entry> entries) {
    * @throws DiagnosticException INPUT with all invalid entries ({@code project.accepted})
    */
   public static AcceptedTexts read(Path file) {
-    List<Diagnostic> problems = new ArrayList<>();
-    List<Entry> entries = new ArrayList<>();
-    Document.parseIfAny(
-            SourceText.read(file),
-            DocumentFormat.YAML,
-            DocumentRules.all(ProjectRules.PROJECT_ACCEPTED),
-            problems::add)
-        .map(document -> document.objects(problems::add))
-        .orElse(List.of())
-        .forEach(part -> entry(part).ifPresent(entries::add));
-    if (!problems.isEmpty()) {
-      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
-    }
-    return new AcceptedTexts(entries);
-  }
-
-  private static Optional<Entry> entry(ObjectReader part) {
-    String requirement = part.requiredText("requirement").strip();
-    String text = part.requiredText("text").strip();
-    String by = part.requiredText("by").strip();
-    String on = part.requiredText("on").strip();
-    part.refuseOthers();
-    try {
-      return on.isEmpty()
-          ? Optional.empty()
-          : Optional.of(new Entry(requirement, text, by, LocalDate.parse(on), part.location()));
-    } catch (DateTimeException e) {
-      part.find(
-          ProjectRules.PROJECT_ACCEPTED,
-          "'" + on + "' is not a date; write it as 2027-03-31.",
-          part.at("on"));
-      return Optional.empty();
-    }
+    return new AcceptedTexts(
+        DatedEntries.read(
+            file,
+            ProjectRules.PROJECT_ACCEPTED,
+            part ->
+                new Entry(
+                    part.text("requirement"),
+                    part.text("text"),
+                    part.text("by"),
+                    part.day("on"),
+                    part.location())));
   }
 
   /** Returns the fingerprint of a text, in which only white space does not count. */

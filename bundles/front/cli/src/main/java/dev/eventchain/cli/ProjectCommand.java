@@ -22,6 +22,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.Supplier;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -208,18 +209,19 @@ abstract class ProjectCommand implements Callable<Integer> {
         llm.record,
         overwrite,
         scenarios.scenarios,
-        driver(scenarios),
+        given(scenarios::driver),
         scenarios.mcap,
         Optional.ofNullable(scenarios.compare),
         Optional.ofNullable(scenarios.faults),
-        Optional.ofNullable(scenarios.strength),
+        given(scenarios::strength),
         suppressions(project),
         timeLimit());
   }
 
-  private RunOptions.Driver driver(ScenarioOptions scenarios) {
+  /** Returns what options say together. */
+  private <T> T given(Supplier<T> options) {
     try {
-      return scenarios.driver();
+      return options.get();
     } catch (IllegalArgumentException e) {
       throw wrongUsage(e.getMessage());
     }

@@ -1,8 +1,10 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.pipeline.project.StrengthExtent;
 import dev.eventchain.pipeline.run.RunOptions;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import picocli.CommandLine.Option;
 
 /** Options for the simulated scenarios and the recordings that are kept. */
@@ -85,12 +87,30 @@ final class ScenarioOptions {
 
   @Option(
       names = "--strength",
-      negatable = true,
+      paramLabel = "EXTENT",
+      arity = "0..1",
+      fallbackValue = "SAMPLE",
       description =
           "Measure how many standard faults of its components each requirement's criteria notice:"
-              + " a drive of a scenario for each fault, until one notices it. The default, unless"
-              + " the project says 'strength: off'. A verdict without the measurement says so.")
-  Boolean strength;
+              + " drives of scenarios with each fault, until one notices it. 'sample' (the default,"
+              + " unless the project says otherwise) drives as many faults as a budget of simulated"
+              + " time allows, 'whole' all, 'off' none. A verdict says which it was.")
+  private StrengthExtent strength;
+
+  @Option(names = "--no-strength", description = "The same as --strength=off.")
+  private boolean noStrength;
+
+  /**
+   * Returns the wanted extent of strength; empty: as the project says.
+   *
+   * @throws IllegalArgumentException if the options contradict each other
+   */
+  Optional<StrengthExtent> strength() {
+    if (noStrength && strength != null && strength != StrengthExtent.OFF) {
+      throw new IllegalArgumentException("--no-strength contradicts --strength=" + strength.word());
+    }
+    return noStrength ? Optional.of(StrengthExtent.OFF) : Optional.ofNullable(strength);
+  }
 
   @Option(
       names = "--compare",

@@ -50,7 +50,8 @@ final class Repetition {
    * the runs would differ without reason, in real time.
    */
   static Optional<Repetition> of(SimulationRequest request, SimulatedChain chain) {
-    boolean isRepeated = request.driver() == SimulationDriver.LOCKSTEP && request.complete();
+    boolean isRepeated =
+        request.settings().driver() == SimulationDriver.LOCKSTEP && request.settings().complete();
     return (isRepeated ? request.scenarios().stream() : Stream.<Scenario>empty())
         .min(Comparator.comparing(Scenario::duration).thenComparing(Scenario::name))
         .map(shortest -> new Repetition(chain, shortest));

@@ -58,8 +58,8 @@ final class ResultBuilder {
 
   SimulationResult build(String confinement, int processes, double wallSeconds) {
     List<Diagnostic> silent = silent();
-    boolean worked = silent.stream().allMatch(request.accepted());
-    ScenarioJudge judge = new ScenarioJudge(chain, runs, request.complete());
+    boolean worked = silent.stream().allMatch(request.settings().accepted());
+    ScenarioJudge judge = new ScenarioJudge(chain, runs, request.settings().complete());
     ValueLatencies values = ValueLatencies.in(runs, chain);
     List<ScenarioVerdict> verdicts =
         runs.stream().map(run -> values.added(judge.verdict(run, worked(run, silent)))).toList();
@@ -119,7 +119,9 @@ final class ResultBuilder {
   }
 
   private boolean worked(ScenarioRun run, List<Diagnostic> silent) {
-    return Stream.of(silent, silentIn(run)).flatMap(List::stream).allMatch(request.accepted());
+    return Stream.of(silent, silentIn(run))
+        .flatMap(List::stream)
+        .allMatch(request.settings().accepted());
   }
 
   /** Measures the nodes; nothing is measured of nodes that run elsewhere. */

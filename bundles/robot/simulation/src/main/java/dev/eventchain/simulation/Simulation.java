@@ -20,6 +20,7 @@ import dev.eventchain.simulation.run.ScenarioRunner;
 import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.strength.FaultTrial;
 import dev.eventchain.simulation.strength.StrengthTrials;
+import dev.eventchain.simulation.strength.TrialRound;
 import dev.eventchain.simulation.verdict.Strength;
 import dev.eventchain.simulation.wire.AttachedHosts;
 import dev.eventchain.simulation.wire.ChainTopics;
@@ -114,7 +115,7 @@ public final class Simulation {
     if (differs.isPresent()) {
       return result.with(differs.get());
     }
-    return request.measuresStrength() && result.passed()
+    return request.settings().strength().isPresent() && result.passed()
         ? result.withStrength(strength(nodes, driven))
         : result;
   }
@@ -154,15 +155,33 @@ public final class Simulation {
    */
   private Strength strength(NodeConfiguration nodes, List<ScenarioRun> driven)
       throws InterruptedException {
-    StrengthTrials trials = new StrengthTrials(chain, driven);
-    run(trials.all(), nodes);
-    run(trials.extended(), nodes);
+    StrengthTrials trials =
+        new StrengthTrials(chain, driven, request.settings().strength().orElseThrow());
+    Optional<TrialRound<FaultTrial>> round = trials.next();
+    while (round.isPresent()) {
+      run(round.get(), nodes);
+      round = trials.next();
+    }
     return trials.strength();
   }
 
-  private void run(List<FaultTrial> trials, NodeConfiguration nodes) throws InterruptedException {
-    HostPool.Job job = (number, hosts) -> work(trials.get(number), hosts, nodes);
-    new HostPool(trials.size(), this::start, job).run(request.processes());
+  private void run(TrialRound<FaultTrial> round, NodeConfiguration nodes)
+      throws InterruptedException {
+    HostPool.Job job = (number, hosts) -> work(round, number, hosts, nodes);
+    new HostPool(round.size(), this::start, job).run(request.settings().processes());
+  }
+
+  private HostPool.State work(
+      TrialRound<FaultTrial> round, int number, NodeHosts hosts, NodeConfiguration nodes) {
+    Optional<FaultTrial> trial = round.begin(number);
+    if (trial.isEmpty()) {
+      return HostPool.State.DONE;
+    }
+    HostPool.State state = work(trial.get(), hosts, nodes);
+    if (state == HostPool.State.DONE) {
+      round.end(number);
+    }
+    return state;
   }
 
   /** Tries a fault in all its scenarios, unless it ends the processes before. */
@@ -189,12 +208,12 @@ public final class Simulation {
    * other.
    */
   private int processes() {
-    return isInRealTime() ? 1 : Math.min(request.processes(), runsInAll());
+    return isInRealTime() ? 1 : Math.min(request.settings().processes(), runsInAll());
   }
 
   private boolean isInRealTime() {
-    return request.driver() != SimulationDriver.LOCKSTEP
-        && request.driver() != SimulationDriver.DDS;
+    return request.settings().driver() != SimulationDriver.LOCKSTEP
+        && request.settings().driver() != SimulationDriver.DDS;
   }
 
   private String describeConfinement() {
@@ -202,13 +221,16 @@ public final class Simulation {
   }
 
   private int runsInAll() {
-    return request.scenarios().size() + request.faults().faults().size();
+    return request.scenarios().size() + request.settings().faults().faults().size();
   }
 
   private void refuseFaultsInRealTime() {
     if (isInRealTime()) {
       List<Diagnostic> refused =
-          request.faults().faults().stream().map(Simulation::inRealTime).distinct().toList();
+          request.settings().faults().faults().stream()
+              .map(Simulation::inRealTime)
+              .distinct()
+              .toList();
       if (!refused.isEmpty()) {
         throw new DiagnosticException(DiagnosticException.Reason.INPUT, refused);
       }
@@ -226,14 +248,15 @@ public final class Simulation {
   /** Simulates a run, which a fault may end. */
   private HostPool.State work(int number, NodeHosts hosts, NodeConfiguration nodes) {
     ScenarioRunner runner =
-        new ScenarioRunner(chain, nodes, request.recordings(), hosts.session(), recorded());
+        new ScenarioRunner(
+            chain, nodes, request.settings().recordings(), hosts.session(), recorded());
     int scenarios = request.scenarios().size();
     if (number < scenarios) {
       Scenario scenario = request.scenarios().get(number);
       done(number, runner.run(scenario, answering().contains(scenario), log(scenario)));
       return HostPool.State.DONE;
     }
-    FaultRun run = runner.run(request.faults().faults().get(number - scenarios));
+    FaultRun run = runner.run(request.settings().faults().faults().get(number - scenarios));
     done(number, run);
     return run.ended().isEmpty() ? HostPool.State.DONE : HostPool.State.DONE_AT_THE_END;
   }
@@ -245,18 +268,18 @@ public final class Simulation {
 
   /** Returns the scenarios in which the value latencies of the components are measured. */
   private List<Scenario> answering() {
-    return request.driver() == SimulationDriver.LOCKSTEP
+    return request.settings().driver() == SimulationDriver.LOCKSTEP
         ? request.scenarios().stream().sorted(MOST_CRITERIA).limit(SCENARIOS_WITH_ANSWERS).toList()
         : List.of();
   }
 
   private Map<String, List<String>> recorded() {
-    return request.measuresStrength() ? StrengthTrials.recorded(chain) : Map.of();
+    return request.settings().strength().isPresent() ? StrengthTrials.recorded(chain) : Map.of();
   }
 
   private NodeHosts start(int turn) {
     HostProgram program = new HostProgram(request.nodePackage(), python, confinement);
-    return switch (request.driver()) {
+    return switch (request.settings().driver()) {
       case LOCKSTEP -> new LockstepProcess(program, request.chain().getSoftware().size(), turn);
       case DDS -> onDds(program, false, turn);
       case DDS_IN_REAL_TIME -> onDds(program, true, turn);
@@ -277,7 +300,10 @@ public final class Simulation {
     ChainTopics topics =
         new ChainTopics(chain.topicsWritten(), Set.copyOf(chain.taken()), nodes, chain.catalog());
     return new AttachedHosts(
-        request.attachment().orElseThrow(), topics, request.limits().wallTime(), python);
+        request.settings().attachment().orElseThrow(),
+        topics,
+        request.settings().limits().wallTime(),
+        python);
   }
 
   private synchronized void done(int scenario, ScenarioRun run) {

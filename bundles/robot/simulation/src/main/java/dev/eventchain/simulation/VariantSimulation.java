@@ -81,12 +81,12 @@ public final class VariantSimulation {
           runs[number] = runner(same, hosts).run(request.scenarios().get(number));
           return HostPool.State.DONE;
         };
-    new HostPool(runs.length, this::start, drive).run(request.processes());
+    new HostPool(runs.length, this::start, drive).run(request.settings().processes());
     ScenarioJudge judge = new ScenarioJudge(chain, Arrays.asList(runs), true);
     List<Diagnostic> failed =
         Arrays.stream(runs)
             .flatMap(run -> judge.verdict(run, true).diagnostics().stream())
-            .filter(finding -> !request.accepted().test(finding))
+            .filter(finding -> !request.settings().accepted().test(finding))
             .toList();
     if (failed.isEmpty()) {
       List<PassedScenario> passed =
@@ -95,7 +95,7 @@ public final class VariantSimulation {
               .sorted(PassedScenario.ORDER)
               .toList();
       HostPool.Job job = (number, hosts) -> work(number, variants, passed, hosts, listener);
-      new HostPool(variants.size(), this::start, job).run(request.processes());
+      new HostPool(variants.size(), this::start, job).run(request.settings().processes());
     }
     return failed;
   }

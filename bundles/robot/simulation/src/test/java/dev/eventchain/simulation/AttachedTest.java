@@ -109,7 +109,7 @@ class AttachedTest {
     }
     return new AebProject(Files.createTempDirectory(folder, "project"))
         .request(scenarios)
-        .withAttachment(where);
+        .with(settings -> settings.withAttachment(where));
   }
 
   private SimulationResult run(SimulationRequest request) throws InterruptedException {
@@ -146,7 +146,7 @@ class AttachedTest {
 
   @Test
   void thatNobodyIsThereIsSaidWithTheTopics() throws Exception {
-    Diagnostic found = refusal(request("alone").withLimits(AT_ONCE));
+    Diagnostic found = refusal(request("alone").with(it -> it.withLimits(AT_ONCE)));
     assertEquals("simulation.wire.unmatched", found.id());
     assertEquals(
         "No node was found in domain "
@@ -168,7 +168,7 @@ class AttachedTest {
     others.writer("/clock", type("rosgraph_msgs/msg/Clock"), QOS);
     others.reader(STATUS, old.find(status).orElseThrow(), QOS);
     reads(LIDAR, "sensor_msgs/msg/PointCloud2", sample -> {});
-    Diagnostic found = refusal(request("misfit").withLimits(AT_ONCE));
+    Diagnostic found = refusal(request("misfit").with(it -> it.withLimits(AT_ONCE)));
     assertEquals("simulation.wire.unmatched", found.id());
     assertEquals(
         "The nodes in domain "
@@ -187,7 +187,7 @@ class AttachedTest {
     others.writer(CONTROL, type(CONTROL_TYPE), QOS);
     reads(STATUS, "carla_msgs/msg/CarlaEgoVehicleStatus", sample -> {});
     others.reader(LIDAR, type("sensor_msgs/msg/PointCloud2"), QOS);
-    requireMisfit(refusal(request("misfit").withLimits(SOON)), "brakes");
+    requireMisfit(refusal(request("misfit").with(it -> it.withLimits(SOON))), "brakes");
   }
 
   @Test
@@ -195,7 +195,7 @@ class AttachedTest {
     brakes(0);
     try (DdsParticipant second = another("object_detection")) {
       second.reader(LIDAR, type("sensor_msgs/msg/PointCloud2"), QOS);
-      requireMisfit(refusal(request("misfit").withLimits(SOON)), "object_detection");
+      requireMisfit(refusal(request("misfit").with(it -> it.withLimits(SOON))), "object_detection");
     }
     try (DdsParticipant second = another("recorder")) {
       second.reader(LIDAR, type("sensor_msgs/msg/PointCloud2"), QOS);
@@ -361,7 +361,10 @@ class AttachedTest {
     Diagnostic found =
         refusal(
             request("refused")
-                .withAttachment(new DdsAttachment(free, "<CycloneDDS><No/></CycloneDDS>")));
+                .with(
+                    it ->
+                        it.withAttachment(
+                            new DdsAttachment(free, "<CycloneDDS><No/></CycloneDDS>"))));
     assertEquals("dds.domain.unusable", found.id());
     assertTrue(found.message().startsWith("Cyclone DDS refuses domain " + free), found::message);
   }

@@ -34,7 +34,7 @@ class DdsDriverTest {
 
   private static SimulationResult onDds(SimulationRequest request) throws InterruptedException {
     return Simulation.run(
-        request.withDriver(SimulationDriver.DDS),
+        request.with(it -> it.withDriver(SimulationDriver.DDS)),
         PythonEnvironment.ensureWithCycloneDds(line -> {}),
         verdict -> {});
   }
@@ -62,7 +62,7 @@ class DdsDriverTest {
     SimulationRequest request = project.request(List.of(AebProject.scenario("slow-approach")));
     SimulationResult result =
         Simulation.run(
-            request.withDriver(SimulationDriver.DDS_IN_REAL_TIME),
+            request.with(it -> it.withDriver(SimulationDriver.DDS_IN_REAL_TIME)),
             PythonEnvironment.ensureWithCycloneDds(line -> {}),
             verdict -> {});
     ScenarioVerdict verdict = result.verdicts().get(0);
@@ -87,7 +87,9 @@ class DdsDriverTest {
     AebProject project = new AebProject(folder);
     Path recordings = Files.createDirectory(folder.resolve("recordings"));
     onDds(
-        project.request(List.of(AebProject.scenario("slow-approach"))).withRecordings(recordings));
+        project
+            .request(List.of(AebProject.scenario("slow-approach")))
+            .with(it -> it.withRecordings(recordings)));
     assertTrue(Files.size(recordings.resolve("slow-approach.mcap")) > 100_000);
   }
 
@@ -145,7 +147,9 @@ class DdsDriverTest {
     Path node = folder.resolve("aeb/aeb/ttc_calculation_node.py");
     Files.writeString(node, MARKED, StandardOpenOption.APPEND);
     SimulationRequest request =
-        project.request(List.of(AebProject.scenario("stopped-vehicle-50"))).withProcesses(1);
+        project
+            .request(List.of(AebProject.scenario("stopped-vehicle-50")))
+            .with(it -> it.withProcesses(1));
     long before = hosts();
     CompletableFuture<Diagnostic> running =
         CompletableFuture.supplyAsync(

@@ -124,7 +124,7 @@ class FaultsTest {
     FaultPlan plan =
         FaultPlan.parse(
             SourceText.of("faults.yaml", text), project.chain(), AebProject.BENCH, scenarios);
-    return project.request(scenarios).withFaults(plan);
+    return project.request(scenarios).with(it -> it.withFaults(plan));
   }
 
   private FaultVerdict fault(String name) {
@@ -273,7 +273,8 @@ class FaultsTest {
             at_s: 1
             kill: Braking_Decision
         """;
-    SimulationResult result = AebProject.simulate(request(fast, text).withProcesses(1));
+    SimulationResult result =
+        AebProject.simulate(request(fast, text).with(it -> it.withProcesses(1)));
     FaultVerdict flooded = result.faults().get(0);
     assertEquals("simulation.limit", flooded.ended().orElseThrow().id());
     assertEquals(List.of("simulation.fault.untested"), ids(flooded.diagnostics()));
@@ -302,7 +303,7 @@ class FaultsTest {
     names.forEach(name -> wanted.add(fault(name)));
     SimulationResult dds =
         Simulation.run(
-            request(text.toString()).withDriver(SimulationDriver.DDS),
+            request(text.toString()).with(it -> it.withDriver(SimulationDriver.DDS)),
             PythonEnvironment.ensureWithCycloneDds(line -> {}),
             verdict -> {});
     assertEquals(wanted.size(), dds.faults().size());
@@ -326,7 +327,8 @@ class FaultsTest {
 
   @Test
   void inRealTimeFaultsAreRefused() {
-    SimulationRequest request = request(FAULTS).withDriver(SimulationDriver.DDS_IN_REAL_TIME);
+    SimulationRequest request =
+        request(FAULTS).with(it -> it.withDriver(SimulationDriver.DDS_IN_REAL_TIME));
     DiagnosticException refused =
         assertThrows(DiagnosticException.class, () -> AebProject.simulate(request));
     assertEquals("fault.driver", refused.diagnostics().get(0).id());

@@ -178,8 +178,11 @@ class SimulationTest {
     SimulationRequest request =
         project
             .request(List.of(AebProject.scenario("stopped-vehicle-50")))
-            .withLimits(
-                new NodeLimits(Duration.ofSeconds(1), Duration.ofMinutes(5), Duration.ofHours(1)));
+            .with(
+                it ->
+                    it.withLimits(
+                        new NodeLimits(
+                            Duration.ofSeconds(1), Duration.ofMinutes(5), Duration.ofHours(1))));
     DiagnosticException failure =
         assertThrows(DiagnosticException.class, () -> AebProject.simulate(request));
     assertEquals(DiagnosticException.Reason.FINDINGS, failure.reason());
@@ -207,7 +210,9 @@ class SimulationTest {
 
   private static String failure(AebProject project, NodeLimits limits) {
     SimulationRequest request =
-        project.request(List.of(AebProject.scenario("stopped-vehicle-50"))).withLimits(limits);
+        project
+            .request(List.of(AebProject.scenario("stopped-vehicle-50")))
+            .with(it -> it.withLimits(limits));
     DiagnosticException failure =
         assertThrows(DiagnosticException.class, () -> AebProject.simulate(request));
     return failure.diagnostics().get(0).id();
@@ -217,7 +222,8 @@ class SimulationTest {
   void resultDependsNeitherOnTheNumberOfProcessesNorOnTheOrder() throws Exception {
     AebProject project = new AebProject(folder);
     List<Scenario> scenarios = AebProject.scenarios();
-    SimulationResult one = AebProject.simulate(project.request(scenarios).withProcesses(1));
+    SimulationResult one =
+        AebProject.simulate(project.request(scenarios).with(it -> it.withProcesses(1)));
     SimulationResult two = AebProject.simulate(project.request(scenarios));
     assertEquals(one.verdicts(), two.verdicts());
     assertEquals(one.measurements().runId(), two.measurements().runId());

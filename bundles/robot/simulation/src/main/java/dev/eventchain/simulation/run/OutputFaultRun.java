@@ -18,4 +18,9 @@ public record OutputFaultRun(OutputFault fault, ScenarioRun run, Optional<Diagno
     Affected affected = run.log().affected().get(fault.node());
     return ended.isPresent() || (affected != null && affected.count() > 0);
   }
+
+  /** Returns the simulated time, in ns. */
+  public long simulated() {
+    return run.trace().states().isEmpty() ? 0 : run.trace().end().time();
+  }
 }

@@ -7,12 +7,18 @@ import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Margin;
 import dev.eventchain.simulation.verdict.Strength.Reaction;
 import dev.eventchain.simulation.world.Trace;
+import dev.eventchain.simulation.world.World;
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
 
 /**
  * A fault in one scenario after the other, until the criteria of each requirement have noticed it
@@ -20,36 +26,55 @@ import java.util.TreeMap;
  */
 public final class FaultTrial {
 
-  /**
-   * The number of scenarios of a requirement in which a fault is tried. Further ones are tried only
-   * for requirements that have noticed no fault at all.
-   */
-  private static final int MOST_SCENARIOS = 3;
-
   private final OutputFault fault;
   private final List<String> requirements;
-  private final List<JudgedScenario> left;
-  private final SortedMap<String, Attempts> attempts = new TreeMap<>();
-  private int limit = MOST_SCENARIOS;
-  private boolean noticedAtAll;
-  private int runs;
+  private final List<JudgedScenario> scenarios;
+  private State state = new State();
+  private State kept = state;
+  private Aim aim = new Aim(Set.of(), 0, false);
 
   /** What the criteria of a requirement did so far. */
-  private static final class Attempts {
-    private int count;
-    private double nearest = Double.POSITIVE_INFINITY;
-    private Optional<Reaction> reaction = Optional.empty();
+  private record Attempts(int count, double nearest, Optional<Reaction> reaction) {
+
+    private static final Attempts NONE =
+        new Attempts(0, Double.POSITIVE_INFINITY, Optional.empty());
 
     private boolean noticed() {
       return reaction.filter(Reaction::noticed).isPresent();
     }
   }
 
+  /** All that runs have shown. */
+  private static final class State {
+    private final List<JudgedScenario> driven = new ArrayList<>();
+    private final SortedMap<String, Attempts> attempts = new TreeMap<>();
+    private boolean noticedAtAll;
+    private long nanoseconds;
+
+    private State copy() {
+      State copy = new State();
+      copy.driven.addAll(driven);
+      copy.attempts.putAll(attempts);
+      copy.noticedAtAll = noticedAtAll;
+      copy.nanoseconds = nanoseconds;
+      return copy;
+    }
+  }
+
+  /**
+   * What further runs are for.
+   *
+   * @param requirements those that may notice the fault
+   * @param limit the number of their scenarios in which it is tried
+   * @param everywhere true to go on until any criterion of any scenario has noticed it
+   */
+  private record Aim(Set<String> requirements, int limit, boolean everywhere) {}
+
   /**
    * Creates a trial.
    *
    * @param requirements those that the component with the fault satisfies
-   * @param scenarios all scenarios, in the order of the trial
+   * @param scenarios all scenarios
    * @param fields the fields of the fault's topic that the component writes
    */
   FaultTrial(
@@ -58,40 +83,99 @@ public final class FaultTrial {
       List<JudgedScenario> scenarios,
       List<String> fields) {
     this.fault = fault;
-    this.requirements = requirements;
-    this.left = new ArrayList<>(scenarios);
-    left.removeIf(scenario -> !scenario.canChange(fault, fields));
-    requirements.forEach(id -> attempts.put(id, new Attempts()));
+    this.requirements = List.copyOf(requirements);
+    this.scenarios =
+        scenarios.stream().filter(scenario -> scenario.canChange(fault, fields)).toList();
+  }
+
+  /**
+   * Sets what further runs are for, which also makes the runs so far those to go back to.
+   *
+   * @param some the requirements that may notice it; others are not asked
+   * @param limit the number of scenarios of each
+   */
+  void aim(Collection<String> some, int limit) {
+    Set<String> ids = new TreeSet<>(requirements);
+    ids.retainAll(some);
+    kept = state.copy();
+    aim = new Aim(ids, limit, false);
+    ids.forEach(id -> state.attempts.putIfAbsent(id, Attempts.NONE));
+  }
+
+  /** Sets that further runs are for any criterion of any scenario. */
+  void aimEverywhere() {
+    kept = state.copy();
+    aim = new Aim(Set.of(), 0, true);
+  }
+
+  /** Forgets the runs since the last aim. */
+  void goBack() {
+    state = kept.copy();
   }
 
   OutputFault fault() {
     return fault;
   }
 
+  /** Returns whether its component does nothing, or always the same. */
+  boolean isOmission() {
+    return fault.isOmission();
+  }
+
+  /** Returns whether it can change anything in a scenario of a requirement. */
+  boolean isPossible() {
+    return requirements.stream().anyMatch(this::isPossible);
+  }
+
+  private boolean isPossible(String requirement) {
+    return scenarios.stream().anyMatch(each -> each.proves(requirement));
+  }
+
+  /** Returns whether a requirement was asked. */
+  boolean isTried() {
+    return !state.attempts.isEmpty();
+  }
+
+  /** Returns whether a requirement might notice it, but was not asked. */
+  boolean leavesOut(String requirement) {
+    return requirements.contains(requirement)
+        && !state.attempts.containsKey(requirement)
+        && isPossible(requirement);
+  }
+
   /** Returns whether a criterion of any scenario noticed the fault. */
   boolean noticedAtAll() {
-    return noticedAtAll;
+    return state.noticedAtAll;
   }
 
   /** Returns the number of runs so far. */
   int runs() {
-    return runs;
+    return state.driven.size();
+  }
+
+  /** Returns the simulated time of the runs so far, in s. */
+  double seconds() {
+    return World.seconds(state.nanoseconds);
   }
 
   /** Returns the reaction of a requirement; empty if the fault changed nothing in its scenarios. */
   Optional<Reaction> reaction(String requirement) {
-    Attempts made = attempts.get(requirement);
-    return made == null ? Optional.empty() : made.reaction;
+    return state.attempts.getOrDefault(requirement, Attempts.NONE).reaction();
   }
 
-  /** Allows all scenarios. */
-  void extend() {
-    limit = Integer.MAX_VALUE;
+  /** Returns whether its component satisfies one of some requirements. */
+  boolean concerns(Collection<String> some) {
+    return requirements.stream().anyMatch(some::contains);
   }
 
   /** Returns a description for users. */
   public String words() {
     return fault.words();
+  }
+
+  /** Returns whether there is a scenario to run. */
+  boolean isOpen() {
+    return choose().isPresent();
   }
 
   /**
@@ -103,32 +187,48 @@ public final class FaultTrial {
     Optional<JudgedScenario> scenario = choose();
     return scenario.map(
         each -> {
-          left.remove(each);
           OutputFaultRun run =
               runner.run(each.scenario(), fault, beginning -> isDecided(each, beginning));
-          runs++;
+          state.driven.add(each);
+          state.nanoseconds += run.simulated();
           judge(each, run);
           return run;
         });
   }
 
-  /** Returns the next scenario of a run that may show something new. */
+  private Stream<JudgedScenario> left() {
+    return scenarios.stream().filter(each -> !state.driven.contains(each));
+  }
+
+  /**
+   * Returns the scenario that is next: of all that may show something new, the one with most
+   * criteria for its time.
+   */
   private Optional<JudgedScenario> choose() {
-    Optional<JudgedScenario> about =
-        left.stream()
-            .filter(each -> requirements.stream().anyMatch(id -> isOpen(each, id)))
-            .findFirst();
-    return about.isEmpty() && fault.isOmission() && !noticedAtAll
-        ? left.stream().findFirst()
-        : about;
+    if (aim.everywhere()) {
+      return state.noticedAtAll
+          ? Optional.empty()
+          : left().max(order(each -> each.criteria() / each.seconds()));
+    }
+    Set<String> open = new TreeSet<>(aim.requirements());
+    open.removeIf(id -> !isOpen(id));
+    return left()
+        .filter(each -> open.stream().anyMatch(each::proves))
+        .max(order(each -> criteria(each, open) / each.seconds()));
   }
 
-  private boolean isOpen(JudgedScenario scenario, String requirement) {
-    return scenario.names(requirement) && isOpen(attempts.get(requirement));
+  private static double criteria(JudgedScenario scenario, Set<String> open) {
+    return open.stream().mapToInt(id -> scenario.proving(id).size()).sum();
   }
 
-  private boolean isOpen(Attempts made) {
-    return !made.noticed() && made.count < limit;
+  private static Comparator<JudgedScenario> order(ToDoubleFunction<JudgedScenario> relevance) {
+    return Comparator.comparingDouble(relevance)
+        .thenComparing(each -> each.scenario().name(), Comparator.reverseOrder());
+  }
+
+  private boolean isOpen(String requirement) {
+    Attempts made = state.attempts.getOrDefault(requirement, Attempts.NONE);
+    return !made.noticed() && made.count() < aim.limit();
   }
 
   /**
@@ -138,14 +238,9 @@ public final class FaultTrial {
   private boolean isDecided(JudgedScenario scenario, Trace beginning) {
     Set<Integer> violated = scenario.violated(beginning);
     return !violated.isEmpty()
-        && requirements.stream()
-            .filter(id -> scenario.names(id) && !attempts.get(id).noticed())
-            .allMatch(id -> isDecided(scenario, violated, id));
-  }
-
-  private static boolean isDecided(JudgedScenario scenario, Set<Integer> violated, String id) {
-    Set<Integer> proving = scenario.proving(id);
-    return proving.isEmpty() || proving.stream().anyMatch(violated::contains);
+        && aim.requirements().stream()
+            .filter(id -> scenario.proves(id) && !state.attempts.get(id).noticed())
+            .allMatch(id -> scenario.proving(id).stream().anyMatch(violated::contains));
   }
 
   private void judge(JudgedScenario scenario, OutputFaultRun run) {
@@ -154,36 +249,34 @@ public final class FaultTrial {
     }
     List<CriterionResult> results =
         run.ended().isPresent() ? List.of() : scenario.results(run.run());
-    for (String id : requirements) {
-      if (scenario.names(id) && !attempts.get(id).noticed()) {
-        add(attempts.get(id), id, scenario, results);
-      }
-    }
+    state.attempts.replaceAll(
+        (id, made) ->
+            scenario.proves(id) && !made.noticed() ? add(made, id, scenario, results) : made);
     for (int i = 0; i < results.size(); i++) {
-      noticedAtAll |= scenario.result(i).passed() && fails(results.get(i));
+      state.noticedAtAll |= scenario.result(i).passed() && fails(results.get(i));
     }
   }
 
-  private void add(
+  private Attempts add(
       Attempts made, String id, JudgedScenario scenario, List<CriterionResult> results) {
-    made.count++;
-    if (made.reaction.isEmpty()) {
-      made.reaction = Optional.of(reaction(false, scenario, "", Optional.empty()));
-    }
+    double nearest = made.nearest();
+    Optional<Reaction> reaction =
+        made.reaction().or(() -> Optional.of(reaction(false, scenario, "", Optional.empty())));
     for (int i = 0; i < results.size(); i++) {
       CriterionResult result = results.get(i);
       if (scenario.proves(i, id)) {
-        if (fails(result)) {
-          made.reaction = Optional.of(reaction(true, scenario, result.text(), result.margin()));
-          return;
-        }
+        boolean noticed = fails(result);
         double left = result.leftOf(scenario.result(i));
-        if (left < made.nearest) {
-          made.nearest = left;
-          made.reaction = Optional.of(reaction(false, scenario, result.text(), result.margin()));
+        if (noticed || left < nearest) {
+          nearest = left;
+          reaction = Optional.of(reaction(noticed, scenario, result.text(), result.margin()));
+        }
+        if (noticed) {
+          break;
         }
       }
     }
+    return new Attempts(made.count() + 1, nearest, reaction);
   }
 
   private static boolean fails(CriterionResult result) {
@@ -193,10 +286,5 @@ public final class FaultTrial {
   private Reaction reaction(
       boolean noticed, JudgedScenario scenario, String criterion, Optional<Margin> margin) {
     return new Reaction(fault.words(), noticed, scenario.scenario().name(), criterion, margin);
-  }
-
-  /** Returns the requirements, in their order. */
-  List<String> requirements() {
-    return new ArrayList<>(requirements);
   }
 }

@@ -8,11 +8,13 @@ import dev.eventchain.simulation.scenario.Expectation;
 import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import dev.eventchain.simulation.world.Trace;
+import dev.eventchain.simulation.world.World;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 
 /**
  * A scenario without faults, and which of its own criteria hold there. Those of every scenario say
@@ -20,10 +22,15 @@ import java.util.stream.IntStream;
  */
 final class JudgedScenario {
 
+  /** A time for scenarios that take none, in s. */
+  private static final double SHORTEST = 0.1;
+
   private final Scenario scenario;
   private final ScenarioJudge judge;
   private final OutputRecord published;
   private final List<CriterionResult> results;
+  private final Map<String, Set<Integer>> proving = new TreeMap<>();
+  private final double seconds;
 
   JudgedScenario(ScenarioRun run, ScenarioJudge judge) {
     List<Expectation> own =
@@ -32,6 +39,16 @@ final class JudgedScenario {
     this.judge = judge;
     this.published = run.outputs();
     this.results = judge.criteria(run.with(scenario), true);
+    this.seconds = Math.max(World.seconds(run.trace().end().time()), SHORTEST);
+    for (String id : scenario.requirements()) {
+      Set<Integer> criteria = new TreeSet<>();
+      for (int i = 0; i < results.size(); i++) {
+        if (proves(i, id)) {
+          criteria.add(i);
+        }
+      }
+      proving.put(id, criteria);
+    }
   }
 
   /** Returns the scenario with its own criteria only. */
@@ -44,9 +61,19 @@ final class JudgedScenario {
     return results.size();
   }
 
-  /** Returns whether it names a requirement. */
-  boolean names(String requirement) {
-    return scenario.requirements().contains(requirement);
+  /** Returns the simulated time that it takes without faults, in s. */
+  double seconds() {
+    return seconds;
+  }
+
+  /** Returns the requirements that a criterion belongs to which holds without faults. */
+  Set<String> proved() {
+    return proving.keySet().stream().filter(this::proves).collect(Collectors.toSet());
+  }
+
+  /** Returns whether a criterion belongs to a requirement and holds without faults. */
+  boolean proves(String requirement) {
+    return !proving(requirement).isEmpty();
   }
 
   /** Returns whether a criterion belongs to a requirement and holds without faults. */
@@ -57,10 +84,7 @@ final class JudgedScenario {
 
   /** Returns the criteria that belong to a requirement and hold without faults. */
   Set<Integer> proving(String requirement) {
-    return IntStream.range(0, results.size())
-        .filter(criterion -> proves(criterion, requirement))
-        .boxed()
-        .collect(Collectors.toSet());
+    return proving.getOrDefault(requirement, Set.of());
   }
 
   /** Returns the result of a criterion without faults. */

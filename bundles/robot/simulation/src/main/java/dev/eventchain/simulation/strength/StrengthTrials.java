@@ -8,37 +8,52 @@ import dev.eventchain.simulation.judge.ScenarioJudge;
 import dev.eventchain.simulation.run.OutputRecord;
 import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.verdict.Strength;
+import dev.eventchain.simulation.verdict.StrengthBudget;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
 
 /** All trials of standard faults, and the strength of requirements that results from them. */
 public final class StrengthTrials {
 
+  /**
+   * The number of scenarios of a requirement in which a fault is tried. Further ones are tried only
+   * for requirements that have noticed no fault at all.
+   */
+  private static final int MOST_SCENARIOS = 3;
+
+  /** The sample, and rounds for requirements that it does not show to be tested. */
+  private static final int ROUNDS = 4;
+
   private final Map<SoftwareNode, List<String>> requirements = new LinkedHashMap<>();
   private final Map<String, List<FaultTrial>> trials = new LinkedHashMap<>();
+  private final StrengthBudget budget;
+  private Optional<TrialRound<FaultTrial>> last = Optional.empty();
+  private int rounds;
 
   /**
    * Prepares the trials.
    *
    * @param runs the runs of all scenarios without faults, with records of their outputs
    */
-  public StrengthTrials(SimulatedChain chain, List<ScenarioRun> runs) {
+  public StrengthTrials(SimulatedChain chain, List<ScenarioRun> runs, StrengthBudget budget) {
+    this.budget = budget;
     ScenarioJudge judge = new ScenarioJudge(chain, runs, true);
     List<JudgedScenario> scenarios =
         runs.stream()
             .map(run -> new JudgedScenario(run, judge))
             .filter(each -> each.criteria() > 0)
-            .sorted(ORDER)
             .toList();
     List<OutputRecord> records = runs.stream().map(ScenarioRun::outputs).toList();
     Set<String> named = new TreeSet<>();
-    scenarios.forEach(each -> named.addAll(each.scenario().requirements()));
+    scenarios.forEach(each -> named.addAll(each.proved()));
     for (SoftwareNode node : chain.nodes()) {
       List<String> ids =
           node.getSatisfies().stream()
@@ -51,15 +66,6 @@ public final class StrengthTrials {
         trials.put(node.getName(), trials(node, chain, ids, scenarios, records));
       }
     }
-  }
-
-  /** Scenarios with many criteria for their time first. */
-  private static final Comparator<JudgedScenario> ORDER =
-      Comparator.comparingDouble(StrengthTrials::secondsPerCriterion)
-          .thenComparing(each -> each.scenario().name());
-
-  private static double secondsPerCriterion(JudgedScenario scenario) {
-    return scenario.scenario().duration() / scenario.criteria();
   }
 
   private static List<FaultTrial> trials(
@@ -93,32 +99,87 @@ public final class StrengthTrials {
   }
 
   /** Returns the trials, in the order of the components and their outputs. */
-  public List<FaultTrial> all() {
+  private List<FaultTrial> all() {
     return trials.values().stream().flatMap(List::stream).toList();
   }
 
+  private List<FaultTrial> possible() {
+    return all().stream().filter(FaultTrial::isPossible).toList();
+  }
+
   /**
-   * Returns the trials that go on with further scenarios after all of them have ended: those for
-   * requirements that have noticed nothing so far.
+   * Returns the next trials to drive, after all of the last round have ended; empty if all is
+   * known. A fault of the sample is tried as it would be without a budget. Requirements that would
+   * not be tested because of the budget go on with the faults that it left out.
    */
-  public List<FaultTrial> extended() {
-    Set<String> open = new TreeSet<>();
-    for (Strength.Requirement each : requirements()) {
-      if (each.noticed() == 0) {
-        open.add(each.id());
-      }
+  public Optional<TrialRound<FaultTrial>> next() {
+    last.ifPresent(round -> round.leftOut().forEach(FaultTrial::goBack));
+    last = Optional.empty();
+    while (last.isEmpty() && rounds < ROUNDS) {
+      rounds++;
+      last = Optional.of(round(rounds)).filter(round -> round.size() > 0);
     }
-    List<FaultTrial> more =
-        all().stream()
-            .filter(trial -> trial.requirements().stream().anyMatch(open::contains))
-            .toList();
-    more.forEach(FaultTrial::extend);
-    return more;
+    return last;
+  }
+
+  private TrialRound<FaultTrial> round(int number) {
+    return switch (number) {
+      case 1 -> sample();
+      case 2 -> unlimited(ids(this::isShort), MOST_SCENARIOS);
+      case 3 -> unlimited(ids(each -> each.noticed() == 0), Integer.MAX_VALUE);
+      default -> everywhere(ids(each -> !each.needed()));
+    };
+  }
+
+  private boolean isShort(Strength.Requirement measured) {
+    return measured.noticed() == 0
+        || measured.percent() < budget.minimum().applyAsDouble(measured.id());
+  }
+
+  private Set<String> ids(Predicate<Strength.Requirement> which) {
+    return requirements().stream()
+        .filter(which)
+        .map(Strength.Requirement::id)
+        .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  /** Returns the trials that the budget allows, and those of omissions in any case. */
+  private TrialRound<FaultTrial> sample() {
+    List<FaultTrial> round = SampleOrder.of(possible(), FaultTrial::fault);
+    Set<String> every = ids(each -> true);
+    round.forEach(trial -> trial.aim(every, MOST_SCENARIOS));
+    int always = (int) round.stream().filter(FaultTrial::isOmission).count();
+    return new TrialRound<>(round, FaultTrial::seconds, always, budget.seconds());
+  }
+
+  /** Returns all trials that requirements may notice, in a number of scenarios of each. */
+  private TrialRound<FaultTrial> unlimited(Set<String> some, int scenarios) {
+    List<FaultTrial> round = possible().stream().filter(trial -> trial.concerns(some)).toList();
+    round.forEach(trial -> trial.aim(some, scenarios));
+    return unlimited(round);
+  }
+
+  /** Returns the omissions of components of requirements, in all scenarios of the project. */
+  private TrialRound<FaultTrial> everywhere(Set<String> some) {
+    List<FaultTrial> round =
+        all().stream().filter(FaultTrial::isOmission).filter(each -> each.concerns(some)).toList();
+    round.forEach(FaultTrial::aimEverywhere);
+    return unlimited(round);
+  }
+
+  private static TrialRound<FaultTrial> unlimited(List<FaultTrial> trials) {
+    List<FaultTrial> open = trials.stream().filter(FaultTrial::isOpen).toList();
+    return new TrialRound<>(open, FaultTrial::seconds, open.size(), Double.POSITIVE_INFINITY);
   }
 
   /** Returns the strength of each requirement, as far as the trials have come. */
   public Strength strength() {
-    return new Strength(requirements(), all().stream().mapToInt(FaultTrial::runs).sum());
+    return new Strength(
+        requirements(),
+        all().stream().mapToInt(FaultTrial::runs).sum(),
+        all().stream().mapToDouble(FaultTrial::seconds).sum(),
+        (int) possible().stream().filter(FaultTrial::isTried).count(),
+        possible().size());
   }
 
   private List<Strength.Requirement> requirements() {
@@ -136,8 +197,13 @@ public final class StrengthTrials {
     boolean needed =
         components.stream()
             .flatMap(node -> trials.get(node).stream())
-            .anyMatch(trial -> trial.fault().isOmission() && trial.noticedAtAll());
+            .anyMatch(trial -> trial.isOmission() && trial.noticedAtAll());
+    int leftOut = (int) all().stream().filter(trial -> trial.leavesOut(id)).count();
     return new Strength.Requirement(
-        id, components, needed, all().stream().flatMap(it -> it.reaction(id).stream()).toList());
+        id,
+        components,
+        needed,
+        all().stream().flatMap(it -> it.reaction(id).stream()).toList(),
+        leftOut);
   }
 }

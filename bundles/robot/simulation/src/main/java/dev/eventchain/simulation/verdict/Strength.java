@@ -11,12 +11,24 @@ import java.util.Optional;
  * @param requirements one for each requirement that a simulated component satisfies and a scenario
  *     names, in the order of their identifiers
  * @param runs the number of runs with a fault
+ * @param seconds the simulated time of these runs
+ * @param tried the number of faults that were tried
+ * @param faults the number of all faults that may change something; more than those that were tried
+ *     if the budget allowed a sample only
  */
-public record Strength(List<Requirement> requirements, int runs) {
+public record Strength(
+    List<Requirement> requirements, int runs, double seconds, int tried, int faults) {
+
+  private static final double PERCENT = 100;
 
   /** Copies the list. */
   public Strength {
     requirements = List.copyOf(requirements);
+  }
+
+  /** Returns whether the budget has kept something from being tried. */
+  public boolean isSample() {
+    return tried < faults;
   }
 
   /**
@@ -26,10 +38,12 @@ public record Strength(List<Requirement> requirements, int runs) {
    * @param components the components that satisfy it
    * @param needed true if a criterion of any scenario notices that one of them does nothing, or
    *     always the same
-   * @param reactions one for each fault that changed a message in one of its scenarios
+   * @param reactions one for each fault that was tried and changed a message in one of its
+   *     scenarios
+   * @param leftOut the number of further faults that may change one, but were not tried
    */
   public record Requirement(
-      String id, List<String> components, boolean needed, List<Reaction> reactions) {
+      String id, List<String> components, boolean needed, List<Reaction> reactions, int leftOut) {
 
     /** Copies the lists. */
     public Requirement {
@@ -42,9 +56,14 @@ public record Strength(List<Requirement> requirements, int runs) {
       return (int) reactions.stream().filter(Reaction::noticed).count();
     }
 
-    /** Returns the number of faults. */
+    /** Returns the number of faults that were tried. */
     public int faults() {
       return reactions.size();
+    }
+
+    /** Returns the noticed part of the faults that were tried, in percent. */
+    public double percent() {
+      return reactions.isEmpty() ? 0 : PERCENT * noticed() / faults();
     }
 
     /** Returns the faults that were not noticed. */

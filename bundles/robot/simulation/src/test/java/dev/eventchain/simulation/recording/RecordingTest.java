@@ -57,7 +57,9 @@ class RecordingTest {
   }
 
   private SimulationRequest request() {
-    return project.request(List.of(AebProject.scenario(SCENARIO))).withRecordings(recordings);
+    return project
+        .request(List.of(AebProject.scenario(SCENARIO)))
+        .with(it -> it.withRecordings(recordings));
   }
 
   /** Reads a recording with rosbags and mcap-ros2-support, which must agree. */
@@ -90,7 +92,8 @@ class RecordingTest {
     try (LockstepProcess process =
         new LockstepProcess(program, request.chain().getSoftware().size(), 0)) {
       run =
-          new ScenarioRunner(chain, nodes, request.recordings(), process.session(), Map.of())
+          new ScenarioRunner(
+                  chain, nodes, request.settings().recordings(), process.session(), Map.of())
               .run(AebProject.scenario(SCENARIO));
     }
     JsonNode read = read(only());

@@ -6,6 +6,7 @@ import dev.eventchain.llm.Spending;
 import dev.eventchain.llm.chat.AnswerTrait;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.State;
 import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.project.StrengthExtent;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.Stage;
@@ -209,7 +210,7 @@ public final class LanguageModelEvaluation {
         false,
         Optional.empty(),
         Optional.empty(),
-        Optional.of(false),
+        Optional.of(StrengthExtent.OFF),
         options.suppressions(),
         options.timeLimit());
   }

@@ -5,16 +5,10 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.documents.Document;
-import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.DocumentRules;
-import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.project.DatedEntries;
 import dev.eventchain.project.ProjectFolder;
 import java.nio.file.Path;
-import java.time.DateTimeException;
 import java.time.LocalDate;
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -56,45 +50,20 @@ record AcceptedMutants(List<Entry> entries) {
   }
 
   private static AcceptedMutants read(Path file) {
-    List<Diagnostic> problems = new ArrayList<>();
-    List<Entry> entries = new ArrayList<>();
     Set<String> known = new HashSet<>();
-    Document.parseIfAny(
-            SourceText.read(file),
-            DocumentFormat.YAML,
-            DocumentRules.all(MutationRules.MUTATION_ACCEPTED),
-            problems::add)
-        .map(document -> document.objects(problems::add))
-        .orElse(List.of())
-        .forEach(part -> entry(part, known).ifPresent(entries::add));
-    if (!problems.isEmpty()) {
-      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
-    }
-    return new AcceptedMutants(entries);
+    return new AcceptedMutants(
+        DatedEntries.read(file, MutationRules.MUTATION_ACCEPTED, part -> entry(part, known)));
   }
 
-  private static Optional<Entry> entry(ObjectReader part, Set<String> known) {
-    String component = part.requiredText("component").strip();
-    String mutant = part.requiredText("mutant").strip();
-    String reason = part.requiredText("reason").strip();
-    String expires = part.requiredText("expires").strip();
-    part.refuseOthers();
+  private static Entry entry(DatedEntries.Entry part, Set<String> known) {
+    String component = part.text("component");
+    String mutant = part.text("mutant");
+    String reason = part.text("reason");
+    LocalDate expires = part.day("expires");
     if (!known.add(component + "\n" + mutant)) {
-      part.find(
-          MutationRules.MUTATION_ACCEPTED, "This mutant is accepted twice.", part.at("mutant"));
+      part.refuse("mutant", "This mutant is accepted twice.");
     }
-    try {
-      return expires.isEmpty()
-          ? Optional.empty()
-          : Optional.of(
-              new Entry(component, mutant, reason, LocalDate.parse(expires), part.location()));
-    } catch (DateTimeException e) {
-      part.find(
-          MutationRules.MUTATION_ACCEPTED,
-          "'" + expires + "' is not a date; write it as 2027-03-31.",
-          part.at("expires"));
-      return Optional.empty();
-    }
+    return new Entry(component, mutant, reason, expires, part.location());
   }
 
   /** Returns the entry that accepts a survivor. */

@@ -1,13 +1,9 @@
 package dev.eventchain.pipeline.mutation;
 
-import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.pipeline.project.Project;
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.time.Duration;
 import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
@@ -19,33 +15,32 @@ import java.util.regex.Pattern;
 /** Lines of files that have changed since a revision of Git, committed or not. */
 final class ChangedLines {
 
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
+
   private static final Pattern COMMIT = Pattern.compile("[0-9a-f]{40}|[0-9a-f]{64}");
 
   /** The head of a changed part, with first line and number of lines in the current file. */
   private static final Pattern PART = Pattern.compile("(?m)^@@ -\\S+ \\+(\\d+)(?:,(\\d+))? @@");
 
-  private final Path folder;
+  private final Git git;
   private final String revision;
   private final String commit;
   private final Map<Path, Optional<BitSet>> known = new HashMap<>();
-
-  /** What a program has said. */
-  private record Answer(int exitCode, String text) {}
 
   /**
    * Prepares the comparison.
    *
    * @throws DiagnosticException INPUT, {@code mutation.since}: the project is not in a repository,
-   *     or it has no such revision; UNAVAILABLE if there is no Git
+   *     or it has no such revision; UNAVAILABLE if there is no Git, or none that answers
    */
   ChangedLines(Project project, String revision) {
-    this.folder = project.folder().toAbsolutePath();
+    this.git = new Git(List.of("git"), project.folder().toAbsolutePath(), PATIENCE);
     this.revision = revision;
-    Answer answer =
-        git("rev-parse", "--verify", "--quiet", "--end-of-options", revision + "^{commit}");
+    Git.Answer answer =
+        git.ask("rev-parse", "--verify", "--quiet", "--end-of-options", revision + "^{commit}");
     this.commit = answer.text().strip();
     if (answer.exitCode() != 0 || !COMMIT.matcher(commit).matches()) {
-      throw failure(
+      throw git.failure(
           DiagnosticException.Reason.INPUT,
           "'" + revision + "' is not a revision of a Git repository that holds the project.");
     }
@@ -60,11 +55,11 @@ final class ChangedLines {
   }
 
   private Optional<BitSet> lines(Path file) {
-    if (git("ls-files", "--error-unmatch", "--", file.toString()).exitCode() != 0) {
+    if (git.ask("ls-files", "--error-unmatch", "--", file.toString()).exitCode() != 0) {
       return Optional.empty();
     }
-    Answer answer =
-        git(
+    Git.Answer answer =
+        git.ask(
             "diff",
             "--unified=0",
             "--no-color",
@@ -74,7 +69,7 @@ final class ChangedLines {
             "--",
             file.toString());
     if (answer.exitCode() != 0) {
-      throw failure(
+      throw git.failure(
           DiagnosticException.Reason.INPUT, "Git cannot compare with '" + revision + "'.");
     }
     BitSet lines = new BitSet();
@@ -85,31 +80,5 @@ final class ChangedLines {
       lines.set(first, first + count);
     }
     return Optional.of(lines);
-  }
-
-  private Answer git(String... arguments) {
-    List<String> command = new ArrayList<>(List.of("git", "-C", folder.toString()));
-    command.addAll(List.of(arguments));
-    ProcessBuilder builder = new ProcessBuilder(command);
-    builder.redirectError(ProcessBuilder.Redirect.DISCARD);
-    try {
-      Process process = builder.start();
-      process.getOutputStream().close();
-      String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-      return new Answer(process.waitFor(), text);
-    } catch (IOException e) {
-      throw failure(
-          DiagnosticException.Reason.UNAVAILABLE, "There is no Git, which --since needs.");
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw new IllegalStateException(e);
-    }
-  }
-
-  private DiagnosticException failure(DiagnosticException.Reason reason, String message) {
-    return new DiagnosticException(
-        reason,
-        Diagnostic.of(MutationRules.MUTATION_SINCE, message, SourceLocation.of(folder))
-            .withHint("Leave out --since to try all mutants."));
   }
 }

@@ -100,9 +100,7 @@ final class MutantTrials implements AutoCloseable {
     SimulationRequest request =
         SimulateStage.request(run)
             // A mutant need not follow the rules for generated code, which the component does.
-            .withGenerated(Set.of())
-            .withLimits(LIMITS)
-            .withProcesses(processes);
+            .with(it -> it.withGenerated(Set.of()).withLimits(LIMITS).withProcesses(processes));
     List<Diagnostic> failed =
         new VariantSimulation(request, python, folder.path())
             .run(same, variants, (number, each) -> ended.accept(result(left.get(number), each)));

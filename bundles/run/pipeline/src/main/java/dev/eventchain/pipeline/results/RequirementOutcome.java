@@ -4,6 +4,7 @@ import com.fasterxml.jackson.annotation.JsonValue;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalLong;
 
 /**
  * The outcome of a requirement.
@@ -18,10 +19,12 @@ public record RequirementOutcome(
    * The standard faults of its components that its criteria notice.
    *
    * @param noticed the number of noticed faults
-   * @param faults the number of all
-   * @param unnoticed the others
+   * @param faults the number of all that were driven and changed something
+   * @param sampleOf the number of all that may change something, if not all were driven
+   * @param unnoticed those that were driven and not noticed
    */
-  public record Strength(int noticed, int faults, List<Unnoticed> unnoticed) {
+  public record Strength(
+      int noticed, int faults, OptionalLong sampleOf, List<Unnoticed> unnoticed) {
 
     /** Copies the list. */
     public Strength {

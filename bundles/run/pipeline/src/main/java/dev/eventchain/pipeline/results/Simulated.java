@@ -16,7 +16,8 @@ import java.util.OptionalLong;
  * @param untested the qualified names of constraints that implement a requirement and were not
  *     tested
  * @param requirements the outcome of each requirement; empty in a simulation of some scenarios
- * @param strength why the strength of requirements was not measured, if it was not
+ * @param strength why the strength of requirements was not measured, or the size of its sample;
+ *     empty if all faults were driven
  * @param validation the results of the constraints on the measured model
  */
 public record Simulated(

@@ -12,7 +12,8 @@ import java.util.OptionalLong;
  * @param driver the driver of nodes that were started elsewhere, if they were
  * @param suppressed the number of suppressed findings, if there are any
  * @param violated the rules that errors name
- * @param strength why the strength of requirements was not measured, if it was not
+ * @param strength why the strength of requirements was not measured, or the size of its sample;
+ *     empty if all faults were driven
  * @param requirements the outcome of each requirement; empty if there is no verdict
  */
 public record VerdictFile(

@@ -2,6 +2,7 @@ package dev.eventchain.pipeline.run;
 
 import dev.eventchain.constraints.OclValidator;
 import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.pipeline.project.StrengthExtent;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -24,7 +25,7 @@ import java.util.Optional;
  * @param compare the measurements of another run, which the report compares with this one's: its
  *     {@code measurements.json} or its folder
  * @param faults a file of faults for additional simulations of the scenarios
- * @param strength whether to measure the strength of requirements; empty: as the project says
+ * @param strength how far to measure the strength of requirements; empty: as the project says
  * @param suppressions the findings that do not count
  * @param timeLimit the processor time that a constraint may take on the whole model
  */
@@ -41,7 +42,7 @@ public record RunOptions(
     boolean mcap,
     Optional<Path> compare,
     Optional<Path> faults,
-    Optional<Boolean> strength,
+    Optional<StrengthExtent> strength,
     Suppressions suppressions,
     Duration timeLimit) {
 

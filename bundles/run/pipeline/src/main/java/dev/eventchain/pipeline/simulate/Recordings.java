@@ -34,7 +34,9 @@ final class Recordings {
     } else {
       run.output().removeAll(FOLDER);
     }
-    return run.options().mcap() ? request.withRecordings(run.output().scratch()) : request;
+    return run.options().mcap()
+        ? request.with(it -> it.withRecordings(run.output().scratch()))
+        : request;
   }
 
   /** Moves complete recordings into place, whatever the result of the scenarios. */

@@ -3,6 +3,7 @@ package dev.eventchain.pipeline.simulate;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.pipeline.project.StrengthExtent;
 import dev.eventchain.pipeline.project.StrengthSettings;
 import dev.eventchain.pipeline.results.RequirementOutcome;
 import dev.eventchain.pipeline.results.RequirementOutcome.Nearest;
@@ -11,15 +12,15 @@ import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.SimulationResult;
 import dev.eventchain.simulation.verdict.Strength;
+import dev.eventchain.simulation.verdict.StrengthBudget;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalLong;
 
 /** The strength of the evidence for a project's requirements, and what is missing. */
 public final class RequirementStrength {
-
-  private static final double PERCENT = 100;
 
   /** The number of unnoticed faults that a line names. */
   private static final int NAMED = 3;
@@ -40,21 +41,22 @@ public final class RequirementStrength {
         result.strength(), run.project().configuration().strength(), run.writtenRequirements());
   }
 
-  /** Returns whether strength is to be measured where a run can. */
-  static boolean isWanted(RunContext run) {
-    boolean usual = run.project().configuration().strength().measured();
-    return run.options().strength().orElse(usual);
+  /** Returns how far strength is to be measured where a run can. */
+  static StrengthExtent extent(RunContext run) {
+    return run.options().strength().orElse(run.project().configuration().strength().extent());
   }
 
-  /** Returns whether a run measures strength. */
-  static boolean isMeasured(RunContext run) {
-    return whyNot(run).isEmpty();
+  /** Returns the budget of the measurement; empty if a run does not measure strength. */
+  static Optional<StrengthBudget> budget(RunContext run) {
+    return whyNot(run).isEmpty()
+        ? Optional.of(run.project().configuration().strength().budget(extent(run)))
+        : Optional.empty();
   }
 
   /** Returns why a run does not measure strength, whatever its result; empty if it does. */
   static String whyNot(RunContext run) {
     RunOptions options = run.options();
-    if (!isWanted(run)) {
+    if (extent(run) == StrengthExtent.OFF) {
       return options.strength().isPresent() ? "switched off" : "the project does not want it";
     }
     if (options.isPartial()) {
@@ -92,10 +94,9 @@ public final class RequirementStrength {
     if (!measured.needed()) {
       return Optional.of(idle(item, measured));
     }
-    double part = PERCENT * measured.noticed() / measured.faults();
-    return part >= settings.minimumOf(item.id())
+    return measured.percent() >= settings.minimumOf(item.id())
         ? Optional.empty()
-        : Optional.of(low(item, measured, part));
+        : Optional.of(low(item, measured));
   }
 
   private static Diagnostic none(WrittenRequirement item, Strength.Requirement measured) {
@@ -121,7 +122,7 @@ public final class RequirementStrength {
         "Add a scenario in which the component has to react, with a criterion that fails if it does not");
   }
 
-  private Diagnostic low(WrittenRequirement item, Strength.Requirement measured, double part) {
+  private Diagnostic low(WrittenRequirement item, Strength.Requirement measured) {
     return finding(
         item,
         SimulateRules.SIMULATION_STRENGTH_LOW,
@@ -131,7 +132,7 @@ public final class RequirementStrength {
             item.id(),
             measured.noticed(),
             measured.faults(),
-            part,
+            measured.percent(),
             settings.minimumOf(item.id()),
             named(measured)),
         "Add criteria that notice them");
@@ -168,6 +169,9 @@ public final class RequirementStrength {
     return new RequirementOutcome.Strength(
         measured.noticed(),
         measured.faults(),
+        measured.leftOut() == 0
+            ? OptionalLong.empty()
+            : OptionalLong.of(measured.faults() + measured.leftOut()),
         measured.unnoticed().stream().map(RequirementStrength::unnoticed).toList());
   }
 
@@ -181,29 +185,46 @@ public final class RequirementStrength {
         reaction.fault(), reaction.criterion().isEmpty() ? Optional.empty() : Optional.of(nearest));
   }
 
-  /** Returns why strength was not measured, for people; empty if it was. */
-  static Optional<String> unmeasured(RunContext run, SimulationResult result) {
+  /**
+   * Returns why strength was not measured, or the size of the sample, for people; empty if all
+   * faults were driven.
+   */
+  static Optional<String> limited(RunContext run, SimulationResult result) {
     if (result.strength().isPresent()) {
-      return Optional.empty();
+      return result.strength().filter(Strength::isSample).map(RequirementStrength::sample);
     }
     String why = whyNot(run);
     return Optional.of("not measured: " + (why.isEmpty() ? "not every scenario passed" : why));
   }
 
+  private static String sample(Strength strength) {
+    return "a sample of %d of %d standard faults".formatted(strength.tried(), strength.faults());
+  }
+
   /** Returns what a stage says of it: the number of runs, or that there is no measurement. */
   static String details(RunContext run, SimulationResult result) {
     if (result.strength().isPresent()) {
-      return " " + result.strength().get().runs() + " runs with standard faults,";
+      Strength strength = result.strength().get();
+      String faults = strength.isSample() ? sample(strength) : "standard faults";
+      return String.format(
+          Locale.ROOT,
+          " %d runs with %s in %.0f simulated s,",
+          strength.runs(),
+          faults,
+          strength.seconds());
     }
     return run.options().isPartial() || !result.passed() ? "" : " strength not measured,";
   }
 
   /**
-   * Returns the strength of a requirement in words, "notices 9 of 11 faults", with those that it
-   * does not notice.
+   * Returns the strength of a requirement in words, "notices 9 of 11 faults, a sample of 40", with
+   * those that it does not notice.
    */
   public static String words(RequirementOutcome.Strength strength) {
     String words = "notices %d of %d faults".formatted(strength.noticed(), strength.faults());
+    if (strength.sampleOf().isPresent()) {
+      words += ", a sample of " + strength.sampleOf().getAsLong();
+    }
     return strength.unnoticed().isEmpty()
         ? words
         : words + ", not: " + named(strength.unnoticed().stream().map(Unnoticed::fault).toList());

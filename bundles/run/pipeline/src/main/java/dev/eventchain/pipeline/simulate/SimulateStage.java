@@ -30,6 +30,7 @@ import dev.eventchain.simulation.Simulation;
 import dev.eventchain.simulation.SimulationDriver;
 import dev.eventchain.simulation.SimulationRequest;
 import dev.eventchain.simulation.SimulationResult;
+import dev.eventchain.simulation.SimulationSettings;
 import dev.eventchain.simulation.fault.FaultPlan;
 import dev.eventchain.simulation.node.DdsAttachment;
 import dev.eventchain.simulation.scenario.Scenario;
@@ -65,7 +66,7 @@ public final class SimulateStage implements StageWork {
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     Project project = run.project();
     fingerprint.add(run.options().driver()).add(Confinement.demanded());
-    fingerprint.add(RequirementStrength.isWanted(run));
+    fingerprint.add(RequirementStrength.extent(run));
     fingerprint.addSetting("strength", project.configuration().strength().asValue());
     run.options().faults().ifPresent(fingerprint::addFile);
     fingerprint.addFile(run.model());
@@ -180,7 +181,7 @@ public final class SimulateStage implements StageWork {
         result,
         evidence.untestedConstraints(),
         run.options().isPartial() ? List.of() : outcomes,
-        RequirementStrength.unmeasured(run, result),
+        RequirementStrength.limited(run, result),
         ProjectChecks.report(measuredFile(run), validation));
   }
 
@@ -266,7 +267,7 @@ public final class SimulateStage implements StageWork {
         chain,
         result,
         outcomes,
-        RequirementStrength.unmeasured(run, result),
+        RequirementStrength.limited(run, result),
         run.options().suppressions().part(found));
   }
 
@@ -306,17 +307,17 @@ public final class SimulateStage implements StageWork {
     Recordings recordings = new Recordings(run, scenarios);
     FaultPlan faults = ProjectFaults.selected(run, chain, scenarios);
     SimulationRequest request =
-        recordings.begin(request(run, chain, generated, scenarios).withFaults(faults));
+        recordings.begin(
+            request(run, chain, generated, scenarios).with(it -> it.withFaults(faults)));
     int all = scenarios.size() + faults.size();
     AtomicInteger done = new AtomicInteger();
     try {
       return Simulation.run(
           request,
           run.python(Stage.SIMULATE),
-          name -> {
-            String count = counted(done.incrementAndGet(), all);
-            run.progress().step(Stage.SIMULATE, count + ": " + name);
-          });
+          name ->
+              run.progress()
+                  .step(Stage.SIMULATE, counted(done.incrementAndGet(), all) + ": " + name));
     } catch (DiagnosticException e) {
       throw new DiagnosticException(
           e.reason(),
@@ -349,23 +350,29 @@ public final class SimulateStage implements StageWork {
 
   private static SimulationRequest request(
       RunContext run, EventChain chain, GeneratedPackage generated, List<Scenario> scenarios) {
-    SimulationRequest request =
-        SimulationRequest.of(
-                chain,
-                run.file(generated.folder()),
-                generated.manifest(),
-                run.project().messageFolders(),
-                run.bench(),
-                scenarios)
+    return SimulationRequest.of(
+            chain,
+            run.file(generated.folder()),
+            generated.manifest(),
+            run.project().messageFolders(),
+            run.bench(),
+            scenarios)
+        .with(settings -> settings(run, chain, settings));
+  }
+
+  private static SimulationSettings settings(
+      RunContext run, EventChain chain, SimulationSettings usual) {
+    SimulationSettings settings =
+        usual
             .withGenerated(written(run, chain))
             .withAccepted(run.options().suppressions()::accepts)
             .ofAllScenarios(!run.options().isPartial())
-            .withStrength(RequirementStrength.isMeasured(run));
+            .withStrength(RequirementStrength.budget(run));
     return switch (run.options().driver()) {
-      case LOCKSTEP -> request;
-      case DDS -> request.withDriver(SimulationDriver.DDS);
-      case DDS_IN_REAL_TIME -> request.withDriver(SimulationDriver.DDS_IN_REAL_TIME);
-      case DDS_ATTACHED -> request.withAttachment(DdsAttachment.of(System.getenv()));
+      case LOCKSTEP -> settings;
+      case DDS -> settings.withDriver(SimulationDriver.DDS);
+      case DDS_IN_REAL_TIME -> settings.withDriver(SimulationDriver.DDS_IN_REAL_TIME);
+      case DDS_ATTACHED -> settings.withAttachment(DdsAttachment.of(System.getenv()));
     };
   }
 

@@ -46,14 +46,15 @@ public final class SimulationReport {
    *
    * @param untested the qualified names of untested constraints
    * @param outcomes the outcome of each requirement; empty in a simulation of some scenarios
-   * @param unmeasured why the strength of requirements was not measured; empty if it was
+   * @param strength why the strength of requirements was not measured, or the size of its sample;
+   *     empty if all faults were driven
    * @param validation the results of the constraints on the measured model
    */
   static Simulated of(
       SimulationResult result,
       List<String> untested,
       List<RequirementOutcome> outcomes,
-      Optional<String> unmeasured,
+      Optional<String> strength,
       Validation validation) {
     SimulationResult.Host host = result.host();
     MessageFlow flow = result.measurements().flow();
@@ -70,7 +71,7 @@ public final class SimulationReport {
         flow.topics().stream().map(SimulationReport::topic).toList(),
         untested,
         outcomes,
-        unmeasured,
+        strength,
         validation);
   }
 
@@ -118,7 +119,8 @@ public final class SimulationReport {
    * Returns the content of {@code verdict.json}: the same bytes for the same nodes and scenarios.
    *
    * @param outcomes the outcome of each requirement
-   * @param unmeasured why the strength of requirements was not measured; empty if it was
+   * @param strength why the strength of requirements was not measured, or the size of its sample;
+   *     empty if all faults were driven
    * @param found all findings about scenarios and measurements, suppressed ones apart; each
    *     scenario that did not pass has one
    */
@@ -126,7 +128,7 @@ public final class SimulationReport {
       EventChain chain,
       SimulationResult result,
       List<RequirementOutcome> outcomes,
-      Optional<String> unmeasured,
+      Optional<String> strength,
       Suppressions.Parted found) {
     List<Diagnostic> errors =
         found.remaining().stream().filter(each -> each.severity() == Severity.ERROR).toList();
@@ -147,7 +149,7 @@ public final class SimulationReport {
             attached(result.host()),
             suppressed > 0 ? OptionalLong.of(suppressed) : OptionalLong.empty(),
             violated,
-            unmeasured,
+            strength,
             Optional.of(outcomes),
             result.verdicts().stream().map(SimulationReport::outcome).toList(),
             FaultReport.of(result)));

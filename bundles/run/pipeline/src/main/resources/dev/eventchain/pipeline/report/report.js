@@ -213,7 +213,8 @@ function strengthItem(strength) {
   if (noticed === null) {
     return null;
   }
-  const words = `Notices ${noticed} of ${count(number(strength.faults), "fault")}`;
+  const all = number(strength.sampleOf);
+  const words = `Notices ${noticed} of ${count(number(strength.faults), "fault")}${all === null ? "" : `, a sample of ${all}`}`;
   const missed = records(strength.unnoticed).map((one) => html("li", null, text(one.fault),
     one.nearest ? html("span", { class: "muted" }, `; nearest: ${text(one.nearest.criterion)} in ${text(one.nearest.scenario)}`) : null));
   return missed.length === 0 ? html("p", { class: "small" }, words)

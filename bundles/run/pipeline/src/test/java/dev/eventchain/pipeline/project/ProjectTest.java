@@ -36,16 +36,31 @@ class ProjectTest {
   void strengthIsMeasuredUnlessTheProjectDoesNotWantIt() throws IOException {
     StrengthSettings usual = open("name: aeb\n").configuration().strength();
     assertEquals(StrengthSettings.DEFAULT, usual);
-    assertTrue(usual.measured());
-    assertTrue(open("name: aeb\nstrength: on\n").configuration().strength().measured());
-    assertFalse(open("name: aeb\nstrength: off\n").configuration().strength().measured());
+    assertEquals(StrengthExtent.SAMPLE, usual.extent());
+    assertEquals(600, usual.budget());
+    assertEquals(usual, open("name: aeb\nstrength: on\n").configuration().strength());
+    for (StrengthExtent extent : StrengthExtent.values()) {
+      String yaml = "name: aeb\nstrength: " + extent.word() + "\n";
+      assertEquals(extent, open(yaml).configuration().strength().extent());
+    }
     StrengthSettings stricter =
         open("name: aeb\nstrength: {minimum_percent: 60, requirements: {AEB-2: 40}}\n")
             .configuration()
             .strength();
-    assertTrue(stricter.measured());
+    assertEquals(StrengthExtent.SAMPLE, stricter.extent());
     assertEquals(60, stricter.minimumOf("AEB-1"));
     assertEquals(40, stricter.minimumOf("AEB-2"));
+  }
+
+  @Test
+  void theBudgetOfStrengthIsForSamples() throws IOException {
+    StrengthSettings some =
+        open("name: aeb\nstrength: {budget_s: 90}\n").configuration().strength();
+    assertEquals(90, some.budget(StrengthExtent.SAMPLE).seconds());
+    StrengthSettings all =
+        open("name: aeb\nstrength: {extent: whole, budget_s: 90}\n").configuration().strength();
+    assertEquals(StrengthExtent.WHOLE, all.extent());
+    assertEquals(Double.POSITIVE_INFINITY, all.budget(all.extent()).seconds());
   }
 
   @Test
@@ -99,6 +114,9 @@ class ProjectTest {
         "name: aeb; models: &m {design: *m}|2:21|Aliases are not read",
         "name: aeb; strength:|2:10|there is nothing here",
         "name: aeb; strength: 50|2:11|a mapping",
+        "name: aeb; strength: half|2:11|a mapping",
+        "name: aeb; strength: {extent: off}|2:20|'whole' or 'sample', not 'off'",
+        "name: aeb; strength: {budget_s: 0}|2:22|above zero, not 0",
         "name: aeb; strength: {minimum: 50}|2:12|no key 'minimum'",
         "name: aeb; strength: {minimum_percent: 101}|2:29|from 0 to 100, not 101",
         "name: aeb; strength: {requirements: {A: -1}}|2:30|from 0 to 100, not -1",

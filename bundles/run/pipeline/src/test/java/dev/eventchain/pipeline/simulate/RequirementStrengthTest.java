@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.pipeline.project.StrengthExtent;
 import dev.eventchain.pipeline.project.StrengthSettings;
 import dev.eventchain.simulation.verdict.Strength;
 import dev.eventchain.simulation.verdict.Strength.Reaction;
@@ -17,7 +18,8 @@ import org.junit.jupiter.api.Test;
 /** Tests the findings about the strength of evidence. */
 class RequirementStrengthTest {
 
-  private static final StrengthSettings HALF = new StrengthSettings(true, 50, new TreeMap<>());
+  private static final StrengthSettings HALF =
+      new StrengthSettings(StrengthExtent.SAMPLE, 600, 50, new TreeMap<>());
 
   @Test
   void enoughNoticedFaultsAreNoFinding() {
@@ -58,6 +60,18 @@ class RequirementStrengthTest {
     assertTrue(!strength.isUntested("BRK-1"));
   }
 
+  @Test
+  void aSampleIsSaid() {
+    Reaction noticed = new Reaction("fault", true, "far", "ego stops", Optional.empty());
+    RequirementStrength sample = strength(true, List.of(noticed), 4);
+    assertEquals(
+        "notices 1 of 1 faults, a sample of 5",
+        RequirementStrength.words(sample.of("BRK-1").orElseThrow()));
+    assertEquals(
+        "notices 1 of 1 faults",
+        RequirementStrength.words(strength(true, true).of("BRK-1").orElseThrow()));
+  }
+
   private static Diagnostic only(RequirementStrength strength) {
     assertEquals(1, strength.findings().size(), strength.findings().toString());
     return strength.findings().get(0);
@@ -68,9 +82,15 @@ class RequirementStrengthTest {
         List.of(noticed).stream()
             .map(each -> new Reaction("fault", each, "far", "ego stops", Optional.empty()))
             .toList();
-    Strength measured =
-        new Strength(
-            List.of(new Strength.Requirement("BRK-1", List.of("Brake"), needed, reactions)), 3);
+    return strength(needed, reactions, 0);
+  }
+
+  private static RequirementStrength strength(
+      boolean needed, List<Reaction> reactions, int leftOut) {
+    Strength.Requirement requirement =
+        new Strength.Requirement("BRK-1", List.of("Brake"), needed, reactions, leftOut);
+    int tried = reactions.size();
+    Strength measured = new Strength(List.of(requirement), tried, 30, tried, tried + leftOut);
     WrittenRequirement written =
         new WrittenRequirement(
             "BRK-1", "It brakes.", new SourceLocation("requirements.md", 3, 1, "", ""));
