@@ -309,6 +309,14 @@ public final class Bench {
         .anyMatch(signal -> signal.name().equals(input));
   }
 
+  /**
+   * Returns this bench for a chain, so that formulas can read its outputs by the requirements that
+   * they satisfy.
+   */
+  public Bench withOutputsOf(EventChain chain) {
+    return new Bench(provided, consumed, own, signals.withOutputsOf(chain), declared, location);
+  }
+
   /** Returns the signals that formulas may read. */
   public BenchSignals signals() {
     return signals;

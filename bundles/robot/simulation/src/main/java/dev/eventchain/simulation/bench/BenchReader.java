@@ -72,7 +72,7 @@ public final class BenchReader {
   }
 
   private Bench bench(SourceLocation location) {
-    BenchSignals signals = new BenchSignals(inputs, topics(), catalog);
+    BenchSignals signals = new BenchSignals(inputs, topics(), catalog, Optional.empty());
     return new Bench(provided, consumed, own, signals, declared, location);
   }
 

@@ -4,6 +4,7 @@ import dev.eventchain.messages.FieldType;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.Unit;
+import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.simulation.formula.Range;
 import dev.eventchain.simulation.formula.Signal;
 import dev.eventchain.simulation.formula.WorldSignals;
@@ -35,11 +36,27 @@ public final class BenchSignals implements Signal.Source {
   private final Map<String, Signal> inputs;
   private final Map<String, Topic> topics;
   private final MessageCatalog catalog;
+  private final Optional<OutputRoles> roles;
 
-  BenchSignals(Map<String, Signal> inputs, Map<String, Topic> topics, MessageCatalog catalog) {
+  BenchSignals(
+      Map<String, Signal> inputs,
+      Map<String, Topic> topics,
+      MessageCatalog catalog,
+      Optional<OutputRoles> roles) {
     this.inputs = new LinkedHashMap<>(inputs);
     this.topics = new LinkedHashMap<>(topics);
     this.catalog = catalog;
+    this.roles = roles;
+  }
+
+  /** Returns these signals with the outputs of a chain by their requirements. */
+  BenchSignals withOutputsOf(EventChain chain) {
+    return new BenchSignals(inputs, topics, catalog, Optional.of(new OutputRoles(chain, catalog)));
+  }
+
+  @Override
+  public Optional<List<Signal>> outputs(String requirement, Optional<String> kind) {
+    return roles.map(known -> known.find(requirement, kind));
   }
 
   @Override
@@ -90,7 +107,12 @@ public final class BenchSignals implements Signal.Source {
 
   /** Returns the topic of a signal that is a field; empty for any other signal. */
   public Optional<Topic> topicOf(Signal signal) {
-    return signal.topic().map(topics::get);
+    return signal.topic().flatMap(this::topic);
+  }
+
+  private Optional<Topic> topic(String name) {
+    return Optional.ofNullable(topics.get(name))
+        .or(() -> roles.flatMap(known -> known.topic(name)));
   }
 
   private List<String> fields(Topic topic) {
@@ -114,24 +136,23 @@ public final class BenchSignals implements Signal.Source {
 
   /** Returns the values that a field of a topic can have, in coherent units: those of its type. */
   public Range rangeOf(String signal) {
-    Topic topic = topics.get(Signal.topicOf(signal));
+    Optional<Topic> topic = topic(Signal.topicOf(signal));
     int dot = signal.indexOf('.');
-    if (topic == null || dot < 0) {
+    if (topic.isEmpty() || dot < 0) {
       return Range.ALL;
     }
+    String path = signal.substring(dot + 1);
     return catalog
-        .find(topic.type())
-        .flatMap(type -> type.resolve(signal.substring(dot + 1)).type())
-        .map(field -> rangeOf(field.kind()))
-        .map(range -> coherent(range, ofTopic(signal)))
+        .find(topic.get().type())
+        .flatMap(type -> type.resolve(path).type())
+        .filter(BenchSignals::isNumberOrTruth)
+        .map(field -> coherent(rangeOf(field.kind()), signal(topic.get(), path, false)))
         .orElse(Range.ALL);
   }
 
-  private static Range coherent(Range range, Optional<Signal> signal) {
-    return signal
-        .map(Signal::dimension)
-        .map(unit -> new Range(unit.coherent(range.least()), unit.coherent(range.most())))
-        .orElse(Range.ALL);
+  private static Range coherent(Range range, Signal signal) {
+    Unit unit = signal.dimension();
+    return new Range(unit.coherent(range.least()), unit.coherent(range.most()));
   }
 
   private static Range rangeOf(FieldType.Kind kind) {
@@ -148,7 +169,8 @@ public final class BenchSignals implements Signal.Source {
     };
   }
 
-  private static Signal signal(Topic topic, String path, boolean truth) {
+  /** Returns the signal of a topic's field, in the unit that is known of it. */
+  static Signal signal(Topic topic, String path, boolean truth) {
     String unit = topic.units().getOrDefault(path, "");
     boolean known = !unit.isEmpty() && Unit.parse(unit).isPresent();
     return ofField(topic.name(), path, topic.type(), known ? unit : "1", truth);

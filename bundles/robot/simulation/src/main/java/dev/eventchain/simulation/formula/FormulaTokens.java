@@ -42,6 +42,10 @@ public final class FormulaTokens {
   /** A field of a topic; matched only where no operand precedes it, or it would be a division. */
   private static final Pattern TOPIC = Pattern.compile("(?:/[A-Za-z_]\\w*)+(?:\\.[A-Za-z_]\\w*)+");
 
+  /** An output by the requirement that it satisfies, and its unit or type. */
+  static final Pattern OUTPUT =
+      Pattern.compile("output\\s*\\(\\s*(?<id>[^(),\\s]+)\\s*(?:,\\s*(?<kind>[^(),\\s]+)\\s*)?\\)");
+
   /** A unit, without blanks in its division; blanks may separate it from its number. */
   private static final Pattern UNIT =
       Pattern.compile("\\s*(%|\u00b0|[A-Za-z]\\w*(?:\\^[0-9]+)?(?:/[A-Za-z]\\w*(?:\\^[0-9]+)?)*)");
@@ -108,6 +112,11 @@ public final class FormulaTokens {
     if (!afterOperand() && topic.lookingAt()) {
       tokens.add(new Token(Kind.WORD, topic.group(), at, topic.end()));
       return topic.end();
+    }
+    Matcher output = OUTPUT.matcher(source.text()).region(at, end);
+    if (!afterOperand() && output.lookingAt()) {
+      tokens.add(new Token(Kind.WORD, output.group(), at, output.end()));
+      return output.end();
     }
     token.region(at, end);
     if (!token.lookingAt()) {

@@ -41,6 +41,16 @@ public record Signal(
 
     /** Returns the known names, for hints. */
     Collection<String> names();
+
+    /**
+     * Returns the outputs of the software that satisfy a requirement.
+     *
+     * @param kind {@code bool} or a unit of the wanted dimension; empty for any output
+     * @return empty as long as it is not known which outputs the software has
+     */
+    default Optional<List<Signal>> outputs(String requirement, Optional<String> kind) {
+      return Optional.empty();
+    }
   }
 
   /** Creates a signal that is not computed from others. */

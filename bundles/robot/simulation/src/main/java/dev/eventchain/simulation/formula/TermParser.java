@@ -8,6 +8,8 @@ import dev.eventchain.simulation.formula.FormulaTokens.Token;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.regex.Matcher;
+import java.util.stream.Collectors;
 
 /** Parses the quantities of a formula, and checks their units. */
 final class TermParser {
@@ -140,6 +142,10 @@ final class TermParser {
       String message = "Expected a quantity, but found '" + token.text() + "'.";
       throw tokens.syntax(token, message, "Put what follows into parentheses.");
     }
+    Matcher output = FormulaTokens.OUTPUT.matcher(token.text());
+    if (output.matches()) {
+      return Term.of(output(output.group("id"), Optional.ofNullable(output.group("kind")), token));
+    }
     Optional<Signal> signal = signals.find(token.text());
     if (signal.isEmpty()) {
       String message = "There is no signal '" + token.text() + "'.";
@@ -151,6 +157,30 @@ final class TermParser {
       throw tokens.unknownSignal(token, message, hint);
     }
     return Term.of(signal.get());
+  }
+
+  /** Returns the only output that satisfies a requirement. */
+  private Signal output(String requirement, Optional<String> kind, Token token) {
+    kind.filter(it -> !it.equals("bool")).ifPresent(it -> unit(it, token));
+    List<Signal> found =
+        signals
+            .outputs(requirement, kind)
+            .orElseThrow(() -> new UnresolvedOutputException("there is no chain yet"));
+    String wanted =
+        kind.map(it -> it.equals("bool") ? " of type bool" : " in " + it).orElse("");
+    if (found.isEmpty()) {
+      throw new UnresolvedOutputException(
+          "no output%s of the chain satisfies %s".formatted(wanted, requirement));
+    }
+    if (found.size() > 1) {
+      throw new UnresolvedOutputException(
+          "several outputs%s of the chain satisfy %s: %s"
+              .formatted(
+                  wanted,
+                  requirement,
+                  found.stream().map(Signal::name).collect(Collectors.joining(", "))));
+    }
+    return found.get(0);
   }
 
   private Term term(Part part, Token first) {

@@ -21,8 +21,11 @@ import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import dev.eventchain.simulation.world.Actuator;
 import dev.eventchain.simulation.world.Trace;
 import dev.eventchain.simulation.world.World;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
 
 /** Judges the run of a scenario. */
 public final class ScenarioJudge {
@@ -56,18 +59,24 @@ public final class ScenarioJudge {
     Trace trace = run.trace();
     List<Signal> signals =
         chain.chainSignals().with(chain.bench().signals().reported(scenario.signals()));
-    List<CriterionResult> criteria = criteria(run, worked);
+    List<CriterionResult> criteria =
+        applying(run)
+            .filter(each -> !worked || !isUnasked(each, run))
+            .map(each -> judge(each, run, worked))
+            .toList();
+    List<CriterionResult> observed = observed(run, worked);
     boolean passed = criteria.stream().allMatch(CriterionResult::passed);
     boolean failed = criteria.stream().anyMatch(each -> each.tested() && !each.passed());
     boolean tested = failed || criteria.stream().allMatch(CriterionResult::tested);
     return new ScenarioVerdict(
         scenario.name(),
         scenario.title(),
-        scenario.requirements(),
+        judged(scenario, run, worked),
         worked,
         tested,
         passed,
         criteria,
+        observed,
         WhatHappened.figures(trace, signals),
         latency(run.log(), chain),
         chain.latencyConstraints().stream().map(each -> latency(run.log(), each)).toList(),
@@ -75,12 +84,49 @@ public final class ScenarioJudge {
         WhatHappened.series(scenario.situation(), trace, signals));
   }
 
-  /** Judges the applicable criteria of the run's scenario, as for {@link #verdict}. */
+  /**
+   * Judges the applicable criteria of the run's scenario, as for {@link #verdict}; those that are
+   * not asked are among them, as untested.
+   */
   public List<CriterionResult> criteria(ScenarioRun run, boolean worked) {
-    return run.scenario().criteria().stream()
-        .filter(this::applies)
-        .map(each -> judge(each, run, worked))
-        .toList();
+    return applying(run).map(each -> judge(each, run, worked)).toList();
+  }
+
+  private Stream<Expectation> applying(ScenarioRun run) {
+    return run.scenario().criteria().stream().filter(this::applies);
+  }
+
+  /** Returns the scenario's requirements without those of which the run asks no criterion. */
+  private static List<String> judged(Scenario scenario, ScenarioRun run, boolean worked) {
+    Set<String> unasked = new HashSet<>();
+    Set<String> asked = new HashSet<>();
+    for (Expectation each : scenario.criteria()) {
+      if (!each.isOfEveryScenario()) {
+        (worked && isUnasked(each, run) ? unasked : asked).addAll(each.requirements());
+      }
+    }
+    unasked.removeAll(asked);
+    return scenario.requirements().stream().filter(id -> !unasked.contains(id)).toList();
+  }
+
+  /** Returns what is only observed, and the criteria that a run does not ask. */
+  private List<CriterionResult> observed(ScenarioRun run, boolean worked) {
+    Scenario scenario = run.scenario();
+    return worked
+        ? Stream.concat(
+                scenario.observed().stream(),
+                scenario.criteria().stream().filter(each -> isUnasked(each, run)))
+            .map(each -> result(each, each.judge(run.trace())))
+            .toList()
+        : List.of();
+  }
+
+  /** Returns whether a criterion is optional, and the software did not come to its premise. */
+  public static boolean isUnasked(Expectation criterion, ScenarioRun run) {
+    return run.scenario().isOptional(criterion)
+        && !run.isOverrun()
+        && !run.trace().isCut()
+        && !criterion.judge(run.trace()).tested();
   }
 
   /**
@@ -88,10 +134,7 @@ public final class ScenarioJudge {
    * criterion passes also where that is no evidence for the software.
    */
   public List<CriterionResult> criteriaWithoutEvidence(ScenarioRun run) {
-    return run.scenario().criteria().stream()
-        .filter(this::applies)
-        .map(each -> result(each, withoutEvidence(each, run)))
-        .toList();
+    return applying(run).map(each -> result(each, withoutEvidence(each, run))).toList();
   }
 
   /**

@@ -61,17 +61,25 @@ public final class CriteriaReader {
         criteria.add(
             kind.always()
                 ? criterion
-                : criterion.testing(formulas.requirements().of(section, kind.key())));
+                : named(section, criterion, formulas));
       }
     }
     List<ObjectReader> written = section.objects("formulas");
-    List<FormulaCriterion> named = NamedFormulas.read(section, formulas);
+    List<Expectation> named = NamedFormulas.read(section, formulas);
     formulas.requirements().refuseOthers(section);
+    formulas.optional().refuseOthers(section);
     checkTolerance(section, tolerances, criteria);
     List<Expectation> all = new ArrayList<>(criteria);
     all.addAll(named);
     all.addAll(formulas.read(written));
     return all;
+  }
+
+  private static Criterion named(
+      ObjectReader section, Criterion criterion, FormulasReader formulas) {
+    String key = criterion.kind().key();
+    formulas.optional().ofKey(section, key);
+    return criterion.testing(formulas.requirements().ofKey(section, key));
   }
 
   /** Checks that a tolerance is less than its limit, or every command would pass. */

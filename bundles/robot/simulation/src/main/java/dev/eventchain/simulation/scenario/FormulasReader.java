@@ -10,6 +10,7 @@ import dev.eventchain.simulation.bench.YamlText;
 import dev.eventchain.simulation.formula.Formula;
 import dev.eventchain.simulation.formula.Range;
 import dev.eventchain.simulation.formula.Signal;
+import dev.eventchain.simulation.formula.UnresolvedOutputException;
 import dev.eventchain.simulation.scenario.FormulaCriterion.Form;
 import java.util.ArrayList;
 import java.util.List;
@@ -24,6 +25,7 @@ public final class FormulasReader {
   private final Signal.Source signals;
   private final double duration;
   private final NamedRequirements requirements;
+  private final OptionalCriteria optional = new OptionalCriteria();
   private final Optional<Range.Source> ranges;
 
   /**
@@ -49,25 +51,49 @@ public final class FormulasReader {
     this.requirements = requirements;
   }
 
-  List<FormulaCriterion> read(List<ObjectReader> sections) {
-    List<FormulaCriterion> criteria = new ArrayList<>();
+  /** Reads formulas with their names and requirements. */
+  List<Expectation> read(List<ObjectReader> sections) {
+    List<Expectation> criteria = new ArrayList<>();
     for (ObjectReader section : sections) {
       String name = section.text("name").orElse("").strip();
       if (!section.has(KEY)) {
         String message = "'" + KEY + "' is missing.";
         section.find(ScenarioRules.KEY_MISSING, message, section.location());
       }
-      List<String> tested = requirements.of(section);
+      List<String> tested = tested(section, KEY);
       section
           .text(KEY)
-          .flatMap(text -> formula(section, KEY, source.range(section.at(KEY), text)))
-          .map(
-              formula ->
-                  new FormulaCriterion(name, formula, Form.WRITTEN, section.atKey(KEY), tested))
+          .flatMap(
+              text ->
+                  criterion(
+                      section, KEY, name, Form.WRITTEN, source.range(section.at(KEY), text), tested))
           .ifPresent(criteria::add);
       section.refuseOthers();
     }
     return criteria;
+  }
+
+  /** Reads the formulas of a scenario that are reported, and not judged. */
+  List<Expectation> readObserved(ObjectReader scenario) {
+    FormulasReader observed =
+        new FormulasReader(
+            source.source(), signals, duration, NamedRequirements.none(), Optional.empty());
+    return observed.read(scenario.objects("observe"));
+  }
+
+  /**
+   * Reads the requirements that an entry of a list names or judges, and whether it is optional.
+   *
+   * @param key the key at which the criterion is located
+   */
+  List<String> tested(ObjectReader entry, String key) {
+    optional.ofEntry(entry, entry.atKey(key));
+    return requirements.ofEntry(entry, entry.atKey(key));
+  }
+
+  /** Returns the reader of which criteria are optional. */
+  OptionalCriteria optional() {
+    return optional;
   }
 
   /** Returns the reader of the requirements that criteria name. */
@@ -87,11 +113,29 @@ public final class FormulasReader {
    * @param form what it asks for
    * @param tested ids of the requirements that it names
    */
-  Optional<FormulaCriterion> parse(
+  Optional<Expectation> parse(
       ObjectReader section, String key, String name, Form form, String text, List<String> tested) {
     SourceRange range = SourceText.within(section.at(key), text).whole();
-    return formula(section, key, range)
-        .map(formula -> new FormulaCriterion(name, formula, form, section.atKey(key), tested));
+    return criterion(section, key, name, form, range, tested);
+  }
+
+  private Optional<Expectation> criterion(
+      ObjectReader section,
+      String key,
+      String name,
+      Form form,
+      SourceRange range,
+      List<String> tested) {
+    SourceLocation place = section.atKey(key);
+    try {
+      return formula(section, key, range)
+          .map(formula -> new FormulaCriterion(name, formula, form, place, tested));
+    } catch (UnresolvedOutputException e) {
+      String text = range.text().strip().replaceAll("\\s+", " ");
+      return Optional.of(
+          new UnresolvedCriterion(
+              name.isEmpty() ? text : name + " (" + text + ")", e.getMessage(), place, tested));
+    }
   }
 
   private Optional<Formula> formula(ObjectReader section, String key, SourceRange range) {

@@ -46,10 +46,11 @@ final class InputsReader {
       ObjectReader scenario, Set<String> names, List<Expectation> criteria, Bench bench) {
     for (String name : names) {
       boolean judged =
-          criteria.stream()
-              .flatMap(each -> each.signals().stream())
-              .flatMap(Signal::origins)
-              .anyMatch(signal -> signal.name().equals(name));
+          criteria.stream().anyMatch(UnresolvedCriterion.class::isInstance) // It may read any.
+              || criteria.stream()
+                  .flatMap(each -> each.signals().stream())
+                  .flatMap(Signal::origins)
+                  .anyMatch(signal -> signal.name().equals(name));
       if (!judged && !bench.mayNeed(name)) {
         ObjectReader section = scenario.object("inputs").orElseThrow();
         section.find(

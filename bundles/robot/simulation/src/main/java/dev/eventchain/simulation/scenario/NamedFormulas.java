@@ -21,7 +21,7 @@ final class NamedFormulas {
 
   private final ObjectReader section;
   private final FormulasReader formulas;
-  private final List<FormulaCriterion> criteria = new ArrayList<>();
+  private final List<Expectation> criteria = new ArrayList<>();
 
   private NamedFormulas(ObjectReader section, FormulasReader formulas) {
     this.section = section;
@@ -29,7 +29,7 @@ final class NamedFormulas {
   }
 
   /** Reads the criteria in a section {@code accept}. */
-  static List<FormulaCriterion> read(ObjectReader section, FormulasReader formulas) {
+  static List<Expectation> read(ObjectReader section, FormulasReader formulas) {
     NamedFormulas named = new NamedFormulas(section, formulas);
     named.limit(
         "minimal_time_gap_s",
@@ -46,7 +46,8 @@ final class NamedFormulas {
     OptionalDouble limit = section.number(key, range);
     if (limit.isPresent()) {
       String text = pattern.formatted(BigDecimal.valueOf(limit.getAsDouble()).toPlainString());
-      List<String> tested = formulas.requirements().of(section, key);
+      List<String> tested = formulas.requirements().ofKey(section, key);
+      formulas.optional().ofKey(section, key);
       formulas.parse(section, key, key, form, text, tested).ifPresent(criteria::add);
     }
   }
@@ -57,7 +58,7 @@ final class NamedFormulas {
     String target = part.requiredText("at");
     String band = part.requiredText("within");
     double from = part.requiredNumber("from_s", SECONDS);
-    List<String> tested = formulas.requirements().of(part);
+    List<String> tested = formulas.tested(part, "signal");
     part.refuseOthers();
     add(
         part,
@@ -73,7 +74,7 @@ final class NamedFormulas {
     String signal = part.requiredText("signal");
     String target = part.requiredText("at");
     String most = part.requiredText("at_most");
-    List<String> tested = formulas.requirements().of(part);
+    List<String> tested = formulas.tested(part, "signal");
     part.refuseOthers();
     add(
         part,

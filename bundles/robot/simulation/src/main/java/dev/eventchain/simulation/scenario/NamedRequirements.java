@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.documents.ObjectReader;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -14,7 +15,8 @@ import java.util.Set;
 /**
  * The requirements that a scenario and its criteria name. A criterion tests those that it names
  * itself; one that names none tests those of the scenario's list that no other criterion names. The
- * criteria of every scenario are conditions for all of them.
+ * criteria of every scenario are conditions for all of them. A criterion can also say which words of
+ * a requirement it judges, under {@code judges}; it tests these requirements.
  *
  * <p>Entries of a list have a key {@code requirements}; criteria with keys of their own are found
  * in a section of that name, by their keys.
@@ -22,14 +24,15 @@ import java.util.Set;
 public final class NamedRequirements {
 
   private static final String KEY = "requirements";
+  private static final String JUDGES = "judges";
 
   private final boolean read;
   private final List<String> ofScenario;
   private final Set<String> ofCriteria = new LinkedHashSet<>();
   private final Map<String, SourceLocation> places = new LinkedHashMap<>();
   private final SourceLocation place;
-  private Optional<ObjectReader> byKey = Optional.empty();
-  private boolean sought;
+  private final List<JudgedWords> judged = new ArrayList<>();
+  private final Map<String, Optional<ObjectReader>> byKey = new HashMap<>();
 
   private NamedRequirements(boolean read, List<String> ofScenario, SourceLocation place) {
     this.read = read;
@@ -49,17 +52,50 @@ public final class NamedRequirements {
     return new NamedRequirements(true, scenario.texts(KEY), place);
   }
 
-  /** Reads the requirements that an entry of a list names; empty if it names none. */
-  List<String> of(ObjectReader entry) {
-    return read ? named(entry, KEY) : List.of();
-  }
-
-  /** Reads the requirements that a criterion with a key of its own names; empty if none. */
-  List<String> of(ObjectReader accept, String key) {
+  /**
+   * Reads the requirements that an entry of a list names or judges; empty if it names none.
+   *
+   * @param criterion the location of the criterion
+   */
+  List<String> ofEntry(ObjectReader entry, SourceLocation criterion) {
     if (!read) {
       return List.of();
     }
-    return section(accept).map(part -> named(part, key)).orElse(List.of());
+    Set<String> ids = new LinkedHashSet<>(named(entry, KEY));
+    ids.addAll(judged(entry, JUDGES, criterion));
+    return List.copyOf(ids);
+  }
+
+  /** Reads the requirements that a criterion with a key of its own names or judges. */
+  List<String> ofKey(ObjectReader accept, String key) {
+    if (!read) {
+      return List.of();
+    }
+    Set<String> ids = new LinkedHashSet<>();
+    section(accept, KEY).ifPresent(part -> ids.addAll(named(part, key)));
+    section(accept, JUDGES).ifPresent(part -> ids.addAll(judged(part, key, accept.atKey(key))));
+    return List.copyOf(ids);
+  }
+
+  /** Reads the words of requirements that a criterion judges. */
+  private List<String> judged(ObjectReader section, String key, SourceLocation criterion) {
+    Optional<ObjectReader> words = section.object(key);
+    List<String> ids = words.map(ObjectReader::names).orElse(List.of());
+    for (String id : ids) {
+      ObjectReader part = words.get();
+      boolean several = part.value(id).filter(JsonNode::isArray).isPresent();
+      for (String each : several ? part.texts(id) : List.of(part.requiredText(id))) {
+        judged.add(new JudgedWords(criterion, id, each, part.at(id)));
+      }
+      places.putIfAbsent(id, part.atKey(id));
+    }
+    ofCriteria.addAll(ids);
+    return ids;
+  }
+
+  /** Returns the words of requirements that criteria judge, in the order of reading. */
+  List<JudgedWords> judged() {
+    return List.copyOf(judged);
   }
 
   private List<String> named(ObjectReader section, String key) {
@@ -76,16 +112,13 @@ public final class NamedRequirements {
   /** Reports requirements of criteria that do not exist. Must be called last. */
   void refuseOthers(ObjectReader accept) {
     if (read) {
-      section(accept).ifPresent(ObjectReader::refuseOthers);
+      section(accept, KEY).ifPresent(ObjectReader::refuseOthers);
+      section(accept, JUDGES).ifPresent(ObjectReader::refuseOthers);
     }
   }
 
-  private Optional<ObjectReader> section(ObjectReader accept) {
-    if (!sought) {
-      sought = true;
-      byKey = accept.object(KEY);
-    }
-    return byKey;
+  private Optional<ObjectReader> section(ObjectReader accept, String key) {
+    return byKey.computeIfAbsent(key, accept::object);
   }
 
   /** Returns all ids: the scenario's list, and then what only criteria name. */

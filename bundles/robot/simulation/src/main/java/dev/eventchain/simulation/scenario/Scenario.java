@@ -33,7 +33,7 @@ public final class Scenario {
   private final double duration;
   private final Situation situation;
   private final Map<String, Script> inputs;
-  private final List<Expectation> criteria;
+  private final Asked asked;
   private final NamedRequirements.Places places;
   private final SourceLocation location;
 
@@ -43,7 +43,7 @@ public final class Scenario {
       double duration,
       Situation situation,
       Map<String, Script> inputs,
-      List<Expectation> criteria) {
+      Asked asked) {
     this.name = heading.name();
     this.title = heading.title();
     this.requirements = List.copyOf(heading.requirements());
@@ -53,7 +53,7 @@ public final class Scenario {
     this.duration = duration;
     this.situation = situation;
     this.inputs = Map.copyOf(inputs);
-    this.criteria = List.copyOf(criteria);
+    this.asked = asked;
   }
 
   /** Names and requirements of a scenario. */
@@ -64,10 +64,71 @@ public final class Scenario {
       NamedRequirements.Places places,
       SourceLocation location) {}
 
+  /**
+   * What is asked of the software in a scenario.
+   *
+   * @param criteria what it has to keep to
+   * @param observed what is reported, and not judged
+   * @param judged the words of requirements that criteria judge
+   * @param optional the locations of criteria that are asked only where their premise comes true
+   */
+  record Asked(
+      List<Expectation> criteria,
+      List<Expectation> observed,
+      List<JudgedWords> judged,
+      Set<SourceLocation> optional) {
+
+    /** Copies the lists. */
+    Asked {
+      criteria = List.copyOf(criteria);
+      observed = List.copyOf(observed);
+    }
+  }
+
   /** Returns a copy with other criteria. */
   public Scenario with(List<Expectation> others) {
     Heading heading = new Heading(name, title, requirements, places, location);
-    return new Scenario(heading, seed, duration, situation, inputs, others);
+    Asked other = new Asked(others, asked.observed, asked.judged, asked.optional);
+    return new Scenario(heading, seed, duration, situation, inputs, other);
+  }
+
+  /**
+   * Returns a copy without the criteria that a run of it did not ask.
+   *
+   * @param unasked their locations
+   */
+  public Scenario without(Set<SourceLocation> unasked) {
+    return with(
+        asked.criteria.stream().filter(each -> !unasked.contains(each.location())).toList());
+  }
+
+  /** Returns the words of requirements that its criteria judge, in their order. */
+  public List<JudgedWords> judged() {
+    return asked.judged;
+  }
+
+  /** Returns the formulas that are reported, and not judged. */
+  public List<Expectation> observed() {
+    return asked.observed;
+  }
+
+  /**
+   * Returns a finding {@code scenario.output.unresolved} for each criterion on an output of which
+   * the chain has none or several.
+   */
+  public List<Diagnostic> unresolved() {
+    return asked.criteria.stream()
+        .filter(each -> each instanceof UnresolvedCriterion && !isOptional(each))
+        .map(each -> ((UnresolvedCriterion) each).finding())
+        .toList();
+  }
+
+  /**
+   * Returns whether a criterion is on something to which correct software need not come: it is not
+   * asked where that does not come.
+   */
+  public boolean isOptional(Expectation criterion) {
+    return asked.optional.contains(criterion.location());
   }
 
   /**
@@ -186,7 +247,7 @@ public final class Scenario {
   /** As {@link #dependsOn(String, Set, Bench)}, for the criterion at a location. */
   public boolean dependsOn(SourceLocation criterion, Set<String> topics, Bench bench) {
     boolean commanding = isCommanded(topics, bench);
-    return criteria.stream()
+    return criteria().stream()
         .filter(each -> each.location().equals(criterion))
         .anyMatch(each -> each.dependsOn(topics, commanding));
   }
@@ -198,25 +259,25 @@ public final class Scenario {
   }
 
   private Stream<Expectation> criteriaOf(String requirement) {
-    return criteria.stream().filter(each -> each.requirements().contains(requirement));
+    return criteria().stream().filter(each -> each.requirements().contains(requirement));
   }
 
-  /** Returns the signals that its formulas read. */
+  /** Returns the signals that its formulas read, also those that are only reported. */
   public Set<Signal> signals() {
-    return criteria.stream()
+    return Stream.concat(asked.criteria.stream(), asked.observed.stream())
         .flatMap(each -> each.signals().stream())
         .collect(Collectors.toCollection(LinkedHashSet::new));
   }
 
   /** Returns whether a criterion says how fast an impact may be, so that one may end a run. */
   public boolean allowsImpact() {
-    return criteria.stream().anyMatch(each -> isOf(each, CriterionKind.MAXIMAL_IMPACT_SPEED));
+    return criteria().stream().anyMatch(each -> isOf(each, CriterionKind.MAXIMAL_IMPACT_SPEED));
   }
 
   /** Returns whether a criterion is about impacts, so that none goes unnoticed. */
   public boolean judgesImpact() {
     return allowsImpact()
-        || criteria.stream()
+        || criteria().stream()
             .anyMatch(
                 each -> isOf(each, CriterionKind.NO_IMPACT) || isOf(each, CriterionKind.STOPS));
   }
@@ -228,10 +289,10 @@ public final class Scenario {
   /** Returns the end of the part of a run that the criteria need without an impact, in ns. */
   public long horizon() {
     long longest = World.nanoseconds(duration);
-    return Math.min(longest, criteria.stream().mapToLong(Expectation::horizon).max().orElse(0));
+    return Math.min(longest, criteria().stream().mapToLong(Expectation::horizon).max().orElse(0));
   }
 
   public List<Expectation> criteria() {
-    return criteria;
+    return asked.criteria;
   }
 }

@@ -84,15 +84,27 @@ final class ScenarioReader {
             Optional.of(new SignalRanges(situation, inputs, bench, longest(section))));
     List<Expectation> criteria =
         accept.map(part -> CriteriaReader.read(part, formulas)).orElse(List.of());
+    List<Expectation> observed = formulas.readObserved(section);
     if (sound.getAsBoolean()) { // A criterion with an error may be the one that needs an input.
-      InputsReader.requireUse(section, inputs.keySet(), criteria, bench);
+      InputsReader.requireUse(section, inputs.keySet(), read(criteria, observed), bench);
     }
     section.refuseOthers();
     Scenario.Heading heading =
         new Scenario.Heading(
             name, title, requirements.all(), requirements.places(), section.location());
-    return new Scenario(
-        heading, seed, duration, situation, inputs, requirements.distributed(criteria));
+    Scenario.Asked asked =
+        new Scenario.Asked(
+            requirements.distributed(criteria),
+            observed,
+            requirements.judged(),
+            formulas.optional().locations());
+    return new Scenario(heading, seed, duration, situation, inputs, asked);
+  }
+
+  private static List<Expectation> read(List<Expectation> criteria, List<Expectation> observed) {
+    List<Expectation> all = new ArrayList<>(criteria);
+    all.addAll(observed);
+    return all;
   }
 
   private static String name(ObjectReader section) {

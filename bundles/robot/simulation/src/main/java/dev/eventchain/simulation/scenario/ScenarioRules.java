@@ -13,6 +13,7 @@ final class ScenarioRules {
   static final Rule KEY_UNKNOWN = Rule.error("scenario.key.unknown");
   static final Rule NAME_DUPLICATE = Rule.error("scenario.name.duplicate");
   static final Rule NONE = Rule.error("scenario.none");
+  static final Rule OUTPUT_UNRESOLVED = Rule.warning("scenario.output.unresolved");
   static final Rule SYNTAX = Rule.error("scenario.syntax", CommonTrait.UNSUPPRESSIBLE);
   static final Rule VALUE_RANGE = Rule.error("scenario.value.range");
   static final Rule VALUE_TYPE = Rule.error("scenario.value.type");

@@ -69,7 +69,7 @@ public final class PassedScenario {
         return new Judged(
             reaction(VariantReaction.Kind.CRITERION, result.text(), result.margin()), 0);
       }
-      if (results.get(i).passed() && !result.passed()) {
+      if (results.get(i).passed() && !result.passed() && !isUnasked(result, variant)) {
         untested = untested.or(() -> Optional.of(untested(result.text())));
       }
       double left = result.leftOf(results.get(i));
@@ -83,6 +83,12 @@ public final class PassedScenario {
       untested = untested.or(() -> Optional.of(untested("an impact that no criterion is about")));
     }
     return untested.isPresent() ? new Judged(untested.get(), 0) : nearest;
+  }
+
+  private static boolean isUnasked(CriterionResult result, ScenarioRun variant) {
+    return variant.scenario().criteria().stream()
+        .filter(each -> each.location().equals(result.location()))
+        .anyMatch(each -> ScenarioJudge.isUnasked(each, variant));
   }
 
   private static boolean hasImpact(ScenarioRun run) {

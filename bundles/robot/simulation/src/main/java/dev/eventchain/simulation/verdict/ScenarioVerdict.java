@@ -13,11 +13,13 @@ import java.util.stream.Stream;
  *
  * @param scenario the scenario's name
  * @param title the scenario's title
- * @param requirements ids of all requirements that the scenario or one of its criteria names
+ * @param requirements ids of all requirements that the scenario or one of its criteria names,
+ *     without those whose criteria the run did not ask
  * @param worked true if every component worked; if not, no criterion was judged
  * @param tested true if every component worked and every criterion could be judged, or one fails
  * @param passed true if it was tested and every criterion holds
  * @param criteria the results of the criteria
+ * @param observed what was only observed: it counts for no verdict
  * @param figures measurements of the world and of the chain's commands
  * @param latency from a stimulus of the chain's first node to the first command that is based on
  *     it, in ms; empty if no command is based on it
@@ -33,6 +35,7 @@ public record ScenarioVerdict(
     boolean tested,
     boolean passed,
     List<CriterionResult> criteria,
+    List<CriterionResult> observed,
     List<Figure> figures,
     Optional<Measurements.Statistics> latency,
     List<Optional<Latency>> latencies,
@@ -43,6 +46,7 @@ public record ScenarioVerdict(
   public ScenarioVerdict {
     requirements = List.copyOf(requirements);
     criteria = List.copyOf(criteria);
+    observed = List.copyOf(observed);
     latencies = List.copyOf(latencies);
     figures = List.copyOf(figures);
   }
@@ -57,6 +61,7 @@ public record ScenarioVerdict(
         tested,
         passed,
         criteria,
+        observed,
         figures,
         latency,
         others,
@@ -314,6 +319,7 @@ public record ScenarioVerdict(
                 "Scenario %s: '%s' was not tested: %s.",
                 scenario, criterion.text(), criterion.measured()),
             criterion.location())
-        .withHint("Change the scenario so that the situation occurs, or leave the criterion out.");
+        .withHint("Change the scenario so that the situation occurs, mark the criterion as optional if"
+                + " correct software need not come to it, or leave it out.");
   }
 }

@@ -41,7 +41,8 @@ public final class VerdictCorrection {
     this.run = run;
     this.failed = failed;
     this.scenarios =
-        Scenario.readFolder(run.project().scenarios(), run.bench(), warning -> {}).stream()
+        Scenario.readFolder(run.project().scenarios(), run.chain().bench(), warning -> {})
+            .stream()
             .collect(Collectors.toMap(Scenario::name, scenario -> scenario));
   }
 
@@ -102,7 +103,7 @@ public final class VerdictCorrection {
 
   private boolean dependsOn(ScenarioVerdict verdict, CriterionResult missed, Set<String> topics) {
     return Optional.ofNullable(scenarios.get(verdict.scenario()))
-        .map(scenario -> scenario.dependsOn(missed.location(), topics, run.bench()))
+        .map(scenario -> scenario.dependsOn(missed.location(), topics, run.chain().bench()))
         .orElse(true);
   }
 

@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline.results;
 
+import com.fasterxml.jackson.annotation.JsonInclude;
 import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.List;
 import java.util.Optional;
@@ -10,6 +11,7 @@ import java.util.Optional;
  *
  * @param text the result in a sentence
  * @param requirements the identifiers of the requirements that it tests
+ * @param observed what is only reported, as it counts for no verdict
  * @param measurements the measured figures
  * @param latency the latency of the chain, in ms; empty if it was not measured
  */
@@ -21,6 +23,7 @@ public record SimulatedScenario(
     String text,
     List<String> requirements,
     List<Criterion> criteria,
+    @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Criterion> observed,
     List<Figure> measurements,
     Optional<Statistics> latency,
     Series series,
@@ -30,6 +33,7 @@ public record SimulatedScenario(
   public SimulatedScenario {
     requirements = List.copyOf(requirements);
     criteria = List.copyOf(criteria);
+    observed = observed == null ? List.of() : List.copyOf(observed);
     measurements = List.copyOf(measurements);
   }
 

@@ -24,9 +24,9 @@ final class ProjectFaults {
     }
     List<Scenario> all =
         run.options().isPartial()
-            ? Scenario.readFolder(run.project().scenarios(), run.bench(), warning -> {})
+            ? Scenario.readFolder(run.project().scenarios(), run.chain().bench(), warning -> {})
             : scenarios;
-    FaultPlan plan = FaultPlan.read(run.options().faults().get(), chain, run.bench(), all);
+    FaultPlan plan = FaultPlan.read(run.options().faults().get(), chain, run.chain().bench(), all);
     Set<String> names = scenarios.stream().map(Scenario::name).collect(Collectors.toSet());
     plan.leftOut(names).ifPresent(run::find);
     return plan.within(names);

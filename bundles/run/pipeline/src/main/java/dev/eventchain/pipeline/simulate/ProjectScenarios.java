@@ -17,7 +17,8 @@ final class ProjectScenarios {
 
   /** Returns the scenarios that a run requests, in the order of their files. */
   static List<Scenario> selected(RunContext run) {
-    List<Scenario> all = Scenario.readFolder(run.project().scenarios(), run.bench(), run::find);
+    List<Scenario> all =
+        Scenario.readFolder(run.project().scenarios(), run.chain().bench(), run::find);
     Set<String> wanted = new TreeSet<>(run.options().scenarios());
     if (wanted.isEmpty()) {
       return all;

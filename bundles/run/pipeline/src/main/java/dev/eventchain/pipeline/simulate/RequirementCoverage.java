@@ -2,6 +2,7 @@ package dev.eventchain.pipeline.simulate;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Rule;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.WrittenRequirement;
@@ -11,9 +12,12 @@ import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.results.RequirementOutcome;
 import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.simulation.SimulationResult;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.scenario.Scenario;
+import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -44,6 +48,23 @@ final class RequirementCoverage {
     this.topics = TopicIndex.of(chain);
     this.bench = bench;
     this.scenarios = scenarios;
+  }
+
+  /** Returns the scenarios without the criteria that their runs did not ask. */
+  static List<Scenario> judged(List<Scenario> scenarios, SimulationResult result) {
+    Map<String, Set<SourceLocation>> observed = new HashMap<>();
+    result
+        .verdicts()
+        .forEach(
+            verdict ->
+                observed.put(
+                    verdict.scenario(),
+                    verdict.observed().stream()
+                        .map(ScenarioVerdict.CriterionResult::location)
+                        .collect(Collectors.toSet())));
+    return scenarios.stream()
+        .map(each -> each.without(observed.getOrDefault(each.name(), Set.of())))
+        .toList();
   }
 
   /**
@@ -119,7 +140,7 @@ final class RequirementCoverage {
    * a criterion that depends on outputs of the components that satisfy it.
    */
   static Map<String, String> unproven(RunContext run, EventChain chain, List<Scenario> scenarios) {
-    RequirementCoverage coverage = new RequirementCoverage(chain, run.bench(), scenarios);
+    RequirementCoverage coverage = new RequirementCoverage(chain, run.bench().withOutputsOf(chain), scenarios);
     Map<String, String> unproven = new TreeMap<>();
     coverage.findIndependent(run.writtenRequirements(), unproven);
     coverage.findUnread(unproven);

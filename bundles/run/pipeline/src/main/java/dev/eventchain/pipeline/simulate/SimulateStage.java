@@ -111,9 +111,10 @@ public final class SimulateStage implements StageWork {
     OclResult validation = ProjectChecks.constraints(run).check(measured, locator);
     RuleEvidence evidence = RuleEvidence.of(run, measured, validation);
     found.addAll(evidence.findings());
-    List<RequirementOutcome> outcomes = outcomes(run, chain, scenarios, result, evidence);
+    List<Scenario> judged = RequirementCoverage.judged(scenarios, result);
+    List<RequirementOutcome> outcomes = outcomes(run, chain, judged, result, evidence);
     if (!run.options().isPartial()) {
-      addUntested(run, chain, scenarios, result, outcomes, found);
+      addUntested(run, chain, judged, result, outcomes, found);
       // Last, so that it never exists without the results it refers to.
       run.writeResult(VERDICT, verdict(run, chain, result, found, outcomes));
     }
@@ -355,7 +356,7 @@ public final class SimulateStage implements StageWork {
             run.file(generated.folder()),
             generated.manifest(),
             run.project().messageFolders(),
-            run.bench(),
+            run.chain().bench(),
             scenarios)
         .with(settings -> settings(run, chain, settings));
   }

@@ -205,6 +205,7 @@ public final class SimulationReport {
         verdict.tested() ? words(verdict) : untested(verdict),
         verdict.requirements(),
         criteria(verdict),
+        verdict.observed().stream().map(each -> criterion(verdict, each)).toList(),
         verdict.figures().stream().map(SimulationReport::figure).toList(),
         statistics(verdict.latency()),
         series(verdict.series()),

@@ -12,6 +12,7 @@ import dev.eventchain.project.Requirements;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import dev.eventchain.simulation.bench.Bench;
 import org.eclipse.emf.ecore.EObject;
 
 /**
@@ -69,6 +70,11 @@ public final class ChainSnapshot {
 
   public EventChain chain() {
     return model.chain();
+  }
+
+  /** Returns the project's bench, whose formulas can read outputs of the chain by requirement. */
+  public Bench bench() {
+    return run.bench().withOutputsOf(chain());
   }
 
   /** Returns the location of an element: in the description of the chain or in the model. */

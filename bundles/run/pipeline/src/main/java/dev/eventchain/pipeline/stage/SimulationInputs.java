@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.fault.FaultPlan;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.nio.file.Path;
@@ -38,7 +39,7 @@ public final class SimulationInputs {
    */
   public static List<Diagnostic> check(RunContext run) {
     run.project().accepted();
-    return named(run, scenarios(run, warning -> {}));
+    return named(run, scenarios(run, false, warning -> {}));
   }
 
   /**
@@ -52,7 +53,7 @@ public final class SimulationInputs {
     SimulationInputs inputs = new SimulationInputs(run);
     boolean bench = inputs.of(run::bench).isPresent();
     Optional<List<Scenario>> scenarios =
-        bench ? inputs.of(() -> scenarios(run, inputs.found::add)) : Optional.empty();
+        bench ? inputs.of(() -> scenarios(run, valid, inputs.found::add)) : Optional.empty();
     inputs.of(run.project()::accepted);
     scenarios.flatMap(all -> inputs.of(() -> named(run, all))).ifPresent(inputs.found::addAll);
     if (bench && valid) {
@@ -71,8 +72,14 @@ public final class SimulationInputs {
     return run.bench().check(run.chain().chain(), run.chain()::locate);
   }
 
-  private static List<Scenario> scenarios(RunContext run, Consumer<Diagnostic> warnings) {
-    return Scenario.readFolder(run.project().scenarios(), run.bench(), warnings);
+  private static List<Scenario> scenarios(
+      RunContext run, boolean withChain, Consumer<Diagnostic> warnings) {
+    Bench bench = withChain ? run.chain().bench() : run.bench();
+    List<Scenario> scenarios = Scenario.readFolder(run.project().scenarios(), bench, warnings);
+    if (withChain) {
+      scenarios.forEach(each -> each.unresolved().forEach(warnings));
+    }
+    return scenarios;
   }
 
   private static List<Diagnostic> named(RunContext run, List<Scenario> scenarios) {
@@ -92,6 +99,7 @@ public final class SimulationInputs {
           .map(id -> unknown(scenario, id, known))
           .forEach(found::add);
     }
+    found.addAll(JudgedRequirements.check(scenarios, run.writtenRequirements()));
     return found;
   }
 

@@ -45,6 +45,7 @@ class EarlierRunTest {
         List.of(),
         List.of(),
         List.of(),
+        List.of(),
         Optional.empty(),
         new SimulatedScenario.Series(List.of(), List.of()),
         new SimulatedScenario.Scene(0, 3, 20, ego, List.of(), List.of()));
