@@ -68,7 +68,10 @@ final class MeasurementsWriter {
     json.writeEndArray();
     json.writeBooleanField("tested", verdict.tested());
     json.writeBooleanField("passed", verdict.passed());
-    criteria(verdict.criteria());
+    criteria("criteria", verdict.criteria());
+    if (!verdict.observed().isEmpty()) {
+      criteria("observed", verdict.observed());
+    }
     figures(verdict.figures());
     statistics("latency", verdict.latency());
     json.writeArrayFieldStart("latencies");
@@ -81,8 +84,9 @@ final class MeasurementsWriter {
     json.writeEndObject();
   }
 
-  private void criteria(List<ScenarioVerdict.CriterionResult> criteria) throws IOException {
-    json.writeArrayFieldStart("criteria");
+  private void criteria(String key, List<ScenarioVerdict.CriterionResult> criteria)
+      throws IOException {
+    json.writeArrayFieldStart(key);
     for (ScenarioVerdict.CriterionResult criterion : criteria) {
       json.writeStartObject();
       json.writeStringField("text", criterion.text());

@@ -29,6 +29,15 @@ function beforeOf(criterion, before) {
   return same ? null : html("span", { class: "margin" }, `before: ${outcomeOf(earlier).word}, ${text(earlier.measured)}`);
 }
 
+/** What was reported without being judged. */
+function observedList(observed) {
+  if (observed.length === 0) {
+    return null;
+  }
+  const item = (each) => html("li", null, html("span", null, text(each.text)), html("span", { class: "measured" }, `${outcomeOf(each).word}: ${text(each.measured)}`));
+  return html("details", { class: "observed" }, html("summary", null, `Observed, not judged: ${observed.length}`), html("ul", { class: "criteria" }, observed.map(item)));
+}
+
 function criterionItem(criterion, before) {
   const { tone, word } = outcomeOf(criterion);
   const said = { passed: "met: ", failed: "not met: " }[word] ?? word + ": ";
@@ -75,6 +84,7 @@ function scenarioCard(scenario) {
     html("header", null, html("h3", null, titleOf(scenario)), status(tone, word[0].toUpperCase() + word.slice(1))),
     html("p", { class: "about" }, about.flatMap((part, index) => (index > 0 ? [" \u00b7 ", part] : [part]))),
     html("ul", { class: "criteria", "aria-label": "Criteria" }, records(scenario.criteria).map((criterion) => criterionItem(criterion, scenario.before))),
+    observedList(records(scenario.observed)),
     figures("figures", [
       ["Latency of the chain", number(measured.median) === null ? null : latency(measured.median), `median, at most ${latency(measured.maximum)}`],
     ]),
