@@ -20,8 +20,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * Tests that the scenarios of the examples fail components with safety-relevant defects, and by the
- * criterion that concerns the defect. A build tries a third of the mutants, another one each day;
- * the profile {@code thorough} tries all. {@code -Dmutants.turn=N} repeats a build's third.
+ * criterion that concerns the defect. A build tries a ninth of the mutants, another one each day;
+ * the profile {@code thorough} tries all. {@code -Dmutants.turn=N} repeats a build's ninth.
  */
 class MutantsTest {
 
@@ -29,7 +29,7 @@ class MutantsTest {
       Program.ROOT.resolve("tests/end-to-end/src/test/resources/mutants");
 
   /** Number of days in which all mutants are tried. */
-  private static final int DAYS = Integer.getInteger("mutants.of.examples", 3);
+  private static final int DAYS = Integer.getInteger("mutants.of.examples", 9);
 
   @TempDir Path folder;
 
