@@ -70,7 +70,8 @@ final class MutantRun {
         Bench.read(
             Optional.of(project.resolve(Bench.FILE)).filter(Files::exists),
             SoftwareBase.read(project.resolve("software-base")).signals().orElse(List.of()),
-            MessageCatalog.of(messages));
+            MessageCatalog.of(messages))
+            .withOutputsOf(chain);
     this.scenarios = Scenario.readFolder(project.resolve("scenarios"), bench, warning -> {});
   }
 

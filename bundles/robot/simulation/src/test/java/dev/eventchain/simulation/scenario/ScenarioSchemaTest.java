@@ -191,7 +191,7 @@ class ScenarioSchemaTest {
         .filter(kind -> !kind.always())
         .forEach(kind -> assertFalse(accept.path(kind.key()).isMissingNode(), kind.key()));
     List<String> keyed =
-        StreamSupport.stream(accept.at("/requirements/propertyNames/enum").spliterator(), false)
+        StreamSupport.stream(schema.at("/$defs/keys/enum").spliterator(), false)
             .map(JsonNode::asText)
             .toList();
     List<String> kinds =
