@@ -124,9 +124,9 @@ class BadInputTest {
     Path requirements = project.resolve("requirements.md");
     Files.writeString(
         requirements,
-        Files.readString(requirements).replace("below 1.0 seconds", "below 1.5 seconds"));
+        Files.readString(requirements).replace("or physical lidar", "or physical radar"));
     ended = new Program().run("run", project);
-    ended.expect(2).says("llm.recording.missing").says("1.5 seconds").says("handoff:");
+    ended.expect(2).says("llm.recording.missing").says("physical radar").says("handoff:");
   }
 
   @ParameterizedTest(name = "{index}: {0}")
@@ -196,7 +196,7 @@ class BadInputTest {
     assertTrue(Files.readString(project.resolve("out/report.html")).contains(proved));
     Path requirements = project.resolve("requirements.md");
     String written = Files.readString(requirements);
-    Files.writeString(requirements, written.replace("below 1.0 seconds", "below 1.5 seconds"));
+    Files.writeString(requirements, written.replace("or physical lidar", "or physical radar"));
     ended = new Program().run("run", project);
     ended.expect(2);
     assertFalse(Files.readString(project.resolve("out/report.html")).contains(proved));

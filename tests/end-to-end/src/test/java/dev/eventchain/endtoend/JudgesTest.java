@@ -41,7 +41,7 @@ class JudgesTest {
 
   @Test
   void wordsThatTheRequirementDoesNotHaveAreAnError() throws IOException {
-    copy.replace(SCENARIO, "RAD-2: \"warn the driver while", "RAD-2: \"warn the driver before");
+    copy.replace(SCENARIO, "RAD-2: \"warn the driver", "RAD-2: \"warn the driver before");
     new Program()
         .run("validate", copy.path())
         .expect(1)

@@ -41,16 +41,16 @@ class RunTestCasesTest {
   void failuresAreWhereTheyBelong() throws Exception {
     ProjectCopy copy = ProjectCopy.of("radar-aeb", folder);
     copy.replace("scenarios/short-sight.yaml", "ego.speed <= 12 km/h", "ego.speed >= 200 km/h");
-    copy.replace("scenarios/stopped-vehicle-50.yaml", "RAD-3, RAD-4", "RAD-3");
+    copy.replace("scenarios/stopped-vehicle-50.yaml", "RAD-4: \"brake while the time to collision is\"", "RAD-3: \"brake with 9 m/s²\"");
     copy.replace("scenarios/stopped-vehicle-50.yaml", "ttc < 5 s and", "ttc < 0.01 s and");
     Path file = folder.resolve("TEST-run.xml");
     new Program().run("run", copy.path(), "--report", "junit=" + file).expect(1);
     Document report = read(file);
     Element failed =
         testCase(
-            report, "criteria", "short-sight: it is not slower than the vehicle ahead for long");
+            report, "criteria", "short-sight: it is not faster than the vehicle ahead for long");
     assertEquals("simulation.criterion.failed", failure(failed).getAttribute("type"));
-    assertTrue(failed.getTextContent().contains("scenarios/short-sight.yaml:17"));
+    assertTrue(failed.getTextContent().contains("scenarios/short-sight.yaml:19"));
     Element untested =
         testCase(
             report,

@@ -22,7 +22,8 @@ import org.junit.jupiter.api.io.TempDir;
 class StrengthTest {
 
   private static final String SCENARIO = "scenarios/stopped-vehicle-50.yaml";
-  private static final String ALL = "requirements: [RAD-1, RAD-2, RAD-3, RAD-4]\n";
+  private static final String WARNED = "{RAD-2: \"warn the driver\"}";
+  private static final String FOUND = "{RAD-1: \"determine the time to collision\"}";
 
   /** A drive in which nothing happens, about the requirement on warnings. */
   private static final String CREEPING =
@@ -68,7 +69,7 @@ class StrengthTest {
   /** A criterion that cannot notice what the warning does, beside others that can. */
   @Test
   void requirementWhoseOnlyCriterionNoticesNothing() throws IOException {
-    project.replace(SCENARIO, ALL, "requirements: [RAD-1, RAD-3, RAD-4]\n");
+    project.replace(SCENARIO, WARNED, FOUND);
     project.write("scenarios/creeping.yaml", CREEPING);
     run("--strength")
         .expect(1)
@@ -82,7 +83,7 @@ class StrengthTest {
 
   @Test
   void itsSharpTwinIsProvedWithNumbers() throws IOException {
-    project.replace(SCENARIO, ALL, "requirements: [RAD-1, RAD-3, RAD-4]\n");
+    project.replace(SCENARIO, WARNED, FOUND);
     project.write(
         "scenarios/creeping.yaml",
         CREEPING.replace(
