@@ -68,9 +68,9 @@ final class MutantRun {
     this.messages = List.of(project.resolve("software-base/msg"));
     this.bench =
         Bench.read(
-            Optional.of(project.resolve(Bench.FILE)).filter(Files::exists),
-            SoftwareBase.read(project.resolve("software-base")).signals().orElse(List.of()),
-            MessageCatalog.of(messages))
+                Optional.of(project.resolve(Bench.FILE)).filter(Files::exists),
+                SoftwareBase.read(project.resolve("software-base")).signals().orElse(List.of()),
+                MessageCatalog.of(messages))
             .withOutputsOf(chain);
     this.scenarios = Scenario.readFolder(project.resolve("scenarios"), bench, warning -> {});
   }

@@ -41,7 +41,10 @@ class RunTestCasesTest {
   void failuresAreWhereTheyBelong() throws Exception {
     ProjectCopy copy = ProjectCopy.of("radar-aeb", folder);
     copy.replace("scenarios/short-sight.yaml", "ego.speed <= 12 km/h", "ego.speed >= 200 km/h");
-    copy.replace("scenarios/stopped-vehicle-50.yaml", "RAD-4: \"brake while the time to collision is\"", "RAD-3: \"brake with 9 m/s²\"");
+    copy.replace(
+        "scenarios/stopped-vehicle-50.yaml",
+        "RAD-4: \"brake while the time to collision is\"",
+        "RAD-3: \"brake with 9 m/s²\"");
     copy.replace("scenarios/stopped-vehicle-50.yaml", "ttc < 5 s and", "ttc < 0.01 s and");
     Path file = folder.resolve("TEST-run.xml");
     new Program().run("run", copy.path(), "--report", "junit=" + file).expect(1);

@@ -285,7 +285,10 @@ class StaleResultsTest {
   void aRequirementThatNoScenarioTestsIsNotProvedByAllThatPass() throws IOException {
     try (Stream<Path> scenarios = Files.list(project.resolve("scenarios"))) {
       for (Path scenario : scenarios.toList()) {
-        Files.writeString(scenario, Files.readString(scenario).replaceAll("\\{AEB-5: .*}", "{AEB-6: \"command braking force\"}"));
+        Files.writeString(
+            scenario,
+            Files.readString(scenario)
+                .replaceAll("\\{AEB-5: .*}", "{AEB-6: \"command braking force\"}"));
       }
     }
     run("run").expect(1).says("project.requirement.untested AEB-5").says("requirements.md:7:1");

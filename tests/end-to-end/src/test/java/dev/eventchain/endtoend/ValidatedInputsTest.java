@@ -46,7 +46,7 @@ class ValidatedInputsTest {
         "bench.yaml|consumes:|consumes: [|bench.syntax|bench.yaml:",
         "scenarios/short-sight.yaml|duration_s: 14|duration_s: -8|scenario.value.range|short-sight.yaml:4",
         "scenarios/short-sight.yaml|seed: 4|seeed: 4|scenario.key.unknown|short-sight.yaml:3",
-        "scenarios/short-sight.yaml|RAD-1:|RAD-9:|project.requirement.unknown|short-sight.yaml:17",
+        "scenarios/short-sight.yaml|RAD-1:|RAD-9:|project.requirement.unknown|short-sight.yaml:18",
         "scenarios/short-sight.yaml|eventually[5, 12]|eventualy[5, 12]|scenario.formula|short-sight.yaml:19",
         "scenarios/short-sight.yaml|12 km/h|12 m|scenario.formula.unit|short-sight.yaml:19",
         "scenarios/short-sight.yaml|radar.reach: 60|radar.rech: 60|scenario.input.unknown|short-sight.yaml:11",
@@ -81,7 +81,8 @@ class ValidatedInputsTest {
     Files.delete(copy.path().resolve("requirements.md"));
     for (String scenario : List.of("short-sight", "stopped-vehicle-50")) {
       Path file = copy.path().resolve("scenarios/" + scenario + ".yaml");
-      Files.writeString(file, Files.readString(file).replaceAll("(?m)^.*(judges:|\\{RAD-).*\n", ""));
+      Files.writeString(
+          file, Files.readString(file).replaceAll("(?m)^.*(judges:|\\{RAD-).*\n", ""));
     }
     Path model = copy.path().resolve("model/chain.xmi");
     Files.writeString(

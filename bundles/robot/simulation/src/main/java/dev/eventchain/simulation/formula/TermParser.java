@@ -166,8 +166,7 @@ final class TermParser {
         signals
             .outputs(requirement, kind)
             .orElseThrow(() -> new UnresolvedOutputException("there is no chain yet"));
-    String wanted =
-        kind.map(it -> it.equals("bool") ? " of type bool" : " in " + it).orElse("");
+    String wanted = kind.map(it -> it.equals("bool") ? " of type bool" : " in " + it).orElse("");
     if (found.isEmpty()) {
       throw new UnresolvedOutputException(
           "no output%s of the chain satisfies %s".formatted(wanted, requirement));

@@ -58,10 +58,7 @@ public final class CriteriaReader {
     for (CriterionKind kind : CriterionKind.values()) {
       if (kind.always() ? withUsual : section.has(kind.key())) {
         Criterion criterion = criterion(section, kind, tolerances);
-        criteria.add(
-            kind.always()
-                ? criterion
-                : named(section, criterion, formulas));
+        criteria.add(kind.always() ? criterion : named(section, criterion, formulas));
       }
     }
     List<ObjectReader> written = section.objects("formulas");

@@ -66,7 +66,12 @@ public final class FormulasReader {
           .flatMap(
               text ->
                   criterion(
-                      section, KEY, name, Form.WRITTEN, source.range(section.at(KEY), text), tested))
+                      section,
+                      KEY,
+                      name,
+                      Form.WRITTEN,
+                      source.range(section.at(KEY), text),
+                      tested))
           .ifPresent(criteria::add);
       section.refuseOthers();
     }

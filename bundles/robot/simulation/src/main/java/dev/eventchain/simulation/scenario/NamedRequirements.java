@@ -15,8 +15,8 @@ import java.util.Set;
 /**
  * The requirements that a scenario and its criteria name. A criterion tests those that it names
  * itself; one that names none tests those of the scenario's list that no other criterion names. The
- * criteria of every scenario are conditions for all of them. A criterion can also say which words of
- * a requirement it judges, under {@code judges}; it tests these requirements.
+ * criteria of every scenario are conditions for all of them. A criterion can also say which words
+ * of a requirement it judges, under {@code judges}; it tests these requirements.
  *
  * <p>Entries of a list have a key {@code requirements}; criteria with keys of their own are found
  * in a section of that name, by their keys.

@@ -319,7 +319,8 @@ public record ScenarioVerdict(
                 "Scenario %s: '%s' was not tested: %s.",
                 scenario, criterion.text(), criterion.measured()),
             criterion.location())
-        .withHint("Change the scenario so that the situation occurs, mark the criterion as optional if"
+        .withHint(
+            "Change the scenario so that the situation occurs, mark the criterion as optional if"
                 + " correct software need not come to it, or leave it out.");
   }
 }

@@ -41,8 +41,7 @@ public final class VerdictCorrection {
     this.run = run;
     this.failed = failed;
     this.scenarios =
-        Scenario.readFolder(run.project().scenarios(), run.chain().bench(), warning -> {})
-            .stream()
+        Scenario.readFolder(run.project().scenarios(), run.chain().bench(), warning -> {}).stream()
             .collect(Collectors.toMap(Scenario::name, scenario -> scenario));
   }
 

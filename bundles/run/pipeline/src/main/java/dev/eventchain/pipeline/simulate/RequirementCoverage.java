@@ -140,7 +140,8 @@ final class RequirementCoverage {
    * a criterion that depends on outputs of the components that satisfy it.
    */
   static Map<String, String> unproven(RunContext run, EventChain chain, List<Scenario> scenarios) {
-    RequirementCoverage coverage = new RequirementCoverage(chain, run.bench().withOutputsOf(chain), scenarios);
+    RequirementCoverage coverage =
+        new RequirementCoverage(chain, run.bench().withOutputsOf(chain), scenarios);
     Map<String, String> unproven = new TreeMap<>();
     coverage.findIndependent(run.writtenRequirements(), unproven);
     coverage.findUnread(unproven);

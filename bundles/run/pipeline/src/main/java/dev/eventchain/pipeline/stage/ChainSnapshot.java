@@ -9,10 +9,10 @@ import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.Requirements;
+import dev.eventchain.simulation.bench.Bench;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import dev.eventchain.simulation.bench.Bench;
 import org.eclipse.emf.ecore.EObject;
 
 /**
