@@ -68,7 +68,9 @@ class DdsDriverTest {
     ScenarioVerdict verdict = result.verdicts().get(0);
     boolean overrun =
         verdict.criteria().stream().allMatch(each -> each.measured().contains("behind the clock"));
-    assertTrue(overrun ? !verdict.tested() && !verdict.passed() : verdict.tested());
+    assertTrue(
+        overrun ? !verdict.tested() && !verdict.passed() : verdict.tested(),
+        () -> verdict.worked() + " " + verdict.criteria());
     for (Measurements.Node node : result.measurements().nodes()) {
       assertTrue(node.activations() > 10, node.name());
       double longest = node.executionTime().orElseThrow().maximum();
