@@ -130,7 +130,7 @@ class OwnBenchTest {
         .run()
         .expect(2)
         .says("Nothing that is sent or judged depends on the input 'radar.reach'.")
-        .says("short-sight.yaml:12:3");
+        .says("short-sight.yaml:11:3");
     project.requireNotPassed();
   }
 

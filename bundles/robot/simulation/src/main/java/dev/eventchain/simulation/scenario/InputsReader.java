@@ -15,6 +15,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /** Reads the section {@code inputs} of a scenario: scripts for the inputs of the bench. */
 final class InputsReader {
@@ -43,7 +44,9 @@ final class InputsReader {
 
   /** Rejects inputs without effect, which the author of the scenario cannot have intended. */
   static void requireUse(
-      ObjectReader scenario, Set<String> names, List<Expectation> criteria, Bench bench) {
+      ObjectReader scenario, Set<String> names, Scenario.Asked asked, Bench bench) {
+    List<Expectation> criteria =
+        Stream.concat(asked.criteria().stream(), asked.observed().stream()).toList();
     for (String name : names) {
       boolean judged =
           criteria.stream().anyMatch(UnresolvedCriterion.class::isInstance) // It may read any.

@@ -74,7 +74,6 @@ final class ScenarioReader {
     Situation situation = situation(section, longest(section));
     Map<String, Script> inputs =
         section.object("inputs").map(part -> InputsReader.read(part, bench)).orElse(Map.of());
-    Optional<ObjectReader> accept = section.requiredObject("accept");
     FormulasReader formulas =
         new FormulasReader(
             text,
@@ -82,29 +81,29 @@ final class ScenarioReader {
             longest(section),
             requirements,
             Optional.of(new SignalRanges(situation, inputs, bench, longest(section))));
-    List<Expectation> criteria =
-        accept.map(part -> CriteriaReader.read(part, formulas)).orElse(List.of());
-    List<Expectation> observed = formulas.readObserved(section);
+    Scenario.Asked asked = asked(section, formulas);
     if (sound.getAsBoolean()) { // A criterion with an error may be the one that needs an input.
-      InputsReader.requireUse(section, inputs.keySet(), read(criteria, observed), bench);
+      InputsReader.requireUse(section, inputs.keySet(), asked, bench);
     }
     section.refuseOthers();
     Scenario.Heading heading =
         new Scenario.Heading(
             name, title, requirements.all(), requirements.places(), section.location());
-    Scenario.Asked asked =
-        new Scenario.Asked(
-            requirements.distributed(criteria),
-            observed,
-            requirements.judged(),
-            formulas.optional().locations());
     return new Scenario(heading, seed, duration, situation, inputs, asked);
   }
 
-  private static List<Expectation> read(List<Expectation> criteria, List<Expectation> observed) {
-    List<Expectation> all = new ArrayList<>(criteria);
-    all.addAll(observed);
-    return all;
+  private static Scenario.Asked asked(ObjectReader section, FormulasReader formulas) {
+    List<Expectation> criteria =
+        section
+            .requiredObject("accept")
+            .map(part -> CriteriaReader.read(part, formulas))
+            .orElse(List.of());
+    NamedRequirements requirements = formulas.requirements();
+    return new Scenario.Asked(
+        requirements.distributed(criteria),
+        formulas.readObserved(section),
+        requirements.judged(),
+        formulas.optional().locations());
   }
 
   private static String name(ObjectReader section) {

@@ -111,10 +111,9 @@ public final class SimulateStage implements StageWork {
     OclResult validation = ProjectChecks.constraints(run).check(measured, locator);
     RuleEvidence evidence = RuleEvidence.of(run, measured, validation);
     found.addAll(evidence.findings());
-    List<Scenario> judged = RequirementCoverage.judged(scenarios, result);
-    List<RequirementOutcome> outcomes = outcomes(run, chain, judged, result, evidence);
+    List<RequirementOutcome> outcomes = outcomes(run, chain, scenarios, result, evidence);
     if (!run.options().isPartial()) {
-      addUntested(run, chain, judged, result, outcomes, found);
+      addUntested(run, chain, scenarios, result, outcomes, found);
       // Last, so that it never exists without the results it refers to.
       run.writeResult(VERDICT, verdict(run, chain, result, found, outcomes));
     }
@@ -192,8 +191,8 @@ public final class SimulateStage implements StageWork {
       List<Scenario> scenarios,
       SimulationResult result,
       RuleEvidence evidence) {
-    Set<String> unproven =
-        new TreeSet<>(RequirementCoverage.unproven(run, chain, scenarios).keySet());
+    List<Scenario> judged = RequirementCoverage.judged(scenarios, result);
+    Set<String> unproven = new TreeSet<>(RequirementCoverage.unproven(run, chain, judged).keySet());
     unproven.addAll(StaleEvidence.ids(StaleEvidence.of(run)));
     return RequirementOutcomes.of(
         run.writtenRequirements(),
@@ -210,7 +209,8 @@ public final class SimulateStage implements StageWork {
       SimulationResult result,
       List<RequirementOutcome> outcomes,
       List<Diagnostic> found) {
-    found.addAll(RequirementCoverage.untested(run, chain, scenarios));
+    List<Scenario> judged = RequirementCoverage.judged(scenarios, result);
+    found.addAll(RequirementCoverage.untested(run, chain, judged));
     found.addAll(StaleEvidence.of(run));
     found.addAll(unmeasured(chain, result, run.chain()::locate));
     found.addAll(RequirementCoverage.unlisted(run, outcomes, found));
