@@ -8,5 +8,7 @@ public final class AgentRules {
   public static final Rule ANSWER_REJECTED = Rule.error("agents.answer.rejected");
   public static final Rule ANSWER_RETURNED = Rule.info("agents.answer.returned");
 
+  static final Rule DIAGNOSIS = Rule.error("agents.diagnosis");
+
   private AgentRules() {}
 }

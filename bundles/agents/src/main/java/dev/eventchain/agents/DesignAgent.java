@@ -14,6 +14,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.jsonmodels.JsonDocument;
 import dev.eventchain.jsonmodels.Modeled;
+import dev.eventchain.llm.chat.ChatMessage;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.project.Requirements;
@@ -30,6 +31,7 @@ import java.util.OptionalDouble;
  */
 public final class DesignAgent {
   private static final PromptTemplate PROMPT = PromptTemplate.load("design/v1");
+  private static final PromptTemplate AGAIN = PromptTemplate.load("redesign/v1");
   private static final String FILE = "chain.json";
 
   private final AgentContext context;
@@ -40,7 +42,7 @@ public final class DesignAgent {
   }
 
   /**
-   * Designs a chain.
+   * What a design is asked for.
    *
    * @param system name of the system: "Autonomous Emergency Braking"
    * @param frequency Hz, for new components unless the requirements ask for another one
@@ -48,37 +50,69 @@ public final class DesignAgent {
    * @param designRules requirements on the chain as a whole; may be empty
    * @param base the existing components and signals
    * @param messages the available message types
-   * @return the event-chain description {@code chain.json}
-   * @throws dev.eventchain.diagnostics.DiagnosticException FINDINGS if no answer passed its checks;
-   *     and as the model throws
    */
-  public AgentResult design(
+  public record Asked(
       String system,
       double frequency,
       Requirements requirements,
       Optional<Requirements> designRules,
       SoftwareBase base,
-      MessageCatalog messages) {
-    MessageText types = MessageText.of(messages, base);
-    SourceText components = SourceText.of("components", base.componentsText());
-    Map<String, String> values =
-        Map.of(
-            "system", system,
-            "frequency", RuleText.number(frequency),
-            "requirements", RuleText.items(requirements.items()),
-            "design rules", designRules.map(rules -> RuleText.items(rules.items())).orElse("None."),
-            "software component description in json format", Budgets.without(components),
-            "signals", base.signalsText(),
-            "message types", types.definitions(),
-            "message packages", types.packages());
+      MessageCatalog messages) {}
+
+  /**
+   * Designs a chain.
+   *
+   * @return the event-chain description {@code chain.json}
+   * @throws dev.eventchain.diagnostics.DiagnosticException FINDINGS if no answer passed its checks;
+   *     and as the model throws
+   */
+  public AgentResult design(Asked asked) {
+    return run(asked, PROMPT.name(), List.of(ChatMessage.user(prompt(asked))));
+  }
+
+  /**
+   * Corrects a design that failed in the simulation.
+   *
+   * @param present the present description
+   * @param verdict what failed
+   * @param why what is wrong with the design
+   */
+  public AgentResult correct(Asked asked, SourceText present, String verdict, String why) {
+    List<ChatMessage> conversation =
+        List.of(
+            ChatMessage.user(prompt(asked)),
+            ChatMessage.assistant("```json\n" + present.text().strip() + "\n```\n"),
+            ChatMessage.user(AGAIN.render(Map.of("verdict", verdict, "why", why))));
+    return run(asked, AGAIN.name(), conversation);
+  }
+
+  private AgentResult run(Asked asked, String prompt, List<ChatMessage> conversation) {
     return new RepairLoop(context, "design", AnswerKind.JSON)
         .reading(DesignSchema::asArray)
         .run(
             FILE,
-            PROMPT,
-            values,
-            Optional.of(DesignSchema.of(requirements, base, messages)),
-            text -> check(text, requirements, base, messages));
+            prompt,
+            conversation,
+            Optional.of(DesignSchema.of(asked.requirements(), asked.base(), asked.messages())),
+            text -> check(text, asked.requirements(), asked.base(), asked.messages()));
+  }
+
+  private static String prompt(Asked asked) {
+    SoftwareBase base = asked.base();
+    MessageText types = MessageText.of(asked.messages(), base);
+    SourceText components = SourceText.of("components", base.componentsText());
+    Map<String, String> values =
+        Map.of(
+            "system", asked.system(),
+            "frequency", RuleText.number(asked.frequency()),
+            "requirements", RuleText.items(asked.requirements().items()),
+            "design rules",
+                asked.designRules().map(rules -> RuleText.items(rules.items())).orElse("None."),
+            "software component description in json format", Budgets.without(components),
+            "signals", base.signalsText(),
+            "message types", types.definitions(),
+            "message packages", types.packages());
+    return PROMPT.render(values);
   }
 
   static List<Diagnostic> check(

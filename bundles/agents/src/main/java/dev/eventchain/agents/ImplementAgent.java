@@ -75,6 +75,7 @@ public final class ImplementAgent {
    * @param tests the tests that the component must pass, if it has any
    * @param present the present code of the component
    * @param verdict the failure, with the component's inputs and outputs around that time
+   * @param why what is wrong with the component
    * @return the Python file; the present one if the model finds no fault in it
    * @throws IllegalArgumentException if the chain has no such component
    * @throws dev.eventchain.diagnostics.DiagnosticException as in {@link #implement}
@@ -85,13 +86,14 @@ public final class ImplementAgent {
       Requirements requirements,
       Optional<ComponentTester> tests,
       SourceText present,
-      String verdict) {
+      String verdict,
+      String why) {
     ChainView.Component described = ChainView.component(chain, component);
     List<ChatMessage> conversation =
         List.of(
             ChatMessage.user(PROMPT.render(values(described, requirements))),
             ChatMessage.assistant("```python\n" + present.text() + "```\n"),
-            ChatMessage.user(VERDICT.render(Map.of("verdict", verdict))));
+            ChatMessage.user(VERDICT.render(Map.of("verdict", verdict, "why", why))));
     return loop()
         .run(
             file(component),

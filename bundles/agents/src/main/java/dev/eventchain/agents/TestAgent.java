@@ -11,6 +11,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.DocumentFormat;
 import dev.eventchain.documents.JsonLayout;
+import dev.eventchain.llm.chat.ChatMessage;
 import dev.eventchain.project.Requirements;
 import java.util.List;
 import java.util.Map;
@@ -22,6 +23,7 @@ import java.util.Optional;
  */
 public final class TestAgent {
   private static final PromptTemplate PROMPT = PromptTemplate.load("test/v1");
+  private static final PromptTemplate AGAIN = PromptTemplate.load("retest/v1");
 
   private final AgentContext context;
 
@@ -43,17 +45,43 @@ public final class TestAgent {
    */
   public AgentResult propose(SourceText chain, String component, Requirements requirements) {
     Component described = ChainView.component(chain, component);
-    Map<String, String> values =
-        Map.of(
-            "requirements", RuleText.items(RequirementCheck.own(described.json(), requirements)),
-            "description", JsonLayout.of(Budgets.without(described.json())));
     return new RepairLoop(context, "test", AnswerKind.JSON)
         .run(
             "tests/" + component + ".json",
             PROMPT,
-            values,
+            values(described, requirements),
             Optional.empty(),
             text -> check(text, described, requirements));
+  }
+
+  /**
+   * Corrects tests that demand too much.
+   *
+   * @param present the present tests, as {@link #propose} returned them
+   * @param why what is wrong with them
+   * @return as {@link #propose}
+   */
+  public AgentResult correct(
+      SourceText chain, String component, Requirements requirements, String present, String why) {
+    Component described = ChainView.component(chain, component);
+    List<ChatMessage> conversation =
+        List.of(
+            ChatMessage.user(PROMPT.render(values(described, requirements))),
+            ChatMessage.assistant("```json\n" + present.strip() + "\n```\n"),
+            ChatMessage.user(AGAIN.render(Map.of("why", why))));
+    return new RepairLoop(context, "test", AnswerKind.JSON)
+        .run(
+            "tests/" + component + ".json",
+            AGAIN.name(),
+            conversation,
+            Optional.empty(),
+            text -> check(text, described, requirements));
+  }
+
+  private static Map<String, String> values(Component described, Requirements requirements) {
+    return Map.of(
+        "requirements", RuleText.items(RequirementCheck.own(described.json(), requirements)),
+        "description", JsonLayout.of(Budgets.without(described.json())));
   }
 
   static List<Diagnostic> check(SourceText text, Component component, Requirements requirements) {

@@ -54,7 +54,9 @@ class DesignCheckTest {
     ScriptedModel model = new ScriptedModel().answer(wrong).answer("```json\n" + right + "```");
     AgentResult result =
         new DesignAgent(AgentContext.of(model))
-            .design("Test", 20.0, REQUIREMENTS, Optional.empty(), SOFTWARE, MESSAGES);
+            .design(
+                new DesignAgent.Asked(
+                    "Test", 20.0, REQUIREMENTS, Optional.empty(), SOFTWARE, MESSAGES));
     assertEquals("design/v1", result.prompt());
     assertEquals(2, result.attempts().size());
     String prompt = model.requests.get(0).messages().get(0).content();
@@ -81,6 +83,8 @@ class DesignCheckTest {
 
   private static AgentResult design(String answer) {
     return new DesignAgent(AgentContext.of(new ScriptedModel().answer(answer)))
-        .design("Test", 20.0, REQUIREMENTS, Optional.empty(), SOFTWARE, MESSAGES);
+        .design(
+            new DesignAgent.Asked(
+                "Test", 20.0, REQUIREMENTS, Optional.empty(), SOFTWARE, MESSAGES));
   }
 }

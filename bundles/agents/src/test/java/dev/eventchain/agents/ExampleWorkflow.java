@@ -58,7 +58,9 @@ record ExampleWorkflow(String folder, String name, String title, double frequenc
 
     AgentResult design =
         new DesignAgent(context)
-            .design(title, frequency, requirements, Optional.of(rules), base, messages);
+            .design(
+                new DesignAgent.Asked(
+                    title, frequency, requirements, Optional.of(rules), base, messages));
     results.put("chain.json", design);
     SourceText description = SourceText.of("chain.json", design.text());
     EventChain chain =

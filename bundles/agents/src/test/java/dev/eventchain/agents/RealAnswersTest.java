@@ -57,11 +57,12 @@ class RealAnswersTest {
     Path project = ExampleWorkflow.AEB.project();
     return new DesignAgent(AgentContext.of(model))
         .design(
-            "Autonomous Emergency Braking",
-            20.0,
-            Requirements.read(SourceText.read(project.resolve("requirements.md"))),
-            Optional.of(Requirements.read(SourceText.read(project.resolve("design-rules.md")))),
-            SoftwareBase.read(project.resolve("software-base")),
-            MessageCatalog.of(List.of(project.resolve("software-base/msg"))));
+            new DesignAgent.Asked(
+                "Autonomous Emergency Braking",
+                20.0,
+                Requirements.read(SourceText.read(project.resolve("requirements.md"))),
+                Optional.of(Requirements.read(SourceText.read(project.resolve("design-rules.md")))),
+                SoftwareBase.read(project.resolve("software-base")),
+                MessageCatalog.of(List.of(project.resolve("software-base/msg")))));
   }
 }

@@ -38,11 +38,12 @@ class RecordedRepairTest {
     Requirements requirements = Requirements.read(SourceText.read(BASE.resolve("requirements.md")));
     return new DesignAgent(AgentContext.of(model))
         .design(
-            "Test",
-            20.0,
-            requirements,
-            Optional.empty(),
-            SoftwareBase.read(BASE),
-            MessageCatalog.of(List.of()));
+            new DesignAgent.Asked(
+                "Test",
+                20.0,
+                requirements,
+                Optional.empty(),
+                SoftwareBase.read(BASE),
+                MessageCatalog.of(List.of())));
   }
 }

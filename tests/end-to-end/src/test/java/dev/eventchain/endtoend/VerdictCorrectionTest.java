@@ -2,10 +2,13 @@ package dev.eventchain.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -66,14 +69,31 @@ class VerdictCorrectionTest {
     return new Program().run("run", project, "--llm", "handoff:" + folder.resolve("asked"));
   }
 
-  private String prompt(int number) throws IOException {
-    return Files.readString(folder.resolve("asked/implement-0" + number + ".prompt.md"));
+  private String prompt(String name) throws IOException {
+    return Files.readString(folder.resolve("asked/" + name + ".prompt.md"));
   }
 
   private void answer(int number, String code) throws IOException {
+    answer("implement-0" + number, "python", code);
+  }
+
+  private void answer(String name, String kind, String text) throws IOException {
     Files.writeString(
-        folder.resolve("asked/implement-0" + number + ".answer.md"),
-        "```python\n" + code + "```\n");
+        folder.resolve("asked/" + name + ".answer.md"), "```" + kind + "\n" + text + "\n```\n");
+  }
+
+  private void diagnose(int number, String wrong, String name, String why) throws IOException {
+    answer(
+        "diagnose-0" + number,
+        "json",
+        "{\"wrong\": \"%s\", \"name\": \"%s\", \"why\": \"%s\"}".formatted(wrong, name, why));
+  }
+
+  /** Has the component that brakes too late simulated. */
+  private void failOnce() throws IOException {
+    run().expect(4);
+    answer(1, LATE);
+    run().expect(4).says("waiting for 1 answer");
   }
 
   private String component(String name) throws IOException {
@@ -91,17 +111,22 @@ class VerdictCorrectionTest {
         .says("waiting for 1 answer");
     assertTrue(
         Files.readString(project.resolve("out/verdict.json")).contains("\"passed\" : false"));
-    assertTrue(
-        prompt(2).contains("class TTC_Calculation"), "the first in the chain is asked first");
+    String asked = prompt("diagnose-01");
+    assertTrue(asked.contains("expected braking while TTC is below 2.0 s, but found"), asked);
+    assertTrue(asked.contains("It judges AEB-4: \"Partial brake if 1.0s"), asked);
+    assertTrue(asked.contains(LATE.strip()), "the code");
+    assertTrue(asked.contains("name: a crash"), "the tests");
+    assertTrue(asked.contains("can be corrected: TTC_Calculation, Braking_Decision"), asked);
+    assertTrue(asked.contains("| /aeb/time_to_collision.data [s] |".substring(2)), asked);
 
-    answer(2, component("TTC_Calculation")); // finds no errors in it
+    diagnose(1, "component", DECISION, "It brakes below 0.3 s only.");
     run().expect(4);
-    String told = prompt(3);
+    String told = prompt("implement-02");
     assertTrue(told.contains(LATE), told);
-    assertTrue(told.contains("expected braking while TTC is below 2.0 s, but found"), told);
+    assertTrue(told.contains("> It brakes below 0.3 s only."), told);
     assertTrue(told.contains("| time [s] | input ttc [s] |"), told);
 
-    answer(3, right.replace("```python\n", "").replace("```", ""));
+    answer(2, right.replace("```python\n", "").replace("```", ""));
     run()
         .expect(0)
         .says("Braking_Decision corrected after the verdict")
@@ -109,6 +134,96 @@ class VerdictCorrectionTest {
     assertTrue(component(DECISION).contains("FULL_BRAKE_TTC"));
     run().expect(0).says("= Implement").says("= Simulate");
     assertEquals(3, spoken("Braking_Decision.py"), "the prompt, the verdict and the correction");
+  }
+
+  @Test
+  void theNextDiagnosisKnowsWhatDidNotHelp() throws IOException {
+    failOnce();
+    diagnose(1, "component", "TTC_Calculation", "It is late.");
+    run().expect(4);
+    answer(2, component("TTC_Calculation")); // finds no fault in it
+    run().expect(4).says("waiting for 1 answer");
+    assertTrue(prompt("diagnose-02").contains("- component `TTC_Calculation`: It is late."));
+  }
+
+  @Test
+  void anAnswerThatNamesNothingToCorrectIsSentBack() throws IOException {
+    failOnce();
+    diagnose(1, "component", "Lidar_To_Scan", "It is late.");
+    run().expect(4);
+    String again = prompt("diagnose-02");
+    assertTrue(again.contains("which cannot be corrected as component"), again);
+    assertTrue(again.contains("It is one of TTC_Calculation, Braking_Decision."), again);
+  }
+
+  @Test
+  void aRequirementThatNobodyCanMeetIsAQuestionToAPerson() throws IOException {
+    failOnce();
+    diagnose(1, "requirement", "AEB-4", "May the force depend on the speed?");
+    run()
+        .expect(1)
+        .says("No design may be able to do all that is asked for (AEB-4): May the force depend")
+        .says("[agents.verdict.question]")
+        .says("FAILED: 1 of 3 scenarios passed");
+  }
+
+  @Test
+  void testsOfPeopleAreNotChanged() throws IOException {
+    failOnce();
+    diagnose(1, "test", DECISION, "It tests one value only.");
+    run()
+        .expect(1)
+        .says("The tests of Braking_Decision, which people wrote, may be wrong: It tests one")
+        .says("[agents.verdict.question]");
+  }
+
+  @Test
+  void testsOfALanguageModelAreCorrectedAndThenTheCode() throws IOException {
+    failOnce();
+    diagnose(1, "test", "TTC_Calculation", "They demand too much.");
+    run().expect(4);
+    String told = prompt("test-01");
+    assertTrue(told.contains("> They demand too much."), told);
+    String tests = Files.readString(project.resolve("out/tests/TTC_Calculation.yaml"));
+    answer("test-01", "json", lessThan(told));
+    run().expect(4);
+    assertTrue(prompt("implement-02").contains("> They demand too much."));
+    answer(2, component("TTC_Calculation") + "\n# the same\n");
+    run().expect(4).says("waiting for 1 answer"); // It still fails: another diagnosis is due.
+    assertTrue(prompt("diagnose-02").contains("- test `TTC_Calculation`: They demand too much."));
+    assertNotEquals(tests, Files.readString(project.resolve("out/tests/TTC_Calculation.yaml")));
+  }
+
+  /** Returns the tests in a prompt without the last one. */
+  private static String lessThan(String prompt) throws IOException {
+    int start = prompt.indexOf("```json\n", prompt.indexOf("\"tests\"") - 200);
+    String json = prompt.substring(prompt.indexOf('{', start), prompt.indexOf("\n```", start + 8));
+    ObjectNode tests = (ObjectNode) new ObjectMapper().readTree(json);
+    ArrayNode all = (ArrayNode) tests.get("tests");
+    all.remove(all.size() - 1);
+    return tests.toString();
+  }
+
+  @Test
+  void anotherDesignIsAskedForAndOnlyWhatDependsOnItIsWrittenAgain() throws IOException {
+    failOnce();
+    diagnose(1, "design", DECISION, "It does not say from which time to collision on to brake.");
+    run().expect(4);
+    String told = prompt("design-01");
+    assertTrue(told.contains("> It does not say from which time to collision on to brake."), told);
+    String present = Files.readString(project.resolve("out/chain.json"));
+    String other =
+        present.replace("\"description\": \"Determines", "\"description\": \"It determines");
+    assertNotEquals(present, other);
+    answer("design-01", "json", other);
+    String before = component("TTC_Calculation");
+    run().expect(4);
+    assertTrue(prompt("implement-02").contains("It determines"), "its author gets the new text");
+    assertFalse(Files.exists(folder.resolve("asked/implement-03.prompt.md")), "only this one");
+    assertEquals(before, component("TTC_Calculation"));
+    answer(2, right.replace("```python\n", "").replace("```", ""));
+    run().expect(4).says("waiting for"); // The model of another chain is asked for, too.
+    assertTrue(Files.exists(folder.resolve("asked/model-01.prompt.md")));
   }
 
   /** Returns the number of answers that the report shows for a file. */
@@ -137,6 +252,6 @@ class VerdictCorrectionTest {
         .expect(1)
         .says("FAILED: 1 of 3 scenarios passed")
         .says("[simulation.criterion.failed]");
-    assertFalse(Files.exists(folder.resolve("asked/implement-02.prompt.md")));
+    assertFalse(Files.exists(folder.resolve("asked/diagnose-01.prompt.md")));
   }
 }

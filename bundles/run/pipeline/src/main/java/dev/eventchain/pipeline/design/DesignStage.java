@@ -46,16 +46,11 @@ public final class DesignStage implements StageWork {
           List.of(ProjectFolder.DESCRIPTION),
           checked.diagnostics());
     }
-    Configuration configuration = run.project().configuration();
     AgentResult designed =
-        new DesignAgent(run.models().agent(Stage.DESIGN))
-            .design(
-                configuration.title(),
-                configuration.frequency(),
-                run.requirements(),
-                run.designRules(),
-                run.softwareBase(),
-                run.messages());
+        run.models()
+            .correction()
+            .design()
+            .orElseGet(() -> new DesignAgent(run.models().agent(Stage.DESIGN)).design(asked(run)));
     run.write(ProjectFolder.DESCRIPTION, designed.text());
     Answers report = AgentReport.of(run, Stage.DESIGN, List.of(designed));
     int count = run.requirements().items().size();
@@ -64,5 +59,17 @@ public final class DesignStage implements StageWork {
         List.of(ProjectFolder.DESCRIPTION),
         AgentReport.placed(run, designed),
         report);
+  }
+
+  /** Returns what the design of a project is asked for. */
+  static DesignAgent.Asked asked(RunContext run) {
+    Configuration configuration = run.project().configuration();
+    return new DesignAgent.Asked(
+        configuration.title(),
+        configuration.frequency(),
+        run.requirements(),
+        run.designRules(),
+        run.softwareBase(),
+        run.messages());
   }
 }

@@ -22,6 +22,7 @@ import dev.eventchain.pipeline.stage.StageWork;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.sandbox.ComponentProbe;
 import dev.eventchain.sandbox.Confinement;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -65,7 +66,7 @@ public final class ImplementStage implements StageWork {
     List<SoftwareNode> missing = run.softwareBase().missing(chain);
     TestFiles tests = new TestFiles(run, SourceText.read(description));
     Work work = new Work(run, SourceText.read(description), tests);
-    if (run.models().corrections().isEmpty()) {
+    if (run.models().correction().components().isEmpty()) {
       work.implement(missing);
     } else {
       work.correct(missing);
@@ -115,6 +116,10 @@ public final class ImplementStage implements StageWork {
       List<Diagnostic> awaited = new ArrayList<>();
       for (SoftwareNode node : missing) {
         run.progress().step(Stage.IMPLEMENT, node.getName());
+        if (isKept(node.getName())) {
+          keepPresent(node.getName());
+          continue;
+        }
         Optional<ComponentTester> tester =
             ask(
                 () -> tests.written(node.getName()).orElseGet(() -> tests.propose(node.getName())),
@@ -134,17 +139,30 @@ public final class ImplementStage implements StageWork {
     void correct(List<SoftwareNode> missing) {
       for (SoftwareNode node : missing) {
         Optional<AgentResult> correction =
-            Optional.ofNullable(run.models().corrections().get(node.getName()));
+            Optional.ofNullable(run.models().correction().components().get(node.getName()));
+        Optional.ofNullable(run.models().correction().tests().get(node.getName()))
+            .ifPresent(proposal -> tests.replace(node.getName(), proposal));
         if (correction.isPresent()) {
           keep(
               ComponentFiles.name(node.getName()),
               correction.get(),
               tests.standing(node.getName()));
         } else {
-          files.add(ComponentFiles.name(node.getName()));
-          test(node.getName());
+          keepPresent(node.getName());
         }
       }
+    }
+
+    private void keepPresent(String component) {
+      files.add(ComponentFiles.name(component));
+      test(component);
+    }
+
+    /** Returns whether a corrected design leaves a component as it is. */
+    private boolean isKept(String component) {
+      return run.models().correction().kept().contains(component)
+          && Files.isRegularFile(run.file(ComponentFiles.name(component)))
+          && TestFiles.hasTests(run, component);
     }
 
     private AgentResult implement(String component, Optional<ComponentTester> tester) {
@@ -230,7 +248,7 @@ public final class ImplementStage implements StageWork {
   }
 
   private static String details(Work work, List<SoftwareNode> missing, List<AgentResult> asked) {
-    Set<String> corrected = work.run.models().corrections().keySet();
+    Set<String> corrected = work.run.models().correction().components().keySet();
     String implemented =
         missing.isEmpty()
             ? "no component is missing"

@@ -8,12 +8,16 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.DocumentFormat;
+import dev.eventchain.documents.JsonLayout;
 import dev.eventchain.documents.YamlLayout;
 import dev.eventchain.jsonmodels.JsonDocument;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectSettings;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -88,9 +92,8 @@ public final class TestFiles {
     AgentResult proposal =
         new TestAgent(run.models().agent(Stage.IMPLEMENT, "test"))
             .propose(chain, component, run.requirements());
-    results.add(proposal);
+    replace(component, proposal);
     String name = FOLDER + "/" + component + SUFFIX;
-    run.write(name, YamlLayout.of(JsonDocument.parse(SourceText.of(name, proposal.text())).root()));
     proposed.add(name);
     return read(run.file(name), component);
   }
@@ -108,6 +111,33 @@ public final class TestFiles {
               proposed.add(name);
               return read(run.file(name), component);
             });
+  }
+
+  /** Returns the file of a component's tests: what people wrote, or what a run proposed. */
+  static Path place(RunContext run, String component) {
+    return isWritten(run.project(), component)
+        ? file(run.project(), component)
+        : run.file(FOLDER + "/" + component + SUFFIX);
+  }
+
+  /** Returns the tests that were proposed for a component, in JSON. */
+  String proposal(String component) {
+    SourceText text = SourceText.read(run.file(FOLDER + "/" + component + SUFFIX));
+    return JsonLayout.of(
+        Document.parse(text, DocumentFormat.YAML, ProjectSettings.RULES, problem -> {}).root());
+  }
+
+  /** Reads tests that were proposed and not written yet. */
+  ComponentTester read(AgentResult proposal, String component) {
+    SourceText text = SourceText.of(FOLDER + "/" + component + ".json", proposal.text());
+    return ComponentTester.read(text, chain, component, run.requirements());
+  }
+
+  /** Replaces the proposed tests of a component. */
+  void replace(String component, AgentResult proposal) {
+    results.add(proposal);
+    String name = FOLDER + "/" + component + SUFFIX;
+    run.write(name, YamlLayout.of(JsonDocument.parse(SourceText.of(name, proposal.text())).root()));
   }
 
   private ComponentTester read(Path file, String component) {

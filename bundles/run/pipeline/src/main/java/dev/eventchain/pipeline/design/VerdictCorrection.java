@@ -1,48 +1,49 @@
 package dev.eventchain.pipeline.design;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.agents.AgentContext;
 import dev.eventchain.agents.AgentResult;
+import dev.eventchain.agents.DesignAgent;
+import dev.eventchain.agents.DiagnoseAgent;
+import dev.eventchain.agents.Diagnosis;
 import dev.eventchain.agents.ImplementAgent;
+import dev.eventchain.agents.TestAgent;
+import dev.eventchain.agents.component.ComponentTester;
+import dev.eventchain.description.EventChainSchema;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.jsonmodels.JsonDocument;
 import dev.eventchain.llm.chat.AnswerRules;
-import dev.eventchain.model.TopicIndex;
-import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.ComponentFiles;
+import dev.eventchain.pipeline.stage.Correction;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.sandbox.ComponentProbe;
-import dev.eventchain.simulation.SimulationResult;
-import dev.eventchain.simulation.scenario.Scenario;
-import dev.eventchain.simulation.verdict.ScenarioVerdict;
-import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
-import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Collectors;
+import java.util.function.Supplier;
 
 /**
- * Sends a failed verdict back to the language model that wrote the components: to one after the
- * other, in the order of the chain, until one is changed. Components whose outputs reach no signal
- * of a failed criterion are not asked.
+ * Sends a failed verdict back to language models: one looks for what is wrong, and the author of
+ * that corrects it. If it is a requirement, or something that people wrote, a person is asked.
  */
 public final class VerdictCorrection {
   private final RunContext run;
-  private final List<ScenarioVerdict> failed;
-  private final Map<String, Scenario> scenarios;
+  private final FailedScenarios failed;
+  private final SourceText chain;
 
-  private VerdictCorrection(RunContext run, List<ScenarioVerdict> failed) {
+  /** Creates the correction of the last simulation of a run. */
+  public VerdictCorrection(RunContext run) {
     this.run = run;
-    this.failed = failed;
-    this.scenarios =
-        Scenario.readFolder(run.project().scenarios(), run.chain().bench(), warning -> {}).stream()
-            .collect(Collectors.toMap(Scenario::name, scenario -> scenario));
+    this.failed = FailedScenarios.of(run, run.models().simulated().orElseThrow());
+    this.chain = SourceText.read(run.required(ProjectFolder.DESCRIPTION, Stage.DESIGN));
   }
 
   /** Returns whether the run writes components and has simulated all scenarios. */
@@ -57,62 +58,165 @@ public final class VerdictCorrection {
   /**
    * Requests a correction.
    *
-   * @return the changed component by name; empty if no scenario fails by a criterion, or no
-   *     component was changed
+   * @return empty if nobody can correct anything: no criterion failed, nobody answered, or a person
+   *     has to decide; {@link Correction#NONE} if an author found no fault, so that another
+   *     diagnosis may help
    * @throws DiagnosticException WAITING for a person's answer
    */
-  public static Map<String, AgentResult> ask(RunContext run, SimulationResult simulated) {
-    List<ScenarioVerdict> failed =
-        simulated.verdicts().stream()
-            .filter(verdict -> verdict.worked() && !VerdictText.failed(verdict).isEmpty())
-            .toList();
-    return failed.isEmpty() ? Map.of() : new VerdictCorrection(run, failed).ask();
-  }
-
-  private Map<String, AgentResult> ask() {
-    Set<String> requirements =
-        failed.stream()
-            .flatMap(verdict -> VerdictText.failed(verdict).stream())
-            .flatMap(criterion -> criterion.requirements().stream())
-            .collect(Collectors.toSet());
-    for (SoftwareNode node : run.softwareBase().missing(run.chain().chain())) {
-      boolean concerned =
-          node.getSatisfies().stream().map(Requirement::getId).anyMatch(requirements::contains);
-      if (concerned
-          && mayBeTheCause(node)
-          && !run.output().isEdited(ComponentFiles.name(node.getName()))) {
-        Optional<AgentResult> corrected = ask(node);
-        if (corrected.isPresent()) {
-          return Map.of(node.getName(), corrected.get());
-        }
-      }
+  public Optional<Correction> ask() {
+    List<SoftwareNode> path = failed.path();
+    boolean anythingWritten = !run.softwareBase().missing(run.chain().chain()).isEmpty();
+    if (failed.verdicts().isEmpty() || !anythingWritten) {
+      return Optional.empty();
     }
-    return Map.of();
+    Optional<Diagnosis> diagnosis = orNobody(() -> diagnose(path), "a diagnosis");
+    diagnosis.ifPresent(run.models().diagnoses()::add);
+    return diagnosis.flatMap(this::correct);
   }
 
-  /** Returns whether what a component writes can reach a signal that a failed criterion reads. */
-  private boolean mayBeTheCause(SoftwareNode node) {
-    Set<String> topics = TopicIndex.of(run.chain().chain()).influencedBy(List.of(node));
-    return failed.stream()
-        .anyMatch(
-            verdict ->
-                VerdictText.failed(verdict).stream()
-                    .anyMatch(missed -> dependsOn(verdict, missed, topics)));
+  private Diagnosis diagnose(List<SoftwareNode> path) {
+    run.progress().step(Stage.SIMULATE, "asking what is wrong");
+    DiagnoseAgent.Failure failure =
+        new DiagnoseAgent.Failure(
+            chain,
+            path.stream().map(SoftwareNode::getName).toList(),
+            written(path),
+            new FailureText(run).code(written(path)),
+            VerdictText.of(path, failed),
+            run.models().diagnoses());
+    return new DiagnoseAgent(run.models().correcting(Stage.IMPLEMENT, "diagnose"))
+        .diagnose(failure, run.requirements());
   }
 
-  private boolean dependsOn(ScenarioVerdict verdict, CriterionResult missed, Set<String> topics) {
-    return Optional.ofNullable(scenarios.get(verdict.scenario()))
-        .map(scenario -> scenario.dependsOn(missed.location(), topics, run.chain().bench()))
-        .orElse(true);
+  /** Returns the components that a language model wrote and nobody edited. */
+  private List<String> written(List<SoftwareNode> path) {
+    List<SoftwareNode> missing = run.softwareBase().missing(run.chain().chain());
+    return path.stream()
+        .filter(missing::contains)
+        .map(SoftwareNode::getName)
+        .filter(name -> !run.output().isEdited(ComponentFiles.name(name)))
+        .toList();
   }
 
-  private Optional<AgentResult> ask(SoftwareNode node) {
-    Path file = run.file(ComponentFiles.name(node.getName()));
-    SourceText present = SourceText.read(file);
-    run.progress().step(Stage.SIMULATE, "asking for a correction of " + node.getName());
+  private Optional<Correction> correct(Diagnosis diagnosis) {
+    String name = diagnosis.name();
+    return switch (diagnosis.wrong()) {
+      case COMPONENT ->
+          corrected(name, new TestFiles(run, chain).standing(name), diagnosis)
+              .map(
+                  code ->
+                      isAnother(code, present(name))
+                          ? Correction.of(name, code, Optional.empty())
+                          : Correction.NONE);
+      case TEST ->
+          TestFiles.isWritten(run.project(), name)
+              ? person(diagnosis, "The tests of " + name + ", which people wrote, may be wrong: ")
+              : correctedTests(diagnosis);
+      case DESIGN ->
+          run.project().editedModel().isPresent()
+              ? person(diagnosis, "The design, which people edit, may be wrong: ")
+              : correctedDesign(diagnosis);
+      case REQUIREMENT ->
+          person(diagnosis, "No design may be able to do all that is asked for (" + name + "): ");
+    };
+  }
+
+  /** Ends the corrections with a question to a person. */
+  private Optional<Correction> person(Diagnosis diagnosis, String about) {
+    run.find(
+        Diagnostic.of(
+                DesignRules.AGENTS_VERDICT_QUESTION,
+                about + diagnosis.why(),
+                SourceLocation.of(run.project().requirements()))
+            .withHint("Decide, change it, and run again; the failed criteria are named above."));
+    return Optional.empty();
+  }
+
+  private Optional<AgentResult> corrected(String name, ComponentTester tests, Diagnosis diagnosis) {
+    SoftwareNode node =
+        failed.path().stream().filter(it -> name.equals(it.getName())).findFirst().orElseThrow();
+    run.progress().step(Stage.SIMULATE, "asking for a correction of " + name);
+    return orNobody(
+        () ->
+            new ImplementAgent(
+                    run.models().correcting(Stage.IMPLEMENT, Stage.IMPLEMENT.id()),
+                    new ComponentProbe(run.python(Stage.IMPLEMENT)))
+                .correct(
+                    chain,
+                    name,
+                    run.requirements(),
+                    Optional.of(tests),
+                    present(name),
+                    VerdictText.of(List.of(node), failed),
+                    diagnosis.why()),
+        "a correction of '" + name + "'");
+  }
+
+  private SourceText present(String component) {
+    return SourceText.read(run.file(ComponentFiles.name(component)));
+  }
+
+  private static boolean isAnother(AgentResult answered, SourceText present) {
+    return !answered.text().equals(present.text());
+  }
+
+  /** Returns corrected tests, and the component that was corrected by them, if it had to be. */
+  private Optional<Correction> correctedTests(Diagnosis diagnosis) {
+    String name = diagnosis.name();
+    TestFiles files = new TestFiles(run, chain);
+    run.progress().step(Stage.SIMULATE, "asking for other tests of " + name);
+    Optional<AgentResult> tests =
+        orNobody(
+            () ->
+                new TestAgent(run.models().correcting(Stage.IMPLEMENT, "test"))
+                    .correct(
+                        chain, name, run.requirements(), files.proposal(name), diagnosis.why()),
+            "other tests of '" + name + "'");
+    return tests
+        .flatMap(it -> corrected(name, files.read(it, name), diagnosis))
+        .map(code -> Correction.of(name, code, tests));
+  }
+
+  private Optional<Correction> correctedDesign(Diagnosis diagnosis) {
+    run.progress().step(Stage.SIMULATE, "asking for another design");
+    AgentContext context = run.models().correcting(Stage.DESIGN, Stage.DESIGN.id());
+    Optional<AgentResult> design =
+        orNobody(
+            () ->
+                new DesignAgent(context)
+                    .correct(
+                        DesignStage.asked(run),
+                        chain,
+                        VerdictText.of(failed.path(), failed),
+                        diagnosis.why()),
+            "another design");
+    return design.map(
+        answered ->
+            isAnother(answered, chain)
+                ? Correction.of(answered, unchangedBy(answered))
+                : Correction.NONE);
+  }
+
+  /** Returns the components whose description another design leaves as it is. */
+  private Set<String> unchangedBy(AgentResult design) {
+    SourceText text = SourceText.of(ProjectFolder.DESCRIPTION, design.text());
+    Set<JsonNode> before = new HashSet<>();
+    EventChainSchema.components(JsonDocument.parse(chain).root()).forEach(before::add);
+    Set<String> kept = new HashSet<>();
+    EventChainSchema.components(JsonDocument.parse(text).root())
+        .forEach(
+            each -> {
+              if (before.contains(each)) {
+                kept.add(each.path("name").asText());
+              }
+            });
+    return kept;
+  }
+
+  /** Returns the answer; empty, with a finding, if there is none that can be used. */
+  private <T> Optional<T> orNobody(Supplier<T> question, String what) {
     try {
-      AgentResult answered = correct(node, present);
-      return answered.text().equals(present.text()) ? Optional.empty() : Optional.of(answered);
+      return Optional.of(question.get());
     } catch (DiagnosticException e) {
       // The result of an evaluation with a correction would be unknown.
       boolean evaluated = run.models().isEvaluated() && e.reason() != Reason.FINDINGS;
@@ -124,25 +228,12 @@ public final class VerdictCorrection {
         run.find(
             Diagnostic.of(
                     DesignRules.AGENTS_VERDICT_UNCORRECTED,
-                    "The failed scenarios were sent back to the model of '%s' without success: %s"
-                        .formatted(node.getName(), first.message()),
-                    SourceLocation.of(file))
+                    "The failed scenarios were sent back for %s without success: %s"
+                        .formatted(what, first.message()),
+                    SourceLocation.of(run.file(ProjectFolder.DESCRIPTION)))
                 .withHint(first.hint()));
       }
       return Optional.empty();
     }
-  }
-
-  private AgentResult correct(SoftwareNode node, SourceText present) {
-    SourceText chain = SourceText.read(run.required(ProjectFolder.DESCRIPTION, Stage.DESIGN));
-    return new ImplementAgent(
-            run.models().correcting(), new ComponentProbe(run.python(Stage.IMPLEMENT)))
-        .correct(
-            chain,
-            node.getName(),
-            run.requirements(),
-            Optional.of(new TestFiles(run, chain).standing(node.getName())),
-            present,
-            VerdictText.of(node, failed));
   }
 }

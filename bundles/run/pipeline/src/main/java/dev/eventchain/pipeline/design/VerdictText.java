@@ -13,8 +13,8 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * A failed verdict as text for the language model that wrote a component: each missed criterion,
- * and the component's inputs and outputs around the decisive time.
+ * A failed verdict as text for a language model: each missed criterion with the words of the
+ * requirements that it judges, and the inputs and outputs of components around the decisive time.
  */
 final class VerdictText {
   /** Largest number of criteria: further ones usually have the same cause. */
@@ -24,26 +24,25 @@ final class VerdictText {
   private static final double BEFORE = 0.6; // s
   private static final double AFTER = 0.2; // s
 
-  private final SoftwareNode component;
+  private final List<SoftwareNode> components;
+  private final FailedScenarios failed;
   private final StringBuilder text = new StringBuilder();
 
-  private VerdictText(SoftwareNode component) {
-    this.component = component;
+  private VerdictText(List<SoftwareNode> components, FailedScenarios failed) {
+    this.components = components;
+    this.failed = failed;
   }
 
-  /** Returns the tested criteria of a scenario that do not hold. */
-  static List<CriterionResult> failed(ScenarioVerdict verdict) {
-    return verdict.criteria().stream()
-        .filter(criterion -> criterion.tested() && !criterion.passed())
-        .toList();
-  }
-
-  /** Returns the failed criteria as text for the author of a component. */
-  static String of(SoftwareNode component, List<ScenarioVerdict> verdicts) {
-    VerdictText told = new VerdictText(component);
+  /**
+   * Returns the failed criteria as text.
+   *
+   * @param components those whose inputs and outputs are shown
+   */
+  static String of(List<SoftwareNode> components, FailedScenarios failed) {
+    VerdictText told = new VerdictText(components, failed);
     int number = 0;
-    for (ScenarioVerdict verdict : verdicts) {
-      for (CriterionResult criterion : failed(verdict)) {
+    for (ScenarioVerdict verdict : failed.verdicts()) {
+      for (CriterionResult criterion : failed.missed(verdict)) {
         if (++number <= MOST_CRITERIA) {
           told.add(number, verdict, criterion);
         }
@@ -69,7 +68,13 @@ final class VerdictText {
             time,
             criterion.text(),
             criterion.measured()));
-    addTable(verdict, time);
+    failed
+        .words(verdict, criterion)
+        .forEach(
+            it -> text.append("   It judges %s: \"%s\"\n".formatted(it.requirement(), it.words())));
+    if (criterion.tested()) {
+      addTable(verdict, time);
+    }
   }
 
   private void addTable(ScenarioVerdict verdict, double time) {
@@ -90,7 +95,7 @@ final class VerdictText {
     return Double.isFinite(value) ? String.format(Locale.ROOT, " %.4g |", value) : " - |";
   }
 
-  /** Returns the component's own signals, then some of the others that change. */
+  /** Returns the components' own signals, then some of the others that change. */
   private Map<String, Curve> columns(List<Curve> curves, List<Integer> rows) {
     Map<String, Curve> columns = new LinkedHashMap<>();
     for (Curve curve : curves) {
@@ -107,14 +112,23 @@ final class VerdictText {
   }
 
   private Optional<String> own(Curve curve) {
-    return name(component.getInput(), curve.name(), "input")
-        .or(() -> name(component.getOutput(), curve.name(), "output"));
+    return components.stream().flatMap(each -> own(each, curve).stream()).findFirst();
+  }
+
+  private Optional<String> own(SoftwareNode component, Curve curve) {
+    if (components.size() > 1) { // One's output is the other's input, under the name of its topic.
+      return name(component.getInput(), curve.name(), "")
+          .or(() -> name(component.getOutput(), curve.name(), ""))
+          .map(name -> curve.name());
+    }
+    return name(component.getInput(), curve.name(), "input ")
+        .or(() -> name(component.getOutput(), curve.name(), "output "));
   }
 
   private static Optional<String> name(List<Data> data, String curve, String kind) {
     return data.stream()
         .filter(each -> curve.equals(each.getTopicName() + "." + each.getFieldName()))
-        .map(each -> kind + " " + each.getName())
+        .map(each -> kind + each.getName())
         .findFirst();
   }
 

@@ -21,6 +21,7 @@ import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.RunResult;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.simulate.SimulateStage;
+import dev.eventchain.pipeline.stage.Correction;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.pipeline.stage.Sample;
@@ -56,10 +57,6 @@ public final class PipelineRun {
   /** Stages that ask language models. */
   private static final Set<Stage> ASKING =
       Set.of(Stage.DESIGN, Stage.IMPLEMENT, Stage.MODEL, Stage.CONSTRAIN);
-
-  /** Stages that depend on a corrected component. */
-  private static final List<Stage> CORRECTED =
-      List.of(Stage.IMPLEMENT, Stage.GENERATE, Stage.SIMULATE);
 
   private final RunContext run;
   private final StageMemory memory;
@@ -162,25 +159,34 @@ public final class PipelineRun {
     progress.ended(outcome.stage(), outcome.status(), outcome.duration(), outcome.details());
   }
 
-  /** Reruns the stages from the components on as long as a failed verdict changes one. */
+  /** Reruns the stages on which a correction depends, as long as a failed verdict brings one. */
   private void correctByVerdict() {
     int rounds = run.project().configuration().repairs();
     while (rounds-- > 0 && mayBeCorrected()) {
       long start = System.nanoTime();
+      Optional<Correction> corrected;
       try {
-        run.models().correct(VerdictCorrection.ask(run, run.models().simulated().orElseThrow()));
+        corrected = new VerdictCorrection(run).ask();
       } catch (DiagnosticException e) {
         failure = Optional.of(e.reason());
         end(StageEnds.stopped(Stage.IMPLEMENT, e, run.takeFindings(), start));
         return;
       }
-      if (run.models().corrections().isEmpty()) {
+      if (corrected.isEmpty()) {
         return;
       }
-      failure = Optional.empty();
-      for (Stage stage : CORRECTED) {
-        end(failure.isEmpty() ? runGuarded(stage) : StageEnds.notRun(stage));
+      run.models().correct(corrected.get());
+      if (!corrected.get().isEmpty()) {
+        rerun(corrected.get().stages());
       }
+    }
+  }
+
+  private void rerun(List<Stage> stages) {
+    failure = Optional.empty();
+    for (Stage stage : stages) {
+      boolean possible = failure.isEmpty() && takesPart(stage);
+      end(possible ? runGuarded(stage) : StageEnds.notRun(stage));
     }
   }
 
@@ -230,11 +236,7 @@ public final class PipelineRun {
   }
 
   private Stage stoppedIn() {
-    return outcomes.values().stream()
-        .filter(outcome -> outcome.status().isStopped())
-        .map(StageOutcome::stage)
-        .findFirst()
-        .orElseThrow();
+    return StageEnds.firstStopped(outcomes.values());
   }
 
   /** Runs a stage; withdraws an earlier verdict however the stage fails. */
@@ -306,7 +308,7 @@ public final class PipelineRun {
       return WORK.get(stage).skippable();
     }
     boolean anyway = stage == Stage.SIMULATE && run.options().simulatesAnyway();
-    boolean corrected = stage == Stage.IMPLEMENT && !run.models().corrections().isEmpty();
+    boolean corrected = run.models().correction().concerns(stage);
     boolean asked = run.options().again() || anyway || isPartial(stage) || corrected;
     return WORK.get(stage).skippable() && !asked;
   }

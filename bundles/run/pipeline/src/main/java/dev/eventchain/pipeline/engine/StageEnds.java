@@ -10,6 +10,7 @@ import dev.eventchain.pipeline.stage.StageOutcome;
 import dev.eventchain.pipeline.stage.StageResult;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 
@@ -71,5 +72,14 @@ final class StageEnds {
 
   private static Duration since(long start) {
     return Duration.ofNanos(System.nanoTime() - start);
+  }
+
+  /** Returns the first stage that was stopped; there is one. */
+  static Stage firstStopped(Collection<StageOutcome> outcomes) {
+    return outcomes.stream()
+        .filter(outcome -> outcome.status().isStopped())
+        .map(StageOutcome::stage)
+        .findFirst()
+        .orElseThrow();
   }
 }

@@ -58,8 +58,9 @@ public record Configuration(
   private static final NumberRange REPAIRS = NumberRange.of(0, 20);
   private static final String TEST = "test";
   private static final String IMPLEMENT = "implement";
+  private static final String DIAGNOSE = "diagnose";
   private static final List<String> TASKS =
-      List.of("design", TEST, IMPLEMENT, "model", "constrain");
+      List.of("design", TEST, IMPLEMENT, "model", "constrain", DIAGNOSE);
   private static final List<String> PACKAGE_FACTS = List.of("license", "maintainer", "email");
 
   /**
@@ -152,10 +153,12 @@ public record Configuration(
 
   /**
    * Returns the models for a task in order of preference; the model for implementation also
-   * proposes tests unless another one is configured.
+   * proposes tests, and looks for what is wrong after a failed verdict, unless another one is
+   * configured.
    */
   public List<String> models(String task) {
-    List<String> usual = task.equals(TEST) ? models(IMPLEMENT) : List.of(DEFAULT_MODEL);
+    boolean alsoImplements = task.equals(TEST) || task.equals(DIAGNOSE);
+    List<String> usual = alsoImplements ? models(IMPLEMENT) : List.of(DEFAULT_MODEL);
     return models.getOrDefault(task, usual);
   }
 

@@ -1,7 +1,7 @@
 package dev.eventchain.pipeline.stage;
 
 import dev.eventchain.agents.AgentContext;
-import dev.eventchain.agents.AgentResult;
+import dev.eventchain.agents.Diagnosis;
 import dev.eventchain.agents.Exchange;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.FileReads;
@@ -34,7 +34,8 @@ public final class ModelWork {
   private final Optional<Sample> sample;
   private final Spending spending;
   private final Map<Stage, List<AnsweredPrompt>> conversations = new EnumMap<>(Stage.class);
-  private Map<String, AgentResult> corrections = Map.of();
+  private Correction correction = Correction.NONE;
+  private final List<Diagnosis> diagnoses = new ArrayList<>();
   private Optional<SimulationResult> simulated = Optional.empty();
 
   /**
@@ -70,9 +71,13 @@ public final class ModelWork {
     return agent(stage, task, task);
   }
 
-  /** Returns the context of the agent that corrects a component after a verdict. */
-  public AgentContext correcting() {
-    return agent(Stage.IMPLEMENT, Stage.IMPLEMENT.id(), "verdict");
+  /**
+   * Returns the context of an agent that works on a failed verdict.
+   *
+   * @param task a task with models in the configuration
+   */
+  public AgentContext correcting(Stage stage, String task) {
+    return agent(stage, task, "verdict");
   }
 
   private AgentContext agent(Stage stage, String task, String purpose) {
@@ -146,14 +151,19 @@ public final class ModelWork {
     }
   }
 
-  /** Returns components that a language model corrected after a verdict, by name. */
-  public Map<String, AgentResult> corrections() {
-    return corrections;
+  /** Returns what language models corrected after the last verdict. */
+  public Correction correction() {
+    return correction;
   }
 
-  /** Adopts components that a language model corrected after a verdict. */
-  public void correct(Map<String, AgentResult> corrected) {
-    corrections = Map.copyOf(corrected);
+  /** Adopts what language models corrected after a verdict. */
+  public void correct(Correction corrected) {
+    correction = corrected;
+  }
+
+  /** Returns what was found to be wrong after the verdicts of this run, in their order. */
+  public List<Diagnosis> diagnoses() {
+    return diagnoses;
   }
 
   /** Returns the last simulation in this run, if there was one. */
