@@ -26,7 +26,7 @@ final class Budgets {
   static String without(SourceText components) {
     JsonNode json = EventChainSchema.components(JsonDocument.parse(components).root()).deepCopy();
     json.forEach(Budgets::remove);
-    return JsonLayout.of(json) + "\n";
+    return JsonLayout.compact(json) + "\n";
   }
 
   /** Returns the component without budgets. */

@@ -2,6 +2,7 @@ package dev.eventchain.agents;
 
 import dev.eventchain.agents.answer.AnswerKind;
 import dev.eventchain.agents.constraint.ConstraintCheck;
+import dev.eventchain.agents.prompt.MetamodelText;
 import dev.eventchain.agents.prompt.ModelNames;
 import dev.eventchain.agents.prompt.PromptTemplate;
 import dev.eventchain.agents.prompt.RuleText;
@@ -18,6 +19,7 @@ import org.eclipse.emf.ecore.EPackage;
 public final class ConstrainAgent {
   private static final PromptTemplate PROMPT = PromptTemplate.load("constrain/v1");
   private static final String FILE = "generated.ocl";
+  private static final String ROOT = "EventChain";
 
   private final AgentContext context;
 
@@ -30,7 +32,7 @@ public final class ConstrainAgent {
    * Formalizes design rules. Each constraint is proved to be non-trivial: a model that satisfies it
    * and one that violates it are found among the given model and its changes.
    *
-   * @param metamodel the text of the metamodel, an Ecore file
+   * @param metamodel the metamodel with its documentation
    * @param packages the same metamodel, loaded
    * @param rules the design rules, each to be covered by a constraint
    * @param model roots of a model of the metamodel; it stays unchanged and may violate constraints
@@ -39,13 +41,13 @@ public final class ConstrainAgent {
    *     and as the model throws
    */
   public AgentResult constrain(
-      String metamodel,
+      EPackage metamodel,
       Collection<EPackage> packages,
       Requirements rules,
       List<? extends EObject> model) {
     Map<String, String> values =
         Map.of(
-            "metamodel", metamodel,
+            "metamodel", MetamodelText.of(metamodel, ROOT, feature -> true),
             "event chain", ModelNames.of(model),
             "design rules", RuleText.items(rules.items()));
     List<String> ids = rules.items().stream().map(WrittenRequirement::id).toList();

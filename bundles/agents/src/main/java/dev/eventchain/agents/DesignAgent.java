@@ -6,6 +6,7 @@ import dev.eventchain.agents.prompt.DesignSchema;
 import dev.eventchain.agents.prompt.MessageText;
 import dev.eventchain.agents.prompt.PromptTemplate;
 import dev.eventchain.agents.prompt.RuleText;
+import dev.eventchain.agents.prompt.SignalText;
 import dev.eventchain.contracts.ChainAnalysis;
 import dev.eventchain.description.EventChainReader;
 import dev.eventchain.description.EventChainSchema;
@@ -109,7 +110,7 @@ public final class DesignAgent {
             "design rules",
                 asked.designRules().map(rules -> RuleText.items(rules.items())).orElse("None."),
             "software component description in json format", Budgets.without(components),
-            "signals", base.signalsText(),
+            "signals", SignalText.of(base.signalsText()),
             "message types", types.definitions(),
             "message packages", types.packages());
     return PROMPT.render(values);

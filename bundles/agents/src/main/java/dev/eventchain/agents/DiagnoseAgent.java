@@ -70,7 +70,7 @@ public final class DiagnoseAgent {
     String design =
         failure.path().stream()
             .map(name -> Budgets.without(ChainView.component(failure.chain(), name).json()))
-            .map(JsonLayout::of)
+            .map(JsonLayout::compact)
             .collect(Collectors.joining(",\n", "[\n", "\n]"));
     Map<String, String> values =
         Map.of(

@@ -116,7 +116,7 @@ public final class ImplementAgent {
     return Map.of(
         "requirements", RuleText.items(RequirementCheck.own(described.json(), requirements)),
         "Description of target software extracted from the event chain description.",
-            JsonLayout.of(Budgets.without(described.json())));
+            JsonLayout.compact(Budgets.without(described.json())));
   }
 
   private Function<SourceText, List<Diagnostic>> check(

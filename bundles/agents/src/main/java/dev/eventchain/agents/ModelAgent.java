@@ -21,6 +21,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
 
 /**
  * Models an event chain as a conceptual instance model (the paper's Section IV-B). The model that
@@ -30,9 +31,9 @@ import org.eclipse.emf.ecore.EObject;
 public final class ModelAgent {
   private static final PromptTemplate PROMPT = PromptTemplate.load("model/v1");
   private static final String FILE = "instance.json";
-  private static final String EXAMPLE_NAME = "lane_departure_warning";
+  private static final String EXAMPLE_NAME = "rain_wiper";
   private static final String EXAMPLE_EXISTING =
-      "Lane_Detection (COMPONENT), Driver_Warning (NODE)";
+      "Rain_Detection (COMPONENT), Wiper_Motor (NODE)";
 
   private final AgentContext context;
 
@@ -51,7 +52,7 @@ public final class ModelAgent {
   /**
    * Models a chain without its budgets: see {@link SoftwareBase#addBudgets}.
    *
-   * @param metamodel the text of the metamodel of event chains, an Ecore file
+   * @param metamodel the metamodel of event chains with its documentation
    * @param chain the event-chain description
    * @param name the chain's name
    * @param requirements the functional requirements
@@ -62,7 +63,7 @@ public final class ModelAgent {
    *     and as the model throws
    */
   public Answer model(
-      String metamodel,
+      EPackage metamodel,
       SourceText chain,
       String name,
       Requirements requirements,
@@ -71,7 +72,7 @@ public final class ModelAgent {
     EventChain direct = direct(description, name, requirements, base);
     Map<String, String> values =
         Map.ofEntries(
-            Map.entry("metamodel", metamodel),
+            Map.entry("metamodel", ModelSchema.text(metamodel)),
             Map.entry("example chain name", EXAMPLE_NAME),
             Map.entry("example requirements", example("requirements.md")),
             Map.entry("example existing components", EXAMPLE_EXISTING),

@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.eclipse.emf.ecore.EPackage;
 
 /**
  * The tasks of an example with the inputs of its project.
@@ -83,7 +84,7 @@ record ExampleWorkflow(String folder, String name, String title, double frequenc
               requirements,
               Optional.of(ComponentTester.read(tests, description, component, requirements))));
     }
-    String metamodel = EventChainMetamodel.text();
+    EPackage metamodel = EventChainMetamodel.documented();
     results.put(
         "instance.json",
         new ModelAgent(context).model(metamodel, description, name, requirements, base).result());

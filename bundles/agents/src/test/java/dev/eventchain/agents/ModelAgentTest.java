@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.agents.prompt.PromptTemplate;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
@@ -36,8 +37,8 @@ class ModelAgentTest {
     Files.writeString(
         folder.resolve("components.json"),
         """
-        [{"name": "Lane_Detection", "file": "components.json"},
-         {"name": "Driver_Warning", "implementation": "node"}]
+        [{"name": "Rain_Detection", "file": "components.json"},
+         {"name": "Wiper_Motor", "implementation": "node"}]
         """);
     base = SoftwareBase.read(folder);
   }
@@ -54,8 +55,8 @@ class ModelAgentTest {
     ScriptedModel model = new ScriptedModel().answer(INSTANCE);
     run(model);
     String prompt = model.requests.get(0).messages().get(0).content();
-    assertTrue(prompt.contains("# Metamodel (Ecore)\n<the metamodel/>\n"), prompt);
-    assertTrue(prompt.contains("The chain is called lane_departure_warning."), prompt);
+    assertTrue(prompt.contains("# Metamodel\nclass EventChain"), prompt);
+    assertTrue(prompt.contains("The chain is called rain_wiper."), prompt);
     assertFalse(prompt.contains("{{"), prompt);
   }
 
@@ -63,8 +64,8 @@ class ModelAgentTest {
   @CsvSource({
     "'\"frequency\": 25.0', '\"frequency\": 40.0'",
     "'\"eClass\": \"SoftwareNode\"', '\"eClass\": \"Component\"'",
-    "'\"topicName\": \"/lane/offset\"', '\"topic\": \"/lane/offset\"'",
-    "'\"nextstep\": \"Driver_Warning\"', '\"nextstep\": \"Driver\"'",
+    "'\"topicName\": \"/rain/wetness\"', '\"topic\": \"/rain/wetness\"'",
+    "'\"nextstep\": \"Wiper_Motor\"', '\"nextstep\": \"Driver\"'",
     "'\"origin\": \"GENERATED\"', '\"origin\": \"EXISTING\"'",
     "'\"unit\": \"m\"', '\"unit\": \"km\"'"
   })
@@ -80,7 +81,7 @@ class ModelAgentTest {
 
   private AgentResult run(ScriptedModel model) {
     return new ModelAgent(AgentContext.of(model))
-        .model("<the metamodel/>", CHAIN, "lane_departure_warning", REQUIREMENTS, base)
+        .model(EventChainMetamodel.documented(), CHAIN, "rain_wiper", REQUIREMENTS, base)
         .result();
   }
 }

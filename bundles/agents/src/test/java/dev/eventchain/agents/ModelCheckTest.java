@@ -32,14 +32,14 @@ class ModelCheckTest {
     Files.writeString(
         folder.resolve("components.json"),
         """
-        [{"name": "Lane_Detection", "file": "components.json"},
-         {"name": "Driver_Warning", "implementation": "node"}]
+        [{"name": "Rain_Detection", "file": "components.json"},
+         {"name": "Wiper_Motor", "implementation": "node"}]
         """);
     Requirements requirements = Requirements.read(example("requirements.md"));
     direct =
         EventChainReader.read(
                 example("chain.json"),
-                "lane_departure_warning",
+                "rain_wiper",
                 requirements.items(),
                 OptionalDouble.empty())
             .root();

@@ -62,14 +62,14 @@ final class RecordingsUpdate {
   }
 
   private static String nearestAnswer(Path task, String prompt) throws IOException {
-    Set<String> wanted = new TreeSet<>(prompt.lines().toList());
+    Set<String> wanted = words(prompt);
     String answer = "";
     long best = Long.MAX_VALUE;
     for (Path file : files(task)) {
       JsonNode recording = MAPPER.readTree(file.toFile());
       Set<String> there = new TreeSet<>();
       for (JsonNode message : recording.at("/request/messages")) {
-        there.addAll(lines(message.get("content")));
+        there.addAll(words(String.join("\n", lines(message.get("content")))));
       }
       long common = there.stream().filter(wanted::contains).count();
       long distance = there.size() + wanted.size() - 2 * common;
@@ -79,6 +79,11 @@ final class RecordingsUpdate {
       }
     }
     return answer;
+  }
+
+  /** Returns the words of a prompt, which stay when its layout changes. */
+  private static Set<String> words(String text) {
+    return new TreeSet<>(List.of(text.split("\\W+")));
   }
 
   private static List<String> lines(JsonNode text) {

@@ -62,10 +62,17 @@ public final class MessageText {
         type.constants().stream()
             .map(each -> " %s %s=%s".formatted(each.type(), each.name(), each.value()));
     Stream<String> fields =
-        type.fields().stream().map(each -> " %s %s".formatted(each.type(), each.name()));
+        type.fields().stream()
+            .map(each -> " %s %s".formatted(within(type, each.type().toString()), each.name()));
     return Stream.of(Stream.of(type.name() + ":"), constants, fields)
         .flatMap(lines -> lines)
         .collect(Collectors.joining("\n"));
+  }
+
+  /** Returns the type of a field as definitions write it, without the package if it is the same. */
+  private static String within(MessageType type, String field) {
+    String own = type.name().substring(0, type.name().indexOf('/')) + "/msg/";
+    return field.startsWith(own) ? field.substring(own.length()) : field.replace("/msg/", "/");
   }
 
   /** Returns the packages of the available types. */

@@ -8,6 +8,9 @@ import dev.eventchain.model.eventchain.EventchainPackage.Literals;
 import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
@@ -42,6 +45,22 @@ public final class ModelSchema {
           Literals.REQUIREMENT__TEXT);
 
   private ModelSchema() {}
+
+  /**
+   * Returns the text of what an answer may contain.
+   *
+   * @param metamodel the metamodel of event chains with its documentation
+   */
+  public static String text(EPackage metamodel) {
+    Set<String> left =
+        NOT_ASKED.stream().map(ModelSchema::name).collect(Collectors.toUnmodifiableSet());
+    return MetamodelText.of(
+        metamodel, Literals.EVENT_CHAIN.getName(), feature -> !left.contains(name(feature)));
+  }
+
+  private static String name(EStructuralFeature feature) {
+    return feature.getEContainingClass().getName() + "." + feature.getName();
+  }
 
   /**
    * Returns the schema.

@@ -56,6 +56,11 @@ public final class EventChainMetamodel {
     return SourceText.of(CONSTRAINTS, resource(CONSTRAINTS));
   }
 
+  /** Returns the metamodel of event chains as its file says it, with the documentation. */
+  public static EPackage documented() {
+    return read("metamodel/eventchain.ecore");
+  }
+
   /** Returns the metamodel of message definitions, which templates may use. */
   public static EPackage messages() {
     return Messages.PACKAGE;
@@ -63,19 +68,18 @@ public final class EventChainMetamodel {
 
   /** Lazy holder of the metamodel of message definitions, which most runs do not need. */
   private static final class Messages {
-    private static final EPackage PACKAGE = read();
+    private static final EPackage PACKAGE = read("metamodel/messages.ecore");
+  }
 
-    private static EPackage read() {
-      Resource resource =
-          new EcoreResourceFactoryImpl().createResource(URI.createURI("messages.ecore"));
-      byte[] text = resource("metamodel/messages.ecore").getBytes(StandardCharsets.UTF_8);
-      try {
-        resource.load(new ByteArrayInputStream(text), Map.of());
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
-      return (EPackage) resource.getContents().get(0);
+  private static EPackage read(String name) {
+    Resource resource = new EcoreResourceFactoryImpl().createResource(URI.createURI(name));
+    byte[] text = resource(name).getBytes(StandardCharsets.UTF_8);
+    try {
+      resource.load(new ByteArrayInputStream(text), Map.of());
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
+    return (EPackage) resource.getContents().get(0);
   }
 
   private static String resource(String name) {

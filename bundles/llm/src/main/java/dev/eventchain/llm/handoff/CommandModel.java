@@ -84,7 +84,7 @@ public final class CommandModel implements ChatModel {
   private ChatResponse answer(Process process, ChatRequest request) throws InterruptedException {
     CompletableFuture<String> answer = read(process.getInputStream(), BodyStream.LONGEST);
     CompletableFuture<String> complaint = read(process.getErrorStream(), LONGEST_COMPLAINT);
-    feed(process.getOutputStream(), HandoffPrompt.conversation(request));
+    feed(process.getOutputStream(), HandoffPrompt.conversationWithSchema(request));
     if (!process.waitFor(allowed.toMillis(), TimeUnit.MILLISECONDS)) {
       throw failed("did not end within " + Deadline.text(allowed), "");
     }

@@ -41,15 +41,9 @@ final class HandoffPrompt {
     return out.append(conversation(request)).append('\n').toString();
   }
 
-  /** Returns the conversation as one text, with the schema of the answer. */
-  static String conversation(ChatRequest request) {
-    StringBuilder out = new StringBuilder();
-    List<ChatMessage> messages = request.messages();
-    if (messages.size() == 1) {
-      out.append(messages.get(0).content());
-    } else {
-      appendConversation(out, messages);
-    }
+  /** Returns the conversation as one text, with the schema of the answer, for a program. */
+  static String conversationWithSchema(ChatRequest request) {
+    StringBuilder out = new StringBuilder(conversation(request));
     request
         .schema()
         .ifPresent(
@@ -57,6 +51,18 @@ final class HandoffPrompt {
                 out.append("\n\nThe answer must satisfy this JSON Schema:\n\n```json\n")
                     .append(JsonLayout.of(schema.chosen()))
                     .append("\n```"));
+    return out.toString();
+  }
+
+  /** Returns the conversation as one text; the prompt says in words what the answer has to be. */
+  private static String conversation(ChatRequest request) {
+    StringBuilder out = new StringBuilder();
+    List<ChatMessage> messages = request.messages();
+    if (messages.size() == 1) {
+      out.append(messages.get(0).content());
+    } else {
+      appendConversation(out, messages);
+    }
     return out.toString();
   }
 

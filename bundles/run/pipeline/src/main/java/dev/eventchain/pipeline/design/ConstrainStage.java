@@ -50,7 +50,7 @@ public final class ConstrainStage implements StageWork {
     AgentResult constrained =
         new ConstrainAgent(run.models().agent(Stage.CONSTRAIN))
             .constrain(
-                EventChainMetamodel.text(),
+                EventChainMetamodel.documented(),
                 List.of(EventchainPackage.eINSTANCE),
                 rules.get(),
                 List.of(chain(run)));

@@ -62,7 +62,7 @@ public final class ModelStage implements StageWork {
     ModelAgent.Answer answer =
         new ModelAgent(run.models().agent(Stage.MODEL))
             .model(
-                EventChainMetamodel.text(),
+                EventChainMetamodel.documented(),
                 description,
                 run.project().configuration().name(),
                 run.requirements(),
