@@ -32,8 +32,7 @@ public final class ModelAgent {
   private static final PromptTemplate PROMPT = PromptTemplate.load("model/v1");
   private static final String FILE = "instance.json";
   private static final String EXAMPLE_NAME = "rain_wiper";
-  private static final String EXAMPLE_EXISTING =
-      "Rain_Detection (COMPONENT), Wiper_Motor (NODE)";
+  private static final String EXAMPLE_EXISTING = "Rain_Detection (COMPONENT), Wiper_Motor (NODE)";
 
   private final AgentContext context;
 

@@ -2,7 +2,6 @@ package dev.eventchain.agents;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import dev.eventchain.agents.prompt.PromptTemplate;
 import dev.eventchain.description.EventChainReader;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
@@ -21,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Instance models of the one-shot example with one fault each, and the findings about them. */
+/** Instance models of a departure warning with one fault each, and the findings about them. */
 class ModelCheckTest {
   private static final Path RESOURCES = Path.of("src/test/resources");
 
@@ -32,14 +31,14 @@ class ModelCheckTest {
     Files.writeString(
         folder.resolve("components.json"),
         """
-        [{"name": "Rain_Detection", "file": "components.json"},
-         {"name": "Wiper_Motor", "implementation": "node"}]
+        [{"name": "Lane_Detection", "file": "components.json"},
+         {"name": "Driver_Warning", "implementation": "node"}]
         """);
     Requirements requirements = Requirements.read(example("requirements.md"));
     direct =
         EventChainReader.read(
                 example("chain.json"),
-                "rain_wiper",
+                "lane_departure_warning",
                 requirements.items(),
                 OptionalDouble.empty())
             .root();
@@ -64,6 +63,6 @@ class ModelCheckTest {
   }
 
   private static SourceText example(String part) {
-    return SourceText.of(part, PromptTemplate.resource("model/example." + part));
+    return SourceText.read(RESOURCES.resolve("departure-warning").resolve(part));
   }
 }

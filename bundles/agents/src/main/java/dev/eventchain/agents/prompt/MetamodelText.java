@@ -37,8 +37,7 @@ public final class MetamodelText {
    * @param root the name of the class
    * @param wanted true for the features that an answer may use
    */
-  public static String of(
-      EPackage metamodel, String root, Predicate<EStructuralFeature> wanted) {
+  public static String of(EPackage metamodel, String root, Predicate<EStructuralFeature> wanted) {
     MetamodelText text = new MetamodelText(wanted);
     text.reach((EClass) metamodel.getEClassifier(root));
     text.reached.forEach(text::add);
@@ -51,7 +50,10 @@ public final class MetamodelText {
       EClassifier next = open.remove();
       if (reached.add(next) && next instanceof EClass type) {
         open.addAll(type.getESuperTypes());
-        features(type).map(EStructuralFeature::getEType).filter(it -> isOwn(it, root)).forEach(open::add);
+        features(type)
+            .map(EStructuralFeature::getEType)
+            .filter(it -> isOwn(it, root))
+            .forEach(open::add);
       }
     }
   }

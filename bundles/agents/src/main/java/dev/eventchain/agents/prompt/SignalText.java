@@ -31,7 +31,9 @@ public final class SignalText {
   }
 
   private static String quality(JsonNode profile) {
-    return profile.isTextual() ? profile.asText() : profile.isMissingNode() ? "default" : profile.toString();
+    return profile.isTextual()
+        ? profile.asText()
+        : profile.isMissingNode() ? "default" : profile.toString();
   }
 
   private static String field(JsonNode field) {

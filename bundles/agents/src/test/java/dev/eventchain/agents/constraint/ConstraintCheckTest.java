@@ -1,7 +1,6 @@
 package dev.eventchain.agents.constraint;
 
 import dev.eventchain.agents.FindingLines;
-import dev.eventchain.agents.prompt.PromptTemplate;
 import dev.eventchain.description.EventChainReader;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.ExpectedFile;
@@ -37,10 +36,8 @@ class ConstraintCheckTest {
 
   private static EventChain chain() {
     Requirements requirements =
-        Requirements.read(
-            SourceText.of("r.md", PromptTemplate.resource("model/example.requirements.md")));
-    SourceText text =
-        SourceText.of("chain.json", PromptTemplate.resource("model/example.chain.json"));
+        Requirements.read(SourceText.read(RESOURCES.resolve("departure-warning/requirements.md")));
+    SourceText text = SourceText.read(RESOURCES.resolve("departure-warning/chain.json"));
     return EventChainReader.read(text, "example", requirements.items(), OptionalDouble.empty())
         .root();
   }

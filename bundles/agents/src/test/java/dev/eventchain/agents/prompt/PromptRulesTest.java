@@ -40,7 +40,7 @@ class PromptRulesTest {
           "robot/sandbox");
 
   private static final Set<String> TASKS =
-      Set.of("design", "test", "implement", "model", "constrain");
+      Set.of("design", "test", "implement", "model", "constrain", "diagnose");
 
   /** A line of the table. */
   private record Line(String id, String task, String words) {}
