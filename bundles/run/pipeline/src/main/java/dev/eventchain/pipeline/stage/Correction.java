@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /**
  * What language models corrected after a failed verdict.
@@ -59,7 +60,7 @@ public record Correction(
   /** Returns the stages that depend on what was corrected, in their order. */
   public List<Stage> stages() {
     return design.isPresent()
-        ? List.of(Stage.values()).subList(0, Stage.REPORT.ordinal())
+        ? Stream.of(Stage.values()).filter(stage -> stage != Stage.REPORT).toList()
         : List.of(Stage.IMPLEMENT, Stage.GENERATE, Stage.SIMULATE);
   }
 }
