@@ -93,6 +93,7 @@ public final class FormulaParser {
         intervals.requireLong(condition);
       }
     }
+    terms.requireResolved();
     return formula;
   }
 

@@ -20,6 +20,7 @@ final class TermParser {
   private final FormulaTokens tokens;
   private final Signal.Source signals;
   private final Supplier<Part> parenthesized;
+  private Optional<UnresolvedOutputException> unresolved = Optional.empty();
 
   /**
    * Creates a parser of quantities.
@@ -162,24 +163,51 @@ final class TermParser {
   /** Returns the only output that satisfies a requirement. */
   private Signal output(String requirement, Optional<String> kind, Token token) {
     kind.filter(it -> !it.equals("bool")).ifPresent(it -> unit(it, token));
-    List<Signal> found =
-        signals
-            .outputs(requirement, kind)
-            .orElseThrow(() -> new UnresolvedOutputException("there is no chain yet"));
+    Optional<List<Signal>> known = signals.outputs(requirement, kind);
+    if (known.isEmpty()) {
+      return unresolved("there is no chain yet", kind, token);
+    }
+    List<Signal> found = known.get();
     String wanted = kind.map(it -> it.equals("bool") ? " of type bool" : " in " + it).orElse("");
     if (found.isEmpty()) {
-      throw new UnresolvedOutputException(
-          "no output%s of the chain satisfies %s".formatted(wanted, requirement));
+      return unresolved(
+          "no output%s of the chain satisfies %s".formatted(wanted, requirement), kind, token);
     }
     if (found.size() > 1) {
-      throw new UnresolvedOutputException(
-          "several outputs%s of the chain satisfy %s: %s"
-              .formatted(
-                  wanted,
-                  requirement,
-                  found.stream().map(Signal::name).collect(Collectors.joining(", "))));
+      String names = found.stream().map(Signal::name).collect(Collectors.joining(", "));
+      return unresolved(
+          "several outputs%s of the chain satisfy %s: %s".formatted(wanted, requirement, names),
+          kind,
+          token);
     }
     return found.get(0);
+  }
+
+  /**
+   * Returns a signal without values in place of an output, so that the rest of the formula is
+   * checked.
+   */
+  private Signal unresolved(String reason, Optional<String> kind, Token token) {
+    UnresolvedOutputException problem = new UnresolvedOutputException(reason);
+    if (kind.isEmpty()) {
+      throw problem; // Whether the rest fits is not known.
+    }
+    unresolved = unresolved.or(() -> Optional.of(problem));
+    boolean truth = kind.get().equals("bool");
+    return new Signal(
+        token.text(),
+        truth ? "1" : kind.get(),
+        truth,
+        reason,
+        trace -> new double[trace.states().size()],
+        trace -> Optional.of(reason));
+  }
+
+  /** Ends the parsing of a formula that reads an output which is not known. */
+  void requireResolved() {
+    if (unresolved.isPresent()) {
+      throw unresolved.get();
+    }
   }
 
   private Term term(Part part, Token first) {
