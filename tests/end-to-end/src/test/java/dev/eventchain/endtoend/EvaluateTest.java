@@ -275,4 +275,36 @@ class EvaluateTest {
     evaluate("--schema").expect(2);
     new Program().run("evaluate").expect(2);
   }
+
+  /** Each folder of answers is a session with a chat, given in the rounds of a hand-off. */
+  @Test
+  void recordedSessionsBecomeRows() throws IOException {
+    Path sessions = folder.resolve("sessions");
+    for (String session : List.of("first", "second")) {
+      Files.createDirectories(sessions.resolve(session));
+      Files.writeString(sessions.resolve(session + "/design-01.answer.md"), recordedDesign());
+    }
+    Files.writeString(sessions.resolve("second/constrain-07.answer.md"), "nothing");
+    evaluate("--llm", "answers:" + sessions)
+        .expect(0)
+        .says("sessions: 2 of 2 runs counted")
+        .says("first/constrain-01.answer.md: warning: The session ended before the run")
+        .says("[evaluation.answers.ended]")
+        .says("second: warning: Nobody asked for constrain-07.answer.md.")
+        .says("[evaluation.answer.unused]");
+    assertEquals("answers", json().path("source").asText());
+    assertEquals("failed", json().at("/runs/0/overall/withRepair").asText());
+    assertEquals(Set.of(), schema.validate(json()));
+    evaluate("--llm", "answers:" + folder.resolve("nowhere")).expect(2).says("no such folder");
+  }
+
+  private String recordedDesign() throws IOException {
+    try (Stream<Path> files = Files.list(project.resolve("recordings/design"))) {
+      JsonNode text =
+          MAPPER.readTree(files.findFirst().orElseThrow().toFile()).at("/samples/0/text");
+      StringBuilder answer = new StringBuilder();
+      text.forEach(line -> answer.append(line.asText()).append('\n'));
+      return answer.toString();
+    }
+  }
 }

@@ -63,8 +63,7 @@ class AnswerSchemaTest {
     Path recordings = folder.resolve("recordings");
     assertThrows(DiagnosticException.class, () -> handoff(model, handoff, recordings));
     String prompt = Files.readString(handoff.resolve("model-01.prompt.md"));
-    assertTrue(prompt.contains("```json\n{") && prompt.stripTrailing().endsWith("```"), prompt);
-    assertTrue(prompt.contains("\"description\": \"" + shape + '"'), prompt);
+    assertTrue(prompt.stripTrailing().endsWith("Model."), "a person reads no schema");
     Files.writeString(handoff.resolve("model-01.answer.md"), "{}");
     handoff(model, handoff, recordings);
     assertEquals(

@@ -128,6 +128,13 @@ final class EvaluationFolder implements AutoCloseable {
     if (options.takesRecordings(project)) {
       Project.existingBelow(project.recordings()).forEach(each -> addFile(digest, project, each));
     }
+    AnswerSets.of(options.source(project)).stream()
+        .flatMap(sets -> sets.files().stream())
+        .forEach(
+            file -> {
+              add(digest, file.toString());
+              add(digest, Fingerprint.contentOf(file));
+            });
     return digest.hex();
   }
 

@@ -72,6 +72,6 @@ public record EvaluationOptions(
   /** Returns whether answers are taken from the project's recordings. */
   boolean takesRecordings(Project project) {
     String source = source(project);
-    return !source.equals("live") && !source.startsWith(COMMAND);
+    return !source.equals("live") && !source.startsWith(COMMAND) && AnswerSets.of(source).isEmpty();
   }
 }

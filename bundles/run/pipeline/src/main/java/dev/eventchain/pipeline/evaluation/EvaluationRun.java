@@ -50,21 +50,23 @@ final class EvaluationRun {
   private static final String AUTHORED = "authored";
 
   private final Task task;
-  private final Sample sample;
   private final Progress progress;
+  private Sample sample;
 
   /**
    * The task of a run.
    *
    * @param options of the runs of stages, with the folder of this run
    * @param reference the chain whose components are written where none has been designed
+   * @param session the recorded session that answers, if one does
    */
   record Task(
       Project project,
       RunOptions options,
       String model,
       int number,
-      Optional<ReferenceChain> reference) {}
+      Optional<ReferenceChain> reference,
+      Optional<AnswerSession> session) {}
 
   /**
    * The result of a task.
@@ -86,6 +88,9 @@ final class EvaluationRun {
    */
   Done perform() {
     long start = System.nanoTime();
+    if (task.session().isPresent()) {
+      return ofSession(task.session().get(), start);
+    }
     PipelineRun.Ended ended = run(task.options(), sample);
     Optional<Done> stopped = stopped(ended, sample, task.options().output());
     if (stopped.isPresent()) {
@@ -99,6 +104,28 @@ final class EvaluationRun {
       return judged(ended, Score.UNKNOWN, "", List.of(), start);
     }
     return onReference(ended, task.reference().get(), start);
+  }
+
+  /** Judges a run that a recorded session answers, and that may end with it. */
+  private Done ofSession(AnswerSession session, long start) {
+    PipelineRun.Ended ended = session.run(this::round);
+    boolean waiting = !awaited(ended).isEmpty();
+    Optional<Done> stopped =
+        waiting ? Optional.empty() : stopped(ended, sample, task.options().output());
+    Done done =
+        stopped.orElseGet(
+            () ->
+                judged(
+                    ended, functionCode(ended, sample), "the run's own chain", List.of(), start));
+    List<Diagnostic> found = new ArrayList<>(done.findings());
+    found.addAll(session.findings(waiting));
+    return new Done(done.run(), found);
+  }
+
+  /** Runs all stages anew: what was answered in earlier rounds is recorded. */
+  private PipelineRun.Ended round() {
+    sample = sample.again();
+    return run(task.options(), sample);
   }
 
   private PipelineRun.Ended run(RunOptions options, Sample asked) {

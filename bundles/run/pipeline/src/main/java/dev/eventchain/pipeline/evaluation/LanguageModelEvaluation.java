@@ -88,6 +88,10 @@ public final class LanguageModelEvaluation {
   /** Returns the options with the model's name, if the source of answers is a single model. */
   private static EvaluationOptions of(Project project, EvaluationOptions given) {
     String source = given.source(project);
+    Optional<AnswerSets> sets = AnswerSets.of(source);
+    if (sets.isPresent()) {
+      return ofSessions(given, sets.get());
+    }
     boolean isModel =
         project.configuration().services().names().contains(source.replaceFirst("(?s)/.*", ""))
             && source.contains("/");
@@ -109,6 +113,21 @@ public final class LanguageModelEvaluation {
         given.runs(),
         given.parallel(),
         isModel ? Optional.of("live") : given.llm(),
+        given.suppressions(),
+        given.timeLimit());
+  }
+
+  /** Returns the options for recorded sessions: each is a run, whatever number was given. */
+  private static EvaluationOptions ofSessions(EvaluationOptions given, AnswerSets sets) {
+    if (given.models().size() > 1) {
+      throw new IllegalArgumentException("the sessions of a folder are those of one model");
+    }
+    return new EvaluationOptions(
+        given.output(),
+        given.models().isEmpty() ? List.of(sets.name()) : given.models(),
+        sets.folders().size(),
+        given.parallel(),
+        given.llm(),
         given.suppressions(),
         given.timeLimit());
   }
@@ -177,8 +196,12 @@ public final class LanguageModelEvaluation {
     folder.begin(name);
     Path recordings = folder.path(name).resolve("recordings");
     Sample sample = new Sample(model, number - 1, project.recordings(), recordings, spending);
+    Optional<AnswerSession> session =
+        AnswerSets.of(options.source(project))
+            .map(sets -> sets.folders().get(number - 1))
+            .map(answers -> new AnswerSession(answers, handoff(name)));
     EvaluationRun.Task task =
-        new EvaluationRun.Task(project, runOptions(name), model, number, reference);
+        new EvaluationRun.Task(project, runOptions(name), model, number, reference, session);
     EvaluationRun.Done done =
         new EvaluationRun(task, sample, new Steps(model, number, listener)).perform();
     for (Diagnostic finding : done.findings()) {
@@ -190,13 +213,20 @@ public final class LanguageModelEvaluation {
     return done;
   }
 
+  private Path handoff(String name) {
+    return folder.path(name).resolve("handoff");
+  }
+
   /**
    * Returns options that run all stages anew, from recorded answers; nobody edits in this folder.
    */
   private RunOptions runOptions(String name) {
     String source = options.source(project);
     boolean ownFolder = source.startsWith(HANDOFF) && source.length() > HANDOFF.length();
-    String own = ownFolder ? source + "/" + name : source;
+    String own =
+        AnswerSets.of(source).isPresent()
+            ? HANDOFF + handoff(name)
+            : ownFolder ? source + "/" + name : source;
     return new RunOptions(
         folder.path(name),
         Stage.DESIGN,
