@@ -78,6 +78,21 @@ record Mutant(
         equivalent);
   }
 
+  /** Returns software of others, for one scenario: as a mutant that no requirement refuses. */
+  static Mutant variant(Map<?, ?> entry, String scenario) {
+    refuseOthers(entry, Set.of("id", "does", "change"));
+    List<Change> changes =
+        ((List<?>) entry.get("change")).stream().map(each -> change((Map<?, ?>) each, "")).toList();
+    return new Mutant(
+        text(entry, "id"),
+        text(entry, "does"),
+        changes.get(0).component(),
+        changes,
+        scenario,
+        "",
+        "within the requirements");
+  }
+
   /** Returns the component of a change: the mutant's unless the change names another one. */
   private static Change change(Map<?, ?> entry, String component) {
     refuseOthers(entry, CHANGE_KEYS);

@@ -89,6 +89,10 @@ final class MutantRun {
     }
   }
 
+  List<Scenario> scenarios() {
+    return scenarios;
+  }
+
   Trial trial(Mutant mutant) {
     Optional<Scenario> scenario =
         scenarios.stream().filter(each -> each.name().equals(mutant.scenario())).findFirst();

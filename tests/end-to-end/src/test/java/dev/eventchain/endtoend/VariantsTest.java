@@ -1,0 +1,81 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.simulation.scenario.Scenario;
+import dev.eventchain.simulation.verdict.ScenarioVerdict;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.yaml.snakeyaml.LoaderOptions;
+import org.yaml.snakeyaml.Yaml;
+import org.yaml.snakeyaml.constructor.SafeConstructor;
+
+/**
+ * Tests that the scenarios of the examples pass software of others that does what the requirements
+ * say in another way; the mutants of {@link MutantsTest} are the other side. A build tries one
+ * variant of each example, another one each day; the profile {@code thorough} tries all. {@code
+ * -Dmutants.turn=N} repeats a build's.
+ */
+class VariantsTest {
+
+  private static final Path VARIANTS =
+      Program.ROOT.resolve("tests/end-to-end/src/test/resources/variants");
+
+  private static final int FEWEST = 4;
+
+  private static final boolean ALL = Integer.getInteger("mutants.of.examples", 9) == 1;
+
+  @TempDir Path folder;
+
+  @ParameterizedTest
+  @ValueSource(strings = {"aeb", "acc", "lane-departure", "radar-aeb"})
+  void scenariosPassSoftwareOfOthers(String example) throws Exception {
+    List<?> variants = (List<?>) read(VARIANTS.resolve(example + ".yaml")).get("variants");
+    assertTrue(variants.size() >= FEWEST, "too few to speak of");
+    long day = Long.getLong("mutants.turn", LocalDate.now(ZoneOffset.UTC).toEpochDay());
+    MutantRun run = MutantRun.of(example, folder);
+    Set<String> wrong = new LinkedHashSet<>();
+    for (int i = 0; i < variants.size(); i++) {
+      if (ALL || i == Math.floorMod(day, variants.size())) {
+        wrong.addAll(complaints((Map<?, ?>) variants.get(i), run));
+      }
+    }
+    assertEquals(Set.of(), wrong, () -> String.join("\n", wrong));
+  }
+
+  private static Map<?, ?> read(Path file) throws Exception {
+    return new Yaml(new SafeConstructor(new LoaderOptions())).load(Files.readString(file));
+  }
+
+  private static Set<String> complaints(Map<?, ?> variant, MutantRun run) throws Exception {
+    List<MutantRun.Trial> trials =
+        run.scenarios().stream()
+            .map(
+                scenario -> new MutantRun.Trial(Mutant.variant(variant, scenario.name()), scenario))
+            .toList();
+    Set<String> wrong = new LinkedHashSet<>();
+    Set<String> judged = new TreeSet<>();
+    List<ScenarioVerdict> verdicts = run.simulate(trials);
+    for (int i = 0; i < trials.size(); i++) {
+      judged.addAll(verdicts.get(i).requirements());
+      if (!verdicts.get(i).passed()) {
+        wrong.add(trials.get(i) + " does not pass: " + verdicts.get(i).diagnostics());
+      }
+    }
+    Set<String> named = new TreeSet<>();
+    run.scenarios().stream().map(Scenario::requirements).forEach(named::addAll);
+    assertEquals(named, judged, () -> variant.get("id") + " leaves a requirement unproved");
+    return wrong;
+  }
+}
