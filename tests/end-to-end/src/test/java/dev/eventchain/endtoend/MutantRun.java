@@ -57,14 +57,11 @@ final class MutantRun {
   private MutantRun(Path folder, Path project) throws IOException {
     this.folder = folder;
     Path out = project.resolve("out");
+    Path edited = project.resolve("model/chain.xmi");
+    Path model = Files.exists(edited) ? edited : out.resolve("chain.xmi");
     this.generated = manifest(out.resolve("ros2")).getParent();
     this.chain =
-        (EventChain)
-            EventChainMetamodel.store(out)
-                .load(out.resolve("chain.xmi"))
-                .resource()
-                .getContents()
-                .get(0);
+        (EventChain) EventChainMetamodel.store(project).load(model).resource().getContents().get(0);
     this.messages = List.of(project.resolve("software-base/msg"));
     this.bench =
         Bench.read(
@@ -109,7 +106,7 @@ final class MutantRun {
               .filter(index -> index % PROCESSES == turn)
               .mapToObj(trials::get)
               .toList();
-      Path copy = folder.resolve("package" + turn);
+      Path copy = Files.createTempDirectory(folder, "package");
       Program.copy(generated, copy);
       parts.add(CompletableFuture.supplyAsync(() -> simulate(part, copy)));
     }
