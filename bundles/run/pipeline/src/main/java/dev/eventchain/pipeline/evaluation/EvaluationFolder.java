@@ -128,14 +128,15 @@ final class EvaluationFolder implements AutoCloseable {
     if (options.takesRecordings(project)) {
       Project.existingBelow(project.recordings()).forEach(each -> addFile(digest, project, each));
     }
-    AnswerSets.of(options.source(project)).stream()
-        .flatMap(sets -> sets.files().stream())
-        .forEach(
-            file -> {
-              add(digest, file.toString());
-              add(digest, Fingerprint.contentOf(file));
-            });
+    AnswerSets.of(options.source(project)).ifPresent(sets -> addSessions(digest, sets));
     return digest.hex();
+  }
+
+  private static void addSessions(Sha256 digest, AnswerSets sets) {
+    for (Path file : sets.files()) {
+      add(digest, file.toString());
+      add(digest, Fingerprint.contentOf(file));
+    }
   }
 
   private static void addFile(Sha256 digest, Project project, Path file) {
