@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.llm.chat.AnswerSchema;
 import dev.eventchain.llm.chat.ChatModel;
 import dev.eventchain.llm.chat.ModelName;
+import dev.eventchain.llm.chat.Sampling;
 import dev.eventchain.llm.handoff.CommandModel;
 import dev.eventchain.llm.handoff.HandoffModel;
 import dev.eventchain.llm.recording.RecordedFirst;
@@ -104,10 +105,12 @@ public final class ChatModels {
     return new FallbackModel.Named(name.toString(), inShape(name, open(name)));
   }
 
-  /** Converts the schema to the shape of the model before keys are computed. */
+  /** Gives a request the schema and the sampling of the model before keys are computed. */
   private ChatModel inShape(ModelName name, ChatModel opened) {
     AnswerSchema.Shape shape = shape(name);
-    return request -> opened.chat(request.in(shape));
+    Optional<Sampling> sampling =
+        access.services().service(name.provider()).map(ModelService::sampling);
+    return request -> opened.chat(sampling.map(request::sampled).orElse(request).in(shape));
   }
 
   /**
@@ -155,7 +158,7 @@ public final class ChatModels {
     if (command.isEmpty()) {
       throw noWay(access.source());
     }
-    ChatModel program = new CommandModel(name, command, ModelService.DEADLINE);
+    ChatModel program = new CommandModel(name, command, access.services().commandDeadline());
     return new MeteredModel(program, name, access);
   }
 

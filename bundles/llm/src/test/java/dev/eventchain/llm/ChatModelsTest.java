@@ -228,6 +228,10 @@ class ChatModelsTest {
         "services: {a: {wire: openai, url: 'https://user:key@h'}} | llm.service.url",
         "services: {a: {wire: openai}} | project.configuration",
         "services: {openai: {deadline_s: 0}} | project.configuration",
+        "services: {openai: {temperature: 3}} | project.configuration",
+        "services: {openai: {seed: -1}} | project.configuration",
+        "command: {deadline_s: 0} | project.configuration",
+        "command: {deadline: 60} | project.configuration",
         "services: {openai: {api_key: sk-1}} | project.configuration",
         "prices: {a/b: {input_per_million: 1}} | project.configuration",
         "budget: {euro: 1} | project.configuration"

@@ -35,6 +35,11 @@ public record ChatRequest(
     return new ChatRequest(task, messages, Optional.empty(), Sampling.DEFAULT);
   }
 
+  /** Returns the request with other sampling parameters. */
+  public ChatRequest sampled(Sampling other) {
+    return new ChatRequest(task, messages, schema, other);
+  }
+
   /** Returns the request with its schema reduced to one shape. */
   public ChatRequest in(AnswerSchema.Shape shape) {
     return new ChatRequest(task, messages, schema.map(all -> all.in(shape)), sampling);

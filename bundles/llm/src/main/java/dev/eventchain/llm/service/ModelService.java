@@ -1,5 +1,6 @@
 package dev.eventchain.llm.service;
 
+import dev.eventchain.llm.chat.Sampling;
 import java.net.URI;
 import java.time.Duration;
 import java.util.Map;
@@ -14,6 +15,7 @@ import java.util.Optional;
  * @param deadline the time for a whole call, with its repetitions
  * @param silence the longest pause within an answer
  * @param maximumTokens default length at which an answer is truncated
+ * @param sampling the temperature and the seed of its models, as far as they are given
  */
 public record ModelService(
     String name,
@@ -22,7 +24,20 @@ public record ModelService(
     Optional<String> key,
     Duration deadline,
     Duration silence,
-    int maximumTokens) {
+    int maximumTokens,
+    Sampling sampling) {
+
+  /** Creates a service that leaves the sampling to the provider. */
+  ModelService(
+      String name,
+      Wire wire,
+      URI url,
+      Optional<String> key,
+      Duration deadline,
+      Duration silence,
+      int maximumTokens) {
+    this(name, wire, url, key, deadline, silence, maximumTokens, Sampling.DEFAULT);
+  }
 
   public static final Duration DEADLINE = Duration.ofMinutes(5);
   static final Duration SILENCE = Duration.ofMinutes(1);

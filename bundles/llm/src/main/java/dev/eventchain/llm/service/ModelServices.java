@@ -5,11 +5,13 @@ import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.chat.ModelName;
+import dev.eventchain.llm.chat.Sampling;
 import java.math.BigDecimal;
 import java.net.URI;
 import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.SortedMap;
@@ -23,6 +25,8 @@ import java.util.TreeSet;
 public final class ModelServices {
   private static final NumberRange SECONDS = NumberRange.above(0).upTo(86_400);
   private static final NumberRange TOKENS = NumberRange.of(1, 1e9);
+  private static final NumberRange TEMPERATURE = NumberRange.of(0, 2);
+  private static final NumberRange SEED = NumberRange.of(0, Integer.MAX_VALUE);
   private static final NumberRange MONEY = NumberRange.of(0, 1e6);
   private static final BigDecimal MILLION = BigDecimal.valueOf(1_000_000);
 
@@ -50,12 +54,17 @@ public final class ModelServices {
   private final SortedMap<String, ModelService> services;
   private final Map<String, Price> prices;
   private final Budget budget;
+  private final Duration commandDeadline;
 
   private ModelServices(
-      SortedMap<String, ModelService> services, Map<String, Price> prices, Budget budget) {
+      SortedMap<String, ModelService> services,
+      Map<String, Price> prices,
+      Budget budget,
+      Duration commandDeadline) {
     this.services = services;
     this.prices = prices;
     this.budget = budget;
+    this.commandDeadline = commandDeadline;
   }
 
   /** Returns the services that need no configuration, without prices and without a budget. */
@@ -63,11 +72,12 @@ public final class ModelServices {
     return new ModelServices(
         new TreeMap<>(ModelService.known()),
         Map.of(),
-        new Budget(Optional.empty(), OptionalLong.empty()));
+        new Budget(Optional.empty(), OptionalLong.empty()),
+        ModelService.DEADLINE);
   }
 
   /**
-   * Reads the keys {@code services}, {@code prices} and {@code budget}.
+   * Reads the keys {@code services}, {@code prices}, {@code budget} and {@code command}.
    *
    * @param settings the configuration, which receives the errors
    */
@@ -94,7 +104,17 @@ public final class ModelServices {
                             all.requiredObject(model)
                                 .ifPresent(each -> prices.put(model, price(each)))));
     Optional<ObjectReader> budget = settings.object("budget");
-    return new ModelServices(services, prices, budget(budget));
+    return new ModelServices(services, prices, budget(budget), commandDeadline(settings));
+  }
+
+  private static Duration commandDeadline(ObjectReader settings) {
+    Optional<ObjectReader> command = settings.object("command");
+    Duration deadline =
+        command
+            .map(section -> seconds(section, "deadline_s", ModelService.DEADLINE))
+            .orElse(ModelService.DEADLINE);
+    command.ifPresent(ObjectReader::refuseOthers);
+    return deadline;
   }
 
   private static Budget budget(Optional<ObjectReader> section) {
@@ -135,11 +155,17 @@ public final class ModelServices {
     Duration silence = seconds(section, "silence_s", ModelService.SILENCE);
     int tokens =
         (int) section.wholeNumber("maximum_tokens", TOKENS).orElse(ModelService.MAXIMUM_TOKENS);
+    Sampling sampling =
+        new Sampling(
+            section.number("temperature", TEMPERATURE),
+            OptionalInt.empty(),
+            section.wholeNumber("seed", SEED));
     section.refuseOthers();
     return wire.isEmpty() || url.isEmpty()
         ? Optional.empty()
         : Optional.of(
-            new ModelService(name, wire.get(), url.get(), key, deadline, silence, tokens));
+            new ModelService(
+                name, wire.get(), url.get(), key, deadline, silence, tokens, sampling));
   }
 
   private static Duration seconds(ObjectReader section, String key, Duration usual) {
@@ -184,6 +210,11 @@ public final class ModelServices {
               .withHint("Write http:// or https://, a host, and a path; keys do not belong here."));
     }
     return Optional.empty();
+  }
+
+  /** Returns the time that a program may take for an answer. */
+  public Duration commandDeadline() {
+    return commandDeadline;
   }
 
   /** Returns a service by name. */

@@ -40,6 +40,7 @@ final class Transport implements HttpClient {
             .version(java.net.http.HttpClient.Version.HTTP_1_1)
             .followRedirects(java.net.http.HttpClient.Redirect.NEVER)
             .connectTimeout(CONNECT)
+            .proxy(new EnvironmentProxies(System.getenv()))
             .build();
   }
 

@@ -82,6 +82,52 @@ class WiresTest {
     assertTrue(schemas.get(0).path("properties").has("answer"), sent::toPrettyString);
   }
 
+  private static ModelAccess access(String settings) {
+    ModelAccess usual = ModelAccess.of("live", Path.of("target/no-recordings"), false);
+    ModelServices services =
+        ModelServices.read(
+            Document.parse(
+                    SourceText.of("eventchain.yaml", settings),
+                    DocumentFormat.YAML,
+                    DocumentRules.all(Rule.error("x")),
+                    finding -> fail(finding.toString()))
+                .object("", finding -> fail(finding.toString()))
+                .orElseThrow());
+    return new ModelAccess(
+        usual.source(),
+        usual.recordings(),
+        false,
+        services,
+        new Spending(services),
+        name -> FakeService.KEY,
+        usual.progress(),
+        usual.findings());
+  }
+
+  /** A temperature and a seed are sent, each in the field of its service, where it has one. */
+  @ParameterizedTest
+  @CsvSource({
+    "OPENAI, /temperature, /seed",
+    "OPENAI_COMPATIBLE, /temperature, /seed",
+    "GEMINI, /generationConfig/temperature, /generationConfig/seed",
+    "ANTHROPIC, /temperature, ",
+    "OLLAMA, /options/temperature, /options/seed"
+  })
+  void theSamplingOfTheSettingsIsSent(Wire wire, String temperature, String seed)
+      throws IOException {
+    SERVICE.answers(wire, "good");
+    ModelAccess access =
+        access(
+            "services: {fake: {wire: %s, url: '%s', key: %s, temperature: 0.5, seed: 7}}"
+                .formatted(wire.id(), SERVICE.service(wire).url(), FakeService.VARIABLE));
+    ChatModels.open(access, List.of("fake/some-model")).chat(FakeService.question());
+    JsonNode sent = new ObjectMapper().readTree(SERVICE.requests().get(0).getBodyAsString());
+    assertEquals(0.5, sent.at(temperature).doubleValue(), sent::toPrettyString);
+    if (seed != null) {
+      assertEquals(7, sent.at(seed).intValue(), sent::toPrettyString);
+    }
+  }
+
   /** Each service takes one shape, in its own field. */
   @ParameterizedTest
   @CsvSource({
@@ -94,30 +140,9 @@ class WiresTest {
   void theShapeOfTheSchemaIsThatOfTheService(Wire wire, String shape, String field)
       throws IOException {
     SERVICE.answers(wire, "good");
-    ModelAccess usual = ModelAccess.of("live", Path.of("target/no-recordings"), false);
     String key = "services: {fake: {wire: %s, url: '%s', key: %s}}";
-    ModelServices services =
-        ModelServices.read(
-            Document.parse(
-                    SourceText.of(
-                        "eventchain.yaml",
-                        key.formatted(
-                            wire.id(), SERVICE.service(wire).url(), FakeService.VARIABLE)),
-                    DocumentFormat.YAML,
-                    DocumentRules.all(Rule.error("x")),
-                    finding -> fail(finding.toString()))
-                .object("", finding -> fail(finding.toString()))
-                .orElseThrow());
     ModelAccess access =
-        new ModelAccess(
-            usual.source(),
-            usual.recordings(),
-            false,
-            services,
-            new Spending(services),
-            name -> FakeService.KEY,
-            usual.progress(),
-            usual.findings());
+        access(key.formatted(wire.id(), SERVICE.service(wire).url(), FakeService.VARIABLE));
     ObjectMapper mapper = new ObjectMapper();
     JsonNode nested = mapper.readTree(schema("nested"));
     JsonNode flat = mapper.readTree(schema("flat"));
