@@ -12,6 +12,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
@@ -36,6 +37,8 @@ class VerdictCorrectionTest {
               \"""Take the TTC in s; return the force.\"""
               return {"braking_force": 1.0 if ttc < 0.3 else 0.0}
       """;
+
+  @TempDir private static Path failed;
 
   @TempDir private Path folder;
   private Path project;
@@ -89,11 +92,26 @@ class VerdictCorrectionTest {
         "{\"wrong\": \"%s\", \"name\": \"%s\", \"why\": \"%s\"}".formatted(wrong, name, why));
   }
 
-  /** Has the component that brakes too late simulated. */
+  /** Has the component that brakes too late simulated, once for all tests. */
   private void failOnce() throws IOException {
-    run().expect(4);
-    answer(1, LATE);
-    run().expect(4).says("waiting for 1 answer");
+    if (!Files.exists(failed.resolve("asked"))) {
+      run().expect(4);
+      answer(1, LATE);
+      run().expect(4).says("waiting for 1 answer");
+      copy(folder, failed);
+    } else {
+      copy(failed, folder);
+    }
+  }
+
+  private static void copy(Path from, Path to) throws IOException {
+    try (Stream<Path> files = Files.walk(from)) {
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
+        Path target = to.resolve(from.relativize(file).toString());
+        Files.createDirectories(target.getParent());
+        Files.copy(file, target, StandardCopyOption.REPLACE_EXISTING);
+      }
+    }
   }
 
   private String component(String name) throws IOException {
