@@ -41,6 +41,7 @@ class MutateTest {
   @BeforeEach
   void copyTheExample() throws IOException {
     copy = ProjectCopy.of("radar-aeb", folder);
+    copy.onlyScenario("scenarios/stopped-vehicle-50.yaml");
     Files.deleteIfExists(copy.path().resolve("mutants.yaml"));
     Files.deleteIfExists(copy.path().resolve("tests/" + NAME + ".yaml"));
   }
