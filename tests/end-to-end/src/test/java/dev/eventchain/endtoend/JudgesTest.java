@@ -70,7 +70,7 @@ class JudgesTest {
 
   @Test
   void anOutputThatNoDesignHasIsNotTested() throws IOException {
-    copy.replace(SCENARIO, "/cluster/collision_warning.data", "output(RAD-2, m/s2)");
+    copy.replace(SCENARIO, "/cluster/collision_warning.data", "output(RAD-2, m/s2) > 0 m/s2");
     new Program()
         .run("validate", copy.path())
         .expect(0)
@@ -81,6 +81,16 @@ class JudgesTest {
         .expect(1)
         .says("was not tested: no output in m/s2 of the chain satisfies RAD-2")
         .says("INCOMPLETE");
+  }
+
+  @Test
+  void theRestOfAFormulaIsCheckedBeforeThereIsAnOutput() throws IOException {
+    copy.replace(SCENARIO, "/cluster/collision_warning.data", "output(RAD-9, m/s2)");
+    new Program()
+        .run("validate", copy.path())
+        .expect(1)
+        .says("'output(RAD-9, m/s2)' is a quantity, not true or false.")
+        .says("[scenario.formula.syntax]");
   }
 
   @Test

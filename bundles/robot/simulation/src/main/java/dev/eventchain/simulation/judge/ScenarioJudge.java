@@ -97,7 +97,7 @@ public final class ScenarioJudge {
   }
 
   /** Returns the scenario's requirements without those of which the run asks no criterion. */
-  private static List<String> judged(Scenario scenario, ScenarioRun run, boolean worked) {
+  private List<String> judged(Scenario scenario, ScenarioRun run, boolean worked) {
     Set<String> unasked = new HashSet<>();
     Set<String> asked = new HashSet<>();
     for (Expectation each : scenario.criteria()) {
@@ -121,12 +121,21 @@ public final class ScenarioJudge {
         : List.of();
   }
 
-  /** Returns whether a criterion is optional, and the software did not come to its premise. */
-  public static boolean isUnasked(Expectation criterion, ScenarioRun run) {
+  /**
+   * Returns whether a criterion is optional, and the software did not come to its premise. Software
+   * that sends nothing on a topic that it is to write has not avoided anything.
+   */
+  public boolean isUnasked(Expectation criterion, ScenarioRun run) {
     return run.scenario().isOptional(criterion)
         && !run.isOverrun()
         && !run.trace().isCut()
-        && !criterion.judge(run.trace()).tested();
+        && !criterion.judge(run.trace()).tested()
+        && criterion.signals().stream().noneMatch(signal -> isSilent(signal, run.trace()));
+  }
+
+  private boolean isSilent(Signal signal, Trace trace) {
+    return signal.topic().filter(chain.topicsWritten()::contains).isPresent()
+        && signal.absence().apply(trace).isPresent();
   }
 
   /**

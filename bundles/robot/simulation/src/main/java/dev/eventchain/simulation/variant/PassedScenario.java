@@ -85,10 +85,10 @@ public final class PassedScenario {
     return untested.isPresent() ? new Judged(untested.get(), 0) : nearest;
   }
 
-  private static boolean isUnasked(CriterionResult result, ScenarioRun variant) {
+  private boolean isUnasked(CriterionResult result, ScenarioRun variant) {
     return variant.scenario().criteria().stream()
         .filter(each -> each.location().equals(result.location()))
-        .anyMatch(each -> ScenarioJudge.isUnasked(each, variant));
+        .anyMatch(each -> judge.isUnasked(each, variant));
   }
 
   private static boolean hasImpact(ScenarioRun run) {
