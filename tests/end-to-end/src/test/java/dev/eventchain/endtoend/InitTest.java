@@ -81,7 +81,8 @@ class InitTest {
     Files.writeString(
         components,
         described.replaceFirst("\"requirements\": \\[\\]", "\"requirements\": [\"OWN-1\"]"));
-    Files.writeString(project.resolve("requirements.md"), "- OWN-1: The system shall brake.\n");
+    Files.writeString(
+        project.resolve("requirements.md"), "- OWN-1: The \"system\" shall:\n  brake.\n");
     new Program().run("init", project).expect(0).says("model/chain.xmi");
     String chain = Files.readString(project.resolve("model/chain.xmi"));
     assertTrue(chain.contains("name=\"my_radar_2\""), chain);
@@ -89,6 +90,7 @@ class InitTest {
     assertTrue(chain.contains("satisfies=\"//@requirements.0\""), chain);
     String scenario = Files.readString(project.resolve("scenarios/stopped-vehicle.yaml"));
     assertTrue(scenario.contains("requirements: [OWN-1]"), scenario);
+    assertTrue(scenario.contains("OWN-1: \"The \\\"system\\\" shall: brake.\""), scenario);
     new Program().run("validate", project).expect(0).says("0 errors, 0 warnings");
     new Program().run("run", project).expect(0).says("1 requirement proved");
   }

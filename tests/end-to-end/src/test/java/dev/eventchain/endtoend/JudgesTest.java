@@ -66,6 +66,10 @@ class JudgesTest {
   void anOutputIsReadByItsRequirementWhateverItsTopic() throws IOException {
     copy.replace(SCENARIO, "/cluster/collision_warning.data", "output(RAD-2, bool)");
     new Program().run("run", copy.path(), "--no-strength").expect(0).says("4 requirements proved");
+    JsonNode verdict =
+        new ObjectMapper().readTree(copy.path().resolve("out/verdict.json").toFile());
+    String judged = verdict.findValuesAsText("requirement") + " " + verdict.findValues("words");
+    assertTrue(judged.contains("RAD-2") && judged.contains("\"warn the driver"), judged);
   }
 
   @Test

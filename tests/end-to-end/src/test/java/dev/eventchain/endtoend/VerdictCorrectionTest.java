@@ -135,7 +135,10 @@ class VerdictCorrectionTest {
     assertTrue(asked.contains(LATE.strip()), "the code");
     assertTrue(asked.contains("name: a crash"), "the tests");
     assertTrue(asked.contains("can be corrected: TTC_Calculation, Braking_Decision"), asked);
-    assertTrue(asked.contains("| /aeb/time_to_collision.data [s] |".substring(2)), asked);
+    assertTrue(asked.contains("/scan.ranges [m] | /aeb/time_to_collision.data [s] |"), asked);
+    assertTrue(asked.contains(" of 181) |"), "arrays are summed up");
+    assertTrue(asked.contains("(decides) |"), asked);
+    assertTrue(asked.contains("These never change: "), asked);
 
     diagnose(1, "component", DECISION, "It brakes below 0.3 s only.");
     run().expect(4);

@@ -69,6 +69,22 @@ public final class MessageValue {
   }
 
   /**
+   * Returns the elements of an array or a sequence of numbers or Booleans; unsigned numbers as
+   * non-negative values, Booleans as 1 and 0.
+   *
+   * @throws IllegalArgumentException if there is no such field, or it does not hold several numbers
+   */
+  public double[] numbers(String path) {
+    MessageValue owner = owner(path);
+    int index = owner.index(path.substring(path.lastIndexOf('.') + 1));
+    Object elements = owner.values[index];
+    if (!elements.getClass().isArray()) {
+      throw new IllegalArgumentException("'" + path + "' of " + type + " has no numbers.");
+    }
+    return Values.numbers(owner.type.fields().get(index).type().kind(), elements);
+  }
+
+  /**
    * Sets a field.
    *
    * @param value a value in the representation of the field, or any {@link Number} that fits, or a

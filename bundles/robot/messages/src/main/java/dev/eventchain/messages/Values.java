@@ -197,6 +197,26 @@ final class Values {
     };
   }
 
+  /** Returns the elements of a Java array of numbers or Booleans. */
+  static double[] numbers(FieldType.Kind kind, Object array) {
+    double[] numbers = new double[Array.getLength(array)];
+    for (int i = 0; i < numbers.length; i++) {
+      numbers[i] = number(kind, Array.get(array, i));
+    }
+    return numbers;
+  }
+
+  private static double number(FieldType.Kind kind, Object element) {
+    return switch (kind) {
+      case BOOL -> (Boolean) element ? 1.0 : 0.0;
+      case BYTE, CHAR, UINT8 -> Byte.toUnsignedInt((Byte) element);
+      case UINT16 -> Short.toUnsignedInt((Short) element);
+      case UINT32 -> Integer.toUnsignedLong((Integer) element);
+      case UINT64 -> unsigned((Long) element).doubleValue();
+      default -> ((Number) element).doubleValue();
+    };
+  }
+
   /** Returns the exact value of an unsigned number of 64 bits. */
   static BigInteger unsigned(long bits) {
     BigInteger value = BigInteger.valueOf(bits);

@@ -235,6 +235,17 @@ class MessageCatalogTest {
     assertEquals(0x1p64, value.number("data"));
     assertThrows(IllegalArgumentException.class, () -> value.set("data", -1));
     assertThrows(IllegalArgumentException.class, () -> value.number("other"));
+    assertThrows(IllegalArgumentException.class, () -> value.numbers("data"));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"UInt8, 255", "UInt16, 65535", "UInt32, 4294967295", "Int16, -5", "Float32, 0.5"})
+  void elementsAreReadAsTheyAreMeant(String kind, double element) {
+    MessageValue value =
+        MessageValue.of(STANDARD.find("std_msgs/%sMultiArray".formatted(kind)).orElseThrow());
+    value.set("data", List.of(element, 0.0));
+    assertArrayEquals(new double[] {element, 0.0}, value.numbers("data"));
+    assertThrows(IllegalArgumentException.class, () -> value.numbers("layout.dim"));
   }
 
   @Test

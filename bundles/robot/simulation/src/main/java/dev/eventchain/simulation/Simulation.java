@@ -13,7 +13,8 @@ import dev.eventchain.simulation.host.HostProgram;
 import dev.eventchain.simulation.host.LockstepProcess;
 import dev.eventchain.simulation.host.NodeHosts;
 import dev.eventchain.simulation.run.FaultRun;
-import dev.eventchain.simulation.run.MessageLog;
+import dev.eventchain.simulation.run.Kept;
+import dev.eventchain.simulation.run.MessageSamples;
 import dev.eventchain.simulation.run.OutputFaultRun;
 import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.run.ScenarioRunner;
@@ -139,7 +140,7 @@ public final class Simulation {
 
   private HostPool.State repeat(Repetition again, NodeHosts hosts, NodeConfiguration nodes) {
     new ScenarioRunner(chain, nodes, Optional.empty(), hosts.session(), Map.of())
-        .run(again.scenario(), false, Optional.of(again.second()));
+        .run(again.scenario(), new Kept(false, Optional.of(again.second()), Optional.empty()));
     return HostPool.State.DONE;
   }
 
@@ -253,7 +254,7 @@ public final class Simulation {
     int scenarios = request.scenarios().size();
     if (number < scenarios) {
       Scenario scenario = request.scenarios().get(number);
-      done(number, runner.run(scenario, answering().contains(scenario), log(scenario)));
+      done(number, runner.run(scenario, kept(scenario)));
       return HostPool.State.DONE;
     }
     FaultRun run = runner.run(request.settings().faults().faults().get(number - scenarios));
@@ -261,9 +262,11 @@ public final class Simulation {
     return run.ended().isEmpty() ? HostPool.State.DONE : HostPool.State.DONE_AT_THE_END;
   }
 
-  /** Returns the log of the scenario that is driven twice. */
-  private Optional<MessageLog> log(Scenario scenario) {
-    return repetition.filter(it -> it.scenario() == scenario).map(Repetition::first);
+  private Kept kept(Scenario scenario) {
+    return new Kept(
+        answering().contains(scenario),
+        repetition.filter(it -> it.scenario() == scenario).map(Repetition::first),
+        request.settings().samples() ? Optional.of(new MessageSamples(chain)) : Optional.empty());
   }
 
   /** Returns the scenarios in which the value latencies of the components are measured. */

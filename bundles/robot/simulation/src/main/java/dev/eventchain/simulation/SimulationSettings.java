@@ -29,6 +29,7 @@ public final class SimulationSettings {
   private FaultPlan faults = FaultPlan.NONE;
   private Optional<StrengthBudget> strength = Optional.empty();
   private boolean complete = true;
+  private boolean samples;
   private Optional<DdsAttachment> attachment = Optional.empty();
 
   private SimulationSettings() {}
@@ -45,6 +46,7 @@ public final class SimulationSettings {
     copy.faults = faults;
     copy.strength = strength;
     copy.complete = complete;
+    copy.samples = samples;
     copy.attachment = attachment;
     change.accept(copy);
     return copy;
@@ -138,6 +140,11 @@ public final class SimulationSettings {
     return with(copy -> copy.complete = all);
   }
 
+  /** Returns a copy that keeps what the nodes read and write, message by message, or does not. */
+  public SimulationSettings withSamples(boolean kept) {
+    return with(copy -> copy.samples = kept);
+  }
+
   public int processes() {
     return processes;
   }
@@ -174,6 +181,10 @@ public final class SimulationSettings {
   /** Returns whether the scenarios are all of the project. */
   public boolean complete() {
     return complete;
+  }
+
+  public boolean samples() {
+    return samples;
   }
 
   public Optional<DdsAttachment> attachment() {

@@ -14,6 +14,7 @@ import dev.eventchain.model.eventchain.ComponentImplementation;
 import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.simulation.node.NodeLimits;
 import dev.eventchain.simulation.scenario.Scenario;
+import dev.eventchain.simulation.verdict.FieldSamples;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -41,6 +42,38 @@ class SimulationTest {
         result.verdicts().stream().flatMap(verdict -> verdict.diagnostics().stream()).toList());
     assertTrue(result.passed());
     assertEquals(List.of(), result.diagnostics());
+  }
+
+  @Test
+  void whatNodesReadAndWriteIsKeptMessageByMessageWhereItIsAskedFor() throws Exception {
+    SimulationRequest request =
+        new AebProject(folder).request(List.of(AebProject.scenario("stopped-vehicle-20")));
+    ScenarioVerdict kept =
+        AebProject.simulate(request.with(settings -> settings.withSamples(true))).verdicts().get(0);
+    FieldSamples ranges = field(kept, "/scan", "ranges");
+    assertEquals(FieldSamples.Form.ARRAY, ranges.form());
+    FieldSamples.Sample last = ranges.samples().get(ranges.samples().size() - 1);
+    assertTrue(last.size() == 181 && last.finite() > 0 && last.finite() < 181, last::toString);
+    assertTrue(last.least() > 0 && last.least() < last.most(), last::toString);
+    double period = last.time() - ranges.samples().get(ranges.samples().size() - 2).time();
+    assertEquals(0.05, period, 1e-9);
+    assertEquals(
+        kept.flow().topics().stream()
+            .filter(it -> it.name().equals("/scan"))
+            .mapToLong(it -> it.published().getAsLong())
+            .sum(),
+        ranges.samples().size());
+    assertEquals(
+        FieldSamples.Form.NUMBER,
+        field(kept, "/carla/ego_vehicle/vehicle_status", "velocity").form());
+    assertEquals(List.of(), AebProject.simulate(request).verdicts().get(0).samples());
+  }
+
+  private static FieldSamples field(ScenarioVerdict verdict, String topic, String path) {
+    return verdict.samples().stream()
+        .filter(it -> it.topic().equals(topic) && it.path().equals(path))
+        .findFirst()
+        .orElseThrow();
   }
 
   @Test

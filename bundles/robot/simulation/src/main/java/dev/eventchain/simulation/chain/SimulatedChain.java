@@ -13,7 +13,9 @@ import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.bench.TypedTopic;
 import dev.eventchain.simulation.world.Actuator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -114,6 +116,20 @@ public final class SimulatedChain {
         .filter(topic -> side.apply(topic).stream().anyMatch(this::isSimulated))
         .map(TopicIndex.Topic::name)
         .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  /** Returns the data that nodes read or write, by the full names of their topics. */
+  public Map<String, List<Data>> data() {
+    Map<String, List<Data>> data = new LinkedHashMap<>();
+    for (TopicIndex.Topic topic : topics.topics()) {
+      data.put(
+          topic.name(),
+          Stream.concat(topic.publishers().stream(), topic.subscribers().stream())
+              .filter(this::isSimulated)
+              .flatMap(endpoint -> endpoint.data().stream())
+              .toList());
+    }
+    return data;
   }
 
   /** Returns all topics that nodes write, with their types. */

@@ -196,7 +196,15 @@ public final class Formula {
     if (decision.comparison().isEmpty()) {
       return new Outcome(passed, "nothing comes before the start");
     }
-    Condition.Comparison comparison = decision.comparison().get();
+    return outcome(passed, decision, decision.comparison().get(), run)
+        .withOtherwise(decision.otherwise().stream().map(run::seconds).toList());
+  }
+
+  private static Outcome outcome(
+      boolean passed,
+      FormulaEvaluation.Decision decision,
+      Condition.Comparison comparison,
+      SampledRun run) {
     boolean holds = decision.truth() > 0.0;
     if (comparison.ofTruth()) {
       String when = after(run, decision.sample());

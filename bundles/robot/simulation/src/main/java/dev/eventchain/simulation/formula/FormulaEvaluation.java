@@ -4,6 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * Truth of a condition and of its parts in a run. If all comparisons have one dimension, the truth
@@ -93,13 +96,20 @@ final class FormulaEvaluation {
    * @param sample its sample
    * @param truth the truth of the comparison at that sample: under a negation it holds where the
    *     formula fails
+   * @param otherwise the samples next to it at which the comparison is the other way round
    * @param vacuity the reason why that part is vacuous; empty if it is not
    */
   record Decision(
       Optional<Condition.Comparison> comparison,
       int sample,
       double truth,
-      Optional<String> vacuity) {}
+      List<Integer> otherwise,
+      Optional<String> vacuity) {
+
+    static Decision without(int sample, Optional<String> vacuity) {
+      return new Decision(Optional.empty(), sample, Robustness.UNKNOWN, List.of(), vacuity);
+    }
+  }
 
   /** Follows the deciding parts from the condition at the start down to a comparison. */
   Decision decision() {
@@ -108,16 +118,30 @@ final class FormulaEvaluation {
     while (here.vacuity.isEmpty()) {
       if (here.condition instanceof Condition.Comparison comparison) {
         return new Decision(
-            Optional.of(comparison), sample, here.margins[sample], Optional.empty());
+            Optional.of(comparison),
+            sample,
+            here.margins[sample],
+            here.otherwise(sample),
+            Optional.empty());
       }
       List<double[]> inner = here.parts.stream().map(part -> part.truth).toList();
       Condition.Step step = here.condition.decisive(inner, sample, cut);
       if (step.part() < 0) {
-        return new Decision(Optional.empty(), sample, Robustness.UNKNOWN, Optional.empty());
+        return Decision.without(sample, Optional.empty());
       }
       here = here.parts.get(step.part());
       sample = step.sample();
     }
-    return new Decision(Optional.empty(), sample, Robustness.UNKNOWN, here.vacuity);
+    return Decision.without(sample, here.vacuity);
+  }
+
+  /** Returns the last sample before, and the first after, at which the truth is the opposite. */
+  private List<Integer> otherwise(int sample) {
+    IntPredicate isOpposite = i -> margins[i] * margins[sample] < 0.0;
+    IntStream before = IntStream.iterate(sample - 1, i -> i >= 0, i -> i - 1);
+    IntStream after = IntStream.range(sample + 1, margins.length);
+    return Stream.of(before, after)
+        .flatMap(samples -> samples.filter(isOpposite).boxed().limit(1))
+        .toList();
   }
 }

@@ -1,6 +1,7 @@
 package dev.eventchain.simulation.formula;
 
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Margin;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
@@ -12,17 +13,31 @@ import java.util.OptionalDouble;
  * @param detail the measured figures
  * @param margin the distance from the opposite verdict; empty if it has no size
  * @param decided the time of what decides it, in s since the start; empty if no single moment does
+ * @param otherwise the times next to it at which that is the other way round, in s: at most one
+ *     before and one after
  */
 public record Outcome(
     boolean tested,
     boolean passed,
     String detail,
     Optional<Margin> margin,
-    OptionalDouble decided) {
+    OptionalDouble decided,
+    List<Double> otherwise) {
+
+  /** Copies the list. */
+  public Outcome {
+    otherwise = List.copyOf(otherwise);
+  }
 
   /** Creates an outcome that its margin decides, if it has one. */
   public Outcome(boolean tested, boolean passed, String detail, Optional<Margin> margin) {
-    this(tested, passed, detail, margin, margin.stream().mapToDouble(Margin::time).findFirst());
+    this(
+        tested,
+        passed,
+        detail,
+        margin,
+        margin.stream().mapToDouble(Margin::time).findFirst(),
+        List.of());
   }
 
   public Outcome(boolean passed, String detail) {
@@ -31,11 +46,16 @@ public record Outcome(
 
   /** Creates an outcome without a size. */
   public Outcome(boolean passed, String detail, double decided) {
-    this(true, passed, detail, Optional.empty(), OptionalDouble.of(decided));
+    this(true, passed, detail, Optional.empty(), OptionalDouble.of(decided), List.of());
   }
 
   public Outcome(boolean passed, String detail, Margin margin) {
     this(true, passed, detail, Optional.of(margin));
+  }
+
+  /** Returns a copy with the times at which what decides it is the other way round, in s. */
+  Outcome withOtherwise(List<Double> times) {
+    return new Outcome(tested, passed, detail, margin, decided, times);
   }
 
   /** Returns whether it was tested and does not hold. */

@@ -105,11 +105,11 @@ public final class FaultJudge {
       return judge.criteria(run, worked);
     }
     String why = endedEarly(faulty.ended().get());
-    return criteria.stream().map(each -> untested(each, why)).toList();
+    return criteria.stream().map(each -> untested(faulty, each, why)).toList();
   }
 
-  private static CriterionResult untested(Expectation criterion, String why) {
-    return ScenarioJudge.result(criterion, Outcome.untested(why));
+  private static CriterionResult untested(FaultRun faulty, Expectation criterion, String why) {
+    return ScenarioJudge.result(faulty.run().scenario(), criterion, Outcome.untested(why));
   }
 
   /** Judges the expected criteria; they are untested if the fault had no effect. */
@@ -121,7 +121,7 @@ public final class FaultJudge {
             ? new ArrayList<>(criteria(faulty, fault.expected()))
             : new ArrayList<>(
                 fault.expected().stream()
-                    .map(each -> untested(each, "the fault had no effect"))
+                    .map(each -> untested(faulty, each, "the fault had no effect"))
                     .toList());
     fault
         .detection()
@@ -146,6 +146,8 @@ public final class FaultJudge {
         endedEarly(end),
         Optional.empty(),
         OptionalDouble.empty(),
+        List.of(),
+        List.of(),
         List.of(),
         wanted.location(),
         List.of());
@@ -180,6 +182,8 @@ public final class FaultJudge {
         measured,
         Optional.empty(),
         OptionalDouble.empty(),
+        List.of(),
+        List.of(),
         List.of(),
         wanted.location(),
         List.of());

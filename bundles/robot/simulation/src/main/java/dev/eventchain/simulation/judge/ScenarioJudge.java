@@ -81,7 +81,8 @@ public final class ScenarioJudge {
         latency(run.log(), chain),
         chain.latencyConstraints().stream().map(each -> latency(run.log(), each)).toList(),
         MessageFlows.of(List.of(run), chain),
-        WhatHappened.series(scenario.situation(), trace, signals));
+        WhatHappened.series(scenario.situation(), trace, signals),
+        run.samples());
   }
 
   /**
@@ -116,7 +117,7 @@ public final class ScenarioJudge {
         ? Stream.concat(
                 scenario.observed().stream(),
                 scenario.criteria().stream().filter(each -> isUnasked(each, run)))
-            .map(each -> result(each, each.judge(run.trace())))
+            .map(each -> result(scenario, each, each.judge(run.trace())))
             .toList()
         : List.of();
   }
@@ -143,7 +144,9 @@ public final class ScenarioJudge {
    * criterion passes also where that is no evidence for the software.
    */
   public List<CriterionResult> criteriaWithoutEvidence(ScenarioRun run) {
-    return applying(run).map(each -> result(each, withoutEvidence(each, run))).toList();
+    return applying(run)
+        .map(each -> result(run.scenario(), each, withoutEvidence(each, run)))
+        .toList();
   }
 
   /**
@@ -161,11 +164,13 @@ public final class ScenarioJudge {
 
   private CriterionResult judge(Expectation criterion, ScenarioRun run, boolean worked) {
     if (!worked && !run.isOverrun()) {
-      return result(criterion, Outcome.untested("not all components worked"));
+      return result(run.scenario(), criterion, Outcome.untested("not all components worked"));
     }
     Outcome outcome = withoutEvidence(criterion, run);
     return result(
-        criterion, outcome.passed() ? evidence.lackOf(criterion, run).orElse(outcome) : outcome);
+        run.scenario(),
+        criterion,
+        outcome.passed() ? evidence.lackOf(criterion, run).orElse(outcome) : outcome);
   }
 
   private Outcome withoutEvidence(Expectation criterion, ScenarioRun run) {
@@ -207,7 +212,7 @@ public final class ScenarioJudge {
             "this machine was %.0f ms behind the clock", run.overrun() / MILLISECOND));
   }
 
-  static CriterionResult result(Expectation criterion, Outcome outcome) {
+  static CriterionResult result(Scenario scenario, Expectation criterion, Outcome outcome) {
     return new CriterionResult(
         criterion.text(),
         outcome.tested(),
@@ -215,6 +220,8 @@ public final class ScenarioJudge {
         outcome.detail(),
         outcome.margin(),
         outcome.decided(),
+        outcome.otherwise(),
+        scenario.judgedBy(criterion),
         criterion.limits(),
         criterion.location(),
         criterion.requirements());

@@ -79,7 +79,7 @@ final class BenchDriver {
   private final PriorityQueue<Underway> underway =
       new PriorityQueue<>(
           Comparator.comparingLong(Underway::arrival).thenComparingLong(Underway::number));
-  private Optional<MessageLog> log = Optional.empty();
+  private final Kept kept;
   private long measured;
   private long epoch;
 
@@ -89,6 +89,7 @@ final class BenchDriver {
    * @param chain the topics that the nodes read and write
    * @param fault the fault in its messages
    * @param outputs receives the outputs of the components
+   * @param kept receives the messages
    * @param recorded true to receive all topics of the nodes
    * @throws DiagnosticException (INPUT) {@code message.unknown} or {@code message.field.missing}: a
    *     message type is undefined, or does not fit the bench
@@ -98,9 +99,11 @@ final class BenchDriver {
       Scenario scenario,
       WorldFault fault,
       OutputRecord outputs,
+      Kept kept,
       boolean recorded) {
     this.fault = fault;
     this.outputs = outputs;
+    this.kept = kept;
     this.chain = chain;
     this.catalog = chain.catalog();
     this.bench = chain.bench();
@@ -118,7 +121,7 @@ final class BenchDriver {
         .forEach(this::receive);
     observe();
     chain.typedTopicsWritten().stream()
-        .filter(topic -> recorded || outputs.reads(topic.name()))
+        .filter(topic -> recorded || kept.isOfAllTopics() || outputs.reads(topic.name()))
         .forEach(this::observe);
   }
 
@@ -223,11 +226,6 @@ final class BenchDriver {
         .orElse("");
   }
 
-  /** Adds all messages of the nodes to a log, if all of their topics are received. */
-  void logTo(MessageLog kept) {
-    log = Optional.of(kept);
-  }
-
   /** Sets the time on clocks and stamps at time 0, in ns. */
   void startAt(long time) {
     epoch = time;
@@ -261,6 +259,8 @@ final class BenchDriver {
       for (ByteBuffer bytes : fault.arriving(type, topic, world.now(), message.bytes())) {
         sensed.add(new NodeSession.Inbound(message.publisher(), bytes));
         message.values().forEach((name, it) -> world.trace().sample(name, world.now(), it));
+        kept.samples()
+            .ifPresent(it -> it.add(topic, world.now(), CdrCodec.decode(type, array(bytes))));
       }
     }
     return sensed;
@@ -290,16 +290,17 @@ final class BenchDriver {
   /** Receives a message of the nodes, which the vehicle follows from its publication on. */
   void take(NodeSession.Outbound outbound, World world) {
     Receiver receiver = receivers.get(outbound.topic());
-    log.ifPresent(it -> it.add(outbound.time(), receiver.topic().name(), outbound.message()));
+    kept.log()
+        .ifPresent(it -> it.add(outbound.time(), receiver.topic().name(), outbound.message()));
     if (receiver.effects().isEmpty()
         && receiver.recorded().isEmpty()
+        && kept.samples().isEmpty()
         && !outputs.reads(receiver.topic().name())) {
       return;
     }
-    byte[] bytes = new byte[outbound.message().remaining()];
-    outbound.message().duplicate().get(bytes);
-    MessageValue message = CdrCodec.decode(receiver.type(), bytes);
+    MessageValue message = CdrCodec.decode(receiver.type(), array(outbound.message()));
     outputs.add(receiver.topic().name(), message);
+    kept.samples().ifPresent(it -> it.add(receiver.topic().name(), outbound.time(), message));
     expire(receiver, outbound.time(), world);
     values(receiver.recorded(), message)
         .forEach((name, it) -> world.trace().sample(name, outbound.time(), it));
@@ -309,6 +310,12 @@ final class BenchDriver {
     if (!receiver.effects().isEmpty()) {
       world.command(outbound.time(), VehicleCommand.of(demands, scenario.situation().ego()));
     }
+  }
+
+  private static byte[] array(ByteBuffer message) {
+    byte[] bytes = new byte[message.remaining()];
+    message.duplicate().get(bytes);
+    return bytes;
   }
 
   /** Lets the values of all messages expire that are beyond their lifetime by now. */

@@ -65,17 +65,15 @@ public final class ScenarioRunner {
 
   /** Drives a scenario, and observes nothing but its messages. */
   public ScenarioRun run(Scenario scenario) {
-    return run(scenario, false, Optional.empty());
+    return run(scenario, Kept.NOTHING);
   }
 
   /**
    * Drives a scenario without a fault.
    *
-   * @param answers true if the log has the answers of outputs to pulses of inputs; in lock-step
-   *     only
-   * @param log receives all messages of the nodes; empty for none
+   * @param kept what is kept of it
    */
-  public ScenarioRun run(Scenario scenario, boolean answers, Optional<MessageLog> log) {
+  public ScenarioRun run(Scenario scenario, Kept kept) {
     OutputRecord published = new OutputRecord(outputs);
     BenchDriver driver =
         new BenchDriver(
@@ -83,9 +81,10 @@ public final class ScenarioRunner {
             scenario,
             new WorldFault(Optional.empty()),
             published,
-            recordings.isPresent() || log.isPresent());
-    log.ifPresent(driver::logTo);
-    JsonNode ready = session.configure(configuration(scenario, driver).put("answers", answers));
+            kept,
+            recordings.isPresent());
+    JsonNode ready =
+        session.configure(configuration(scenario, driver).put("answers", kept.answers()));
     driver.startAt(session.epoch());
     Optional<Recording> recording =
         recordings.map(to -> new Recording(to, scenario, driver.recorded(), chain.catalog()));
@@ -93,7 +92,9 @@ public final class ScenarioRunner {
       World world = world(scenario);
       long hostNanos =
           drive(world, driver, scenario.horizon(), duration(scenario), recording, EarlyEnd.never());
-      ScenarioRun run = finish(scenario, world, ready, published, hostNanos);
+      ScenarioRun run =
+          finish(scenario, world, ready, published, hostNanos)
+              .with(kept.samples().map(MessageSamples::fields).orElse(List.of()));
       recording.ifPresent(it -> it.finish("at its end"));
       return run;
     } catch (DiagnosticException e) {
@@ -178,12 +179,13 @@ public final class ScenarioRunner {
         Map.of(),
         List.of(),
         new OutputRecord(Map.of()),
+        List.of(),
         0,
         0);
   }
 
   private BenchDriver driver(Scenario scenario, WorldFault fault, OutputRecord published) {
-    return new BenchDriver(chain, scenario, fault, published, false);
+    return new BenchDriver(chain, scenario, fault, published, Kept.NOTHING, false);
   }
 
   private ObjectNode configuration(Scenario scenario, BenchDriver driver) {
@@ -259,6 +261,7 @@ public final class ScenarioRunner {
         session.lost(),
         session.notices(),
         published,
+        List.of(),
         session.overrun(),
         hostNanos);
   }

@@ -7,6 +7,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.bench.BenchReader;
 import dev.eventchain.simulation.formula.Signal;
+import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import dev.eventchain.simulation.world.Script;
 import dev.eventchain.simulation.world.Situation;
 import dev.eventchain.simulation.world.World;
@@ -105,6 +106,14 @@ public final class Scenario {
   /** Returns the words of requirements that its criteria judge, in their order. */
   public List<JudgedWords> judged() {
     return asked.judged;
+  }
+
+  /** Returns the words of requirements that a criterion judges, in their order. */
+  public List<ScenarioVerdict.Judged> judgedBy(Expectation criterion) {
+    return asked.judged.stream()
+        .filter(each -> each.criterion().equals(criterion.location()))
+        .map(each -> new ScenarioVerdict.Judged(each.requirement(), each.words()))
+        .toList();
   }
 
   /** Returns the formulas that are reported, and not judged. */

@@ -26,6 +26,7 @@ import java.util.stream.Stream;
  * @param latencies measurements of each latency constraint of the chain, in its order
  * @param flow the message flow
  * @param series the curves over time
+ * @param samples what the nodes read and wrote, where it was kept
  */
 public record ScenarioVerdict(
     String scenario,
@@ -40,7 +41,8 @@ public record ScenarioVerdict(
     Optional<Measurements.Statistics> latency,
     List<Optional<Latency>> latencies,
     MessageFlow flow,
-    Series series) {
+    Series series,
+    List<FieldSamples> samples) {
 
   /** Copies the lists. */
   public ScenarioVerdict {
@@ -49,6 +51,7 @@ public record ScenarioVerdict(
     observed = List.copyOf(observed);
     latencies = List.copyOf(latencies);
     figures = List.copyOf(figures);
+    samples = List.copyOf(samples);
   }
 
   /** Returns a copy with other latencies of the constraints. */
@@ -66,8 +69,17 @@ public record ScenarioVerdict(
         latency,
         others,
         flow,
-        series);
+        series,
+        samples);
   }
+
+  /**
+   * Words of a requirement that a criterion judges.
+   *
+   * @param requirement its id
+   * @param words as the scenario quotes them
+   */
+  public record Judged(String requirement, String words) {}
 
   /**
    * A criterion and its outcome.
@@ -79,6 +91,8 @@ public record ScenarioVerdict(
    * @param margin the distance from the opposite verdict; empty if it has no size
    * @param decided the time of what decides it, in s since the start; empty if no single moment
    *     does
+   * @param otherwise the times next to it at which what decides it is the other way round, in s
+   * @param judges the words of requirements that it judges; may be empty
    * @param limits the numbers that signals are compared with
    * @param location its location in the scenario
    * @param requirements ids of the requirements that it tests
@@ -90,12 +104,16 @@ public record ScenarioVerdict(
       String measured,
       Optional<Margin> margin,
       OptionalDouble decided,
+      List<Double> otherwise,
+      List<Judged> judges,
       List<Limit> limits,
       SourceLocation location,
       List<String> requirements) {
 
     /** Copies the lists. */
     public CriterionResult {
+      otherwise = List.copyOf(otherwise);
+      judges = List.copyOf(judges);
       limits = List.copyOf(limits);
       requirements = List.copyOf(requirements);
     }

@@ -1,6 +1,7 @@
 package dev.eventchain.simulation.formula;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -70,6 +71,22 @@ class FormulaTest {
   @CsvFileSource(resources = "/formulas/judged.csv", delimiter = ';', numLinesToSkip = 1)
   void verdictAndMarginAreThoseComputedByHand(String formula, String expected) {
     assertEquals(expected, judge(formula, run()));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = ';',
+      value = {
+        "always ego.speed < 5 m/s; [0.49]",
+        "always brake < 0.5; [0.59, 0.8]",
+        "always[0.65, 0.7] not brake > 0.5; [0.59, 0.8]",
+        "eventually ego.speed > 50 m/s; []",
+        "always(gap < 15 m implies brake > 0.5); [0.6]",
+      })
+  void theNearestTimesAtWhichItIsTheOtherWayRoundAreGiven(String formula, String times) {
+    Outcome outcome = parse(formula).judge(run());
+    assertFalse(outcome.passed(), outcome::detail);
+    assertEquals(times, outcome.otherwise().toString(), outcome::toString);
   }
 
   /** What a beginning violates fails in the whole run. */

@@ -7,7 +7,6 @@ import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.SimulationResult;
 import dev.eventchain.simulation.bench.Bench;
-import dev.eventchain.simulation.scenario.JudgedWords;
 import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
@@ -61,14 +60,6 @@ final class FailedScenarios {
     return verdict.criteria().stream()
         .filter(each -> !each.passed())
         .filter(each -> each.tested() || unresolved.contains(each.location()))
-        .toList();
-  }
-
-  /** Returns the words of requirements that a criterion judges. */
-  List<JudgedWords> words(ScenarioVerdict verdict, CriterionResult criterion) {
-    return Optional.ofNullable(scenarios.get(verdict.scenario())).stream()
-        .flatMap(scenario -> scenario.judged().stream())
-        .filter(each -> each.criterion().equals(criterion.location()))
         .toList();
   }
 

@@ -1,16 +1,10 @@
 package dev.eventchain.pipeline.design;
 
-import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
-import dev.eventchain.simulation.verdict.ScenarioVerdict.Curve;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
-import java.util.Optional;
-import java.util.stream.IntStream;
 
 /**
  * A failed verdict as text for a language model: each missed criterion with the words of the
@@ -20,17 +14,23 @@ final class VerdictText {
   /** Largest number of criteria: further ones usually have the same cause. */
   private static final int MOST_CRITERIA = 5;
 
-  private static final int MOST_OTHERS = 6;
-  private static final double BEFORE = 0.6; // s
-  private static final double AFTER = 0.2; // s
+  private static final int MOST_TABLES = 3;
+
+  private static final String LEGEND =
+      """
+
+      Times are in seconds since the start of the scenario. In the tables, a row has each message \
+      that came from its time until the next row's, and the numbers of the world at its time; of \
+      an array, the smallest and the largest finite element, and how many are finite. The row \
+      that decides is marked; a row marked "good" has what held at the nearest time at which what \
+      decides was the other way round.
+      """;
 
   private final List<SoftwareNode> components;
-  private final FailedScenarios failed;
   private final StringBuilder text = new StringBuilder();
 
-  private VerdictText(List<SoftwareNode> components, FailedScenarios failed) {
+  private VerdictText(List<SoftwareNode> components) {
     this.components = components;
-    this.failed = failed;
   }
 
   /**
@@ -39,7 +39,7 @@ final class VerdictText {
    * @param components those whose inputs and outputs are shown
    */
   static String of(List<SoftwareNode> components, FailedScenarios failed) {
-    VerdictText told = new VerdictText(components, failed);
+    VerdictText told = new VerdictText(components);
     int number = 0;
     for (ScenarioVerdict verdict : failed.verdicts()) {
       for (CriterionResult criterion : failed.missed(verdict)) {
@@ -51,13 +51,10 @@ final class VerdictText {
     if (number > MOST_CRITERIA) {
       told.text.append("And ").append(number - MOST_CRITERIA).append(" more.\n");
     }
-    return told.text.toString();
+    return told.text.append(LEGEND).toString();
   }
 
   private void add(int number, ScenarioVerdict verdict, CriterionResult criterion) {
-    List<Double> times = verdict.series().time();
-    double end = times.isEmpty() ? 0 : times.get(times.size() - 1);
-    double time = criterion.decided().orElse(end);
     text.append(
         String.format(
             Locale.ROOT,
@@ -65,77 +62,15 @@ final class VerdictText {
             number,
             verdict.title(),
             String.join(", ", criterion.requirements()),
-            time,
+            SampleTable.time(verdict, criterion),
             criterion.text(),
             criterion.measured()));
-    failed
-        .words(verdict, criterion)
+    criterion
+        .judges()
         .forEach(
             it -> text.append("   It judges %s: \"%s\"\n".formatted(it.requirement(), it.words())));
-    if (criterion.tested()) {
-      addTable(verdict, time);
+    if (criterion.tested() && number <= MOST_TABLES) {
+      text.append(SampleTable.of(components, verdict, criterion));
     }
-  }
-
-  private void addTable(ScenarioVerdict verdict, double time) {
-    List<Integer> rows = rows(verdict.series().time(), time);
-    Map<String, Curve> columns = columns(verdict.series().curves(), rows);
-    text.append("\n| time [s] |");
-    columns.forEach((name, curve) -> text.append(" %s [%s] |".formatted(name, curve.unit())));
-    text.append("\n|---|").append("---|".repeat(columns.size())).append('\n');
-    for (int row : rows) {
-      text.append(String.format(Locale.ROOT, "| %.2f |", verdict.series().time().get(row)));
-      columns.values().forEach(curve -> text.append(cell(curve.values().get(row))));
-      text.append('\n');
-    }
-    text.append('\n');
-  }
-
-  private static String cell(double value) {
-    return Double.isFinite(value) ? String.format(Locale.ROOT, " %.4g |", value) : " - |";
-  }
-
-  /** Returns the components' own signals, then some of the others that change. */
-  private Map<String, Curve> columns(List<Curve> curves, List<Integer> rows) {
-    Map<String, Curve> columns = new LinkedHashMap<>();
-    for (Curve curve : curves) {
-      own(curve).ifPresent(name -> columns.put(name, curve));
-    }
-    int own = columns.size();
-    for (Curve curve : curves) {
-      long values = rows.stream().map(row -> curve.values().get(row)).distinct().count();
-      if (values > 1 && own(curve).isEmpty() && columns.size() < own + MOST_OTHERS) {
-        columns.put(curve.name(), curve);
-      }
-    }
-    return columns;
-  }
-
-  private Optional<String> own(Curve curve) {
-    return components.stream().flatMap(each -> own(each, curve).stream()).findFirst();
-  }
-
-  private Optional<String> own(SoftwareNode component, Curve curve) {
-    if (components.size() > 1) { // One's output is the other's input, under the name of its topic.
-      return name(component.getInput(), curve.name(), "")
-          .or(() -> name(component.getOutput(), curve.name(), ""))
-          .map(name -> curve.name());
-    }
-    return name(component.getInput(), curve.name(), "input ")
-        .or(() -> name(component.getOutput(), curve.name(), "output "));
-  }
-
-  private static Optional<String> name(List<Data> data, String curve, String kind) {
-    return data.stream()
-        .filter(each -> curve.equals(each.getTopicName() + "." + each.getFieldName()))
-        .map(each -> kind + each.getName())
-        .findFirst();
-  }
-
-  private static List<Integer> rows(List<Double> times, double time) {
-    return IntStream.range(0, times.size())
-        .filter(i -> times.get(i) >= time - BEFORE && times.get(i) <= time + AFTER)
-        .boxed()
-        .toList();
   }
 }

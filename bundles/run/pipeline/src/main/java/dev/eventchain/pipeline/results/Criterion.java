@@ -13,6 +13,7 @@ import java.util.OptionalDouble;
  * @param passed true if it was tested and holds
  * @param measured the measured figures, in words
  * @param margin the distance from the opposite verdict; empty if it has no size
+ * @param judges the words of requirements that it judges
  * @param limits the numbers that signals are compared with
  * @param requirements ids of the requirements that it tests; empty if these are its scenario's
  */
@@ -22,6 +23,7 @@ public record Criterion(
     boolean passed,
     String measured,
     Optional<Margin> margin,
+    @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Judged> judges,
     @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Limit> limits,
     Optional<List<String>> requirements) {
 
@@ -36,8 +38,12 @@ public record Criterion(
   /** A number, in the signal's unit, with which a criterion compares a signal. */
   public record Limit(String signal, double value) {}
 
-  /** Copies the list, which JSON omits where it is empty. */
+  /** Words of a requirement. */
+  public record Judged(String requirement, String words) {}
+
+  /** Copies the lists, which JSON omits where they are empty. */
   public Criterion {
+    judges = judges == null ? List.of() : List.copyOf(judges);
     limits = limits == null ? List.of() : List.copyOf(limits);
   }
 }

@@ -82,6 +82,7 @@ final class FaultReport {
                     each.measured(),
                     Optional.empty(),
                     List.of(),
+                    List.of(),
                     Optional.empty()))
         .toList();
   }

@@ -368,6 +368,7 @@ public final class SimulateStage implements StageWork {
             .withGenerated(written(run, chain))
             .withAccepted(run.options().suppressions()::accepts)
             .ofAllScenarios(!run.options().isPartial())
+            .withSamples(run.options().runs(Stage.IMPLEMENT))
             .withStrength(RequirementStrength.budget(run));
     return switch (run.options().driver()) {
       case LOCKSTEP -> settings;

@@ -233,6 +233,9 @@ public final class SimulationReport {
         criterion.passed(),
         criterion.measured(),
         criterion.margin().map(SimulationReport::margin),
+        criterion.judges().stream()
+            .map(each -> new Criterion.Judged(each.requirement(), each.words()))
+            .toList(),
         criterion.limits().stream()
             .map(limit -> new Criterion.Limit(limit.signal(), limit.value()))
             .toList(),

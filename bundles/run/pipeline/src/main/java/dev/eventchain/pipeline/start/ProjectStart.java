@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline.start;
 
+import com.fasterxml.jackson.databind.node.TextNode;
 import dev.eventchain.check.ChainModel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -37,6 +38,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -251,8 +253,21 @@ public final class ProjectStart {
         speed_kmh: 0
     accept:
       no_impact: true
+      # Of each requirement, leave the words that no_impact judges, or remove it here and above.
+      judges:
+        no_impact:
+    %s
     """
-        .formatted(requirements.items().stream().map(WrittenRequirement::id).toList());
+        .formatted(
+            requirements.items().stream().map(WrittenRequirement::id).toList(),
+            requirements.items().stream()
+                .map(ProjectStart::judged)
+                .collect(Collectors.joining("\n")));
+  }
+
+  private static String judged(WrittenRequirement requirement) {
+    String words = requirement.text().strip().replaceAll("\\s+", " ");
+    return "      " + requirement.id() + ": " + TextNode.valueOf(words);
   }
 
   /** Returns the folder's software; an empty list if there are no components. */

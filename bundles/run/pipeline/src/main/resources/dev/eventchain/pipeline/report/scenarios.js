@@ -38,11 +38,16 @@ function observedList(observed) {
   return html("details", { class: "observed" }, html("summary", null, `Observed, not judged: ${observed.length}`), html("ul", { class: "criteria" }, observed.map(item)));
 }
 
+/** The words of requirements that a criterion judges. */
+function judgedWords(criterion) {
+  return records(criterion.judges).map((each) => html("q", { class: "judged", title: `Words of ${text(each.requirement)}` }, text(each.words)));
+}
+
 function criterionItem(criterion, before) {
   const { tone, word } = outcomeOf(criterion);
   const said = { passed: "met: ", failed: "not met: " }[word] ?? word + ": ";
   const measured = (tone === "warn" ? word + ": " : "") + text(criterion.measured);
-  return html("li", null, sign(tone), html("span", null, unseen(said), text(criterion.text)),
+  return html("li", null, sign(tone), html("span", null, unseen(said), text(criterion.text), judgedWords(criterion)),
     html("span", { class: "measured" + (tone === "good" ? "" : " " + tone) }, measured, marginOf(record(criterion.margin)), beforeOf(criterion, before)));
 }
 
