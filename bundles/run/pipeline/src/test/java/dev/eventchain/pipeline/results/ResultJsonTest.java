@@ -38,6 +38,7 @@ class ResultJsonTest {
           "faults",
           "margin",
           "value of margin",
+          "judges",
           "limits",
           "latency",
           "absent",
@@ -121,7 +122,7 @@ class ResultJsonTest {
         });
     // Lists that JSON omits where they are empty.
     assertEquals(
-        List.of(), accepted.stream().filter(key -> !key.matches("faults|limits")).toList());
+        List.of(), accepted.stream().filter(key -> !key.matches("faults|judges|limits")).toList());
   }
 
   @Test
