@@ -11,9 +11,17 @@ import java.util.List;
  * @param file the name of the file that the answer becomes
  * @param question the last message to the model
  * @param findings the findings about the answer
+ * @param attempt the number of the answer to its first question, from 1; higher for repairs
+ * @param accepted false if the answer is sent back, or the last one was refused
  */
 public record Exchange(
-    String task, String file, String question, ChatResponse answer, List<Diagnostic> findings) {
+    String task,
+    String file,
+    String question,
+    ChatResponse answer,
+    List<Diagnostic> findings,
+    int attempt,
+    boolean accepted) {
   /** Keeps its own copy. */
   public Exchange {
     findings = List.copyOf(findings);

@@ -99,8 +99,12 @@ final class RepairLoop {
       List<Diagnostic> all = answer.problems().isEmpty() ? findings : answer.problems();
       attempts.add(new Attempt(response, all));
       String question = messages.get(messages.size() - 1).content();
-      context.exchanges().accept(new Exchange(task, file, question, response, all));
-      if (answer.problems().isEmpty() && findings.stream().noneMatch(this::isRefused)) {
+      boolean accepted =
+          answer.problems().isEmpty() && findings.stream().noneMatch(this::isRefused);
+      context
+          .exchanges()
+          .accept(new Exchange(task, file, question, response, all, attempts.size(), accepted));
+      if (accepted) {
         String text = answer.artefact().orElseThrow().text();
         return new AgentResult(text, prompt, attempts, findings);
       }

@@ -32,6 +32,24 @@ class EvaluateTest {
   private static final ObjectMapper MAPPER = new ObjectMapper();
   private static final String LABEL = "authored by people: not an evaluation of a language model";
 
+  private static final String CRASH =
+      """
+      tests:
+        - {name: a crash, requirement: AEB-4, inputs: {ttc: 0.1}, outputs: {braking_force: 1}}
+      """;
+
+  private static final String BRAKES_LATE =
+      """
+      ```python
+      class Braking_Decision:
+          \"""Brakes late.\"""
+
+          def execute(self, ttc):
+              \"""Take the TTC in s; return the force.\"""
+              return {"braking_force": 1.0 if ttc < 0.3 else 0.0}
+      ```
+      """;
+
   private static final String KEY = "sk-not-to-be-seen-anywhere";
 
   private static JsonSchema schema;
@@ -298,13 +316,49 @@ class EvaluateTest {
     evaluate("--llm", "answers:" + folder.resolve("nowhere")).expect(2).says("no such folder");
   }
 
-  private String recordedDesign() throws IOException {
-    try (Stream<Path> files = Files.list(project.resolve("recordings/design"))) {
-      JsonNode text =
-          MAPPER.readTree(files.findFirst().orElseThrow().toFile()).at("/samples/0/text");
-      StringBuilder answer = new StringBuilder();
-      text.forEach(line -> answer.append(line.asText()).append('\n'));
-      return answer.toString();
+  @Test
+  void aSessionThatEndsBeforeADiagnosisHasWrittenItsCode() throws IOException {
+    Path session = Files.createDirectories(folder.resolve("sessions/one"));
+    for (String task : List.of("design", "model", "constrain")) {
+      Files.writeString(session.resolve(task + "-01.answer.md"), recorded(task, ""));
     }
+    Files.writeString(session.resolve("test-01.answer.md"), recorded("test", "ranges"));
+    String right = recorded("implement", "class TTC_Calculation");
+    Files.writeString(
+        session.resolve("implement-01.answer.md"), right.replace("class TTC_", "class Time_"));
+    Files.writeString(session.resolve("implement-02.answer.md"), BRAKES_LATE);
+    Files.writeString(session.resolve("implement-03.answer.md"), right);
+    Files.createDirectories(project.resolve("tests"));
+    Files.writeString(project.resolve("tests/Braking_Decision.yaml"), CRASH);
+    evaluate("--llm", "answers:" + session.getParent())
+        .expect(0)
+        .says("one/diagnose-01.answer.md: warning: The session ended before the run")
+        .says("chain model passed, function code passed, overall failed")
+        .says("implement: component.class.missing: 1 of 1 right");
+    assertEquals(1, json().at("/runs/0/tasks/implement/withoutRepair").asInt());
+    assertEquals(2, json().at("/models/0/tasks/implement/withRepair").asInt());
+    assertEquals(Set.of(), schema.validate(json()));
+    assertTrue(page().contains("<code>implement: component.class.missing</code> 1 of 1"));
+  }
+
+  private String recordedDesign() throws IOException {
+    return recorded("design", "");
+  }
+
+  /** Returns the recorded answer to a task that has some words. */
+  private String recorded(String task, String words) throws IOException {
+    try (Stream<Path> files = Files.list(project.resolve("recordings").resolve(task))) {
+      for (Path file : files.toList()) {
+        StringBuilder answer = new StringBuilder();
+        MAPPER
+            .readTree(file.toFile())
+            .at("/samples/0/text")
+            .forEach(line -> answer.append(line.asText()).append('\n'));
+        if (answer.indexOf(words) >= 0) {
+          return answer.toString();
+        }
+      }
+    }
+    throw new AssertionError("no recorded " + task + " with " + words);
   }
 }

@@ -76,13 +76,7 @@ public final class ScenarioRunner {
   public ScenarioRun run(Scenario scenario, Kept kept) {
     OutputRecord published = new OutputRecord(outputs);
     BenchDriver driver =
-        new BenchDriver(
-            chain,
-            scenario,
-            new WorldFault(Optional.empty()),
-            published,
-            kept,
-            recordings.isPresent());
+        driver(scenario, new WorldFault(Optional.empty()), published, kept, recordings.isPresent());
     JsonNode ready =
         session.configure(configuration(scenario, driver).put("answers", kept.answers()));
     driver.startAt(session.epoch());
@@ -116,7 +110,7 @@ public final class ScenarioRunner {
     Scenario scenario = fault.scenario().with(criteria);
     WorldFault atWorld = new WorldFault(Optional.of(fault));
     OutputRecord none = new OutputRecord(Map.of());
-    BenchDriver driver = driver(scenario, atWorld, none);
+    BenchDriver driver = driver(scenario, atWorld, none, Kept.NOTHING, false);
     ObjectNode configuration = configuration(scenario, driver);
     configuration.set("fault", fault.toJson());
     World world = world(scenario);
@@ -143,7 +137,8 @@ public final class ScenarioRunner {
    */
   public OutputFaultRun run(Scenario scenario, OutputFault fault, Predicate<Trace> decided) {
     OutputRecord none = new OutputRecord(Map.of());
-    BenchDriver driver = driver(scenario, new WorldFault(Optional.empty()), none);
+    BenchDriver driver =
+        driver(scenario, new WorldFault(Optional.empty()), none, Kept.NOTHING, false);
     ObjectNode configuration = configuration(scenario, driver);
     configuration.set("fault", fault.toJson(scenario.seed()));
     World world = world(scenario);
@@ -184,8 +179,9 @@ public final class ScenarioRunner {
         0);
   }
 
-  private BenchDriver driver(Scenario scenario, WorldFault fault, OutputRecord published) {
-    return new BenchDriver(chain, scenario, fault, published, Kept.NOTHING, false);
+  private BenchDriver driver(
+      Scenario scenario, WorldFault fault, OutputRecord published, Kept kept, boolean recorded) {
+    return new BenchDriver(chain, scenario, fault, published, kept, recorded);
   }
 
   private ObjectNode configuration(Scenario scenario, BenchDriver driver) {

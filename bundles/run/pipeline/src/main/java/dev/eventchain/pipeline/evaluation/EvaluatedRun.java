@@ -19,7 +19,8 @@ import java.util.TreeSet;
  * @param answeredBy the models that answered, as their providers name them
  * @param usage the usage of the answers
  * @param failures the identifiers of the errors that the run failed by, as {@code stage: id}
- * @param returned the identifiers of the errors in answers that were sent back
+ * @param tasks the results of its tasks
+ * @param repairs the results of the repairs of its answers
  * @param host machine-dependent values
  */
 record EvaluatedRun(
@@ -35,7 +36,8 @@ record EvaluatedRun(
     List<String> answeredBy,
     Usage usage,
     List<String> failures,
-    List<String> returned,
+    List<TaskResult> tasks,
+    List<RepairResult> repairs,
     Host host) {
 
   /** The states of a run: it counts, or the reason why not. */
@@ -121,7 +123,8 @@ record EvaluatedRun(
     Objects.requireNonNull(host);
     answeredBy = List.copyOf(answeredBy);
     failures = List.copyOf(failures);
-    returned = List.copyOf(returned);
+    tasks = List.copyOf(tasks);
+    repairs = List.copyOf(repairs);
   }
 
   /** Returns a run that does not count. */
@@ -138,6 +141,7 @@ record EvaluatedRun(
         false,
         List.of(),
         Usage.NONE,
+        List.of(),
         List.of(),
         List.of(),
         new Host(0));
@@ -160,7 +164,8 @@ record EvaluatedRun(
         answeredBy,
         usage,
         List.copyOf(all),
-        returned,
+        tasks,
+        repairs,
         host);
   }
 

@@ -65,8 +65,9 @@ final class EvaluationJson {
         });
     usage(json, row.usage());
     row.cost(configuration).ifPresent(cost -> json.put("cost", cost));
+    tasks(json.putObject("tasks"), row.tasks());
+    repairs(json.putObject("repairs"), row.repairs());
     classes(json.putObject("failures"), row.classes(EvaluatedRun::failures));
-    classes(json.putObject("mended"), row.classes(EvaluatedRun::returned));
     json.putObject("host").put("seconds", rounded(row.seconds()));
   }
 
@@ -89,6 +90,25 @@ final class EvaluationJson {
         .put("output", usage.outputTokens());
   }
 
+  private static void tasks(ObjectNode json, List<TaskResult> tasks) {
+    for (TaskResult task : tasks) {
+      ObjectNode node = json.putObject(task.task());
+      node.put("asked", task.asked());
+      node.put("withoutRepair", task.first());
+      node.put("withRepair", task.accepted());
+      node.put("bytes", task.bytes());
+      usage(node, task.usage());
+    }
+  }
+
+  private static void repairs(ObjectNode json, List<RepairResult> repairs) {
+    for (RepairResult repair : repairs) {
+      json.putObject(repair.error())
+          .put("sentBack", repair.sentBack())
+          .put("right", repair.right());
+    }
+  }
+
   private static void classes(ObjectNode json, Map<String, Integer> classes) {
     classes.forEach(json::put);
   }
@@ -108,8 +128,9 @@ final class EvaluationJson {
     json.put("authored", run.authored());
     run.answeredBy().forEach(json.putArray("answeredBy")::add);
     usage(json, run.usage());
+    tasks(json.putObject("tasks"), run.tasks());
+    repairs(json.putObject("repairs"), run.repairs());
     run.failures().forEach(json.putArray("failures")::add);
-    run.returned().forEach(json.putArray("mended")::add);
     json.putObject("host").put("seconds", rounded(run.host().seconds()));
   }
 

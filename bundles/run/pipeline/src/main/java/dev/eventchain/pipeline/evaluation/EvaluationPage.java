@@ -56,6 +56,7 @@ final class EvaluationPage {
     page.conclusion();
     if (page.anyCounted()) {
       page.rates();
+      page.tasks();
       page.failures();
     }
     page.allRuns();
@@ -168,16 +169,47 @@ final class EvaluationPage {
   private void failures() {
     add("<section id=\"failures\"><h2>What was wrong</h2>\n");
     add(
-        "<p class=\"lead\">By stage and finding, with the number of runs; a run may have"
-            + " several.</p>\n");
+        "<p class=\"lead\">Failures by stage and finding, with the number of runs; repairs by"
+            + " task and error.</p>\n");
     add("<div class=\"scroll\"><table>\n<thead><tr><th>Model</th><th>Failed by</th>");
-    add("<th>Fixed by repair</th></tr></thead>\n<tbody>\n");
+    add("<th>Sent back, and right in the next answer</th></tr></thead>\n<tbody>\n");
     for (EvaluationRow row : rows) {
       if (!row.counted().isEmpty()) {
         add("<tr><th scope=\"row\">%s%s</th>", row.model(), row.authored() ? " (authored)" : "");
         classes(row.classes(EvaluatedRun::failures));
-        classes(row.classes(EvaluatedRun::returned));
+        repairs(row.repairs());
         add("</tr>\n");
+      }
+    }
+    add("</tbody></table></div></section>\n");
+  }
+
+  private void repairs(List<RepairResult> repairs) {
+    if (repairs.isEmpty()) {
+      add("<td class=\"none\">nothing</td>");
+      return;
+    }
+    add("<td><ul>");
+    for (RepairResult each : repairs) {
+      add("<li><code>%s</code> %s of %s</li>", each.error(), each.right(), each.sentBack());
+    }
+    add("</ul></td>");
+  }
+
+  private void tasks() {
+    add("<section id=\"tasks\"><h2>Tasks</h2>\n");
+    add(
+        "<p class=\"lead\">Questions of which the first answer was accepted, or one after repair."
+            + " A verdict is a correction after failed scenarios.</p>\n");
+    add("<div class=\"scroll\"><table>\n<thead><tr><th>Model</th><th>Task</th>");
+    add("<th>First answer</th><th>With repair</th><th>Answers</th></tr></thead>\n<tbody>\n");
+    for (EvaluationRow row : rows) {
+      for (TaskResult task : row.tasks()) {
+        add("<tr><th scope=\"row\">%s%s</th>", row.model(), row.authored() ? " (authored)" : "");
+        add("<td>%s</td>", task.task());
+        add("<td>%s of %s</td>", task.first(), task.asked());
+        add("<td>%s of %s</td>", task.accepted(), task.asked());
+        add("<td>%s</td></tr>\n", EvaluationText.answers(task));
       }
     }
     add("</tbody></table></div></section>\n");

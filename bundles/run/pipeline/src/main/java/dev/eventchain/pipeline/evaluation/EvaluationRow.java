@@ -95,6 +95,24 @@ record EvaluationRow(
     return sorted;
   }
 
+  /** Returns the results of each task, in the order in which the first run did them. */
+  List<TaskResult> tasks() {
+    Map<String, TaskResult> tasks = new LinkedHashMap<>();
+    counted.stream()
+        .flatMap(run -> run.tasks().stream())
+        .forEach(each -> tasks.merge(each.task(), each, TaskResult::and));
+    return List.copyOf(tasks.values());
+  }
+
+  /** Returns the results of the repairs, by error. */
+  List<RepairResult> repairs() {
+    SortedMap<String, RepairResult> repairs = new TreeMap<>();
+    counted.stream()
+        .flatMap(run -> run.repairs().stream())
+        .forEach(each -> repairs.merge(each.error(), each, RepairResult::and));
+    return List.copyOf(repairs.values());
+  }
+
   Usage usage() {
     return counted.stream().map(EvaluatedRun::usage).reduce(Usage.NONE, Usage::and);
   }

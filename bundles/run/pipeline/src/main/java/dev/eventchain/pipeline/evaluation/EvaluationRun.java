@@ -16,7 +16,6 @@ import dev.eventchain.pipeline.evaluation.EvaluatedRun.Score;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.State;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Usage;
 import dev.eventchain.pipeline.project.Project;
-import dev.eventchain.pipeline.results.Answers;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.Progress.Status;
 import dev.eventchain.pipeline.run.RunOptions;
@@ -98,10 +97,10 @@ final class EvaluationRun {
     }
     if (isDone(ended, Stage.DESIGN)) {
       Score code = functionCode(ended, sample);
-      return judged(ended, code, "the run's own chain", List.of(), start);
+      return judged(ended, code, "the run's own chain", Optional.empty(), start);
     }
     if (task.reference().isEmpty()) {
-      return judged(ended, Score.UNKNOWN, "", List.of(), start);
+      return judged(ended, Score.UNKNOWN, "", Optional.empty(), start);
     }
     return onReference(ended, task.reference().get(), start);
   }
@@ -116,7 +115,11 @@ final class EvaluationRun {
         stopped.orElseGet(
             () ->
                 judged(
-                    ended, functionCode(ended, sample), "the run's own chain", List.of(), start));
+                    ended,
+                    functionCode(ended, sample),
+                    "the run's own chain",
+                    Optional.empty(),
+                    start));
     List<Diagnostic> found = new ArrayList<>(done.findings());
     found.addAll(session.findings(waiting));
     return new Done(done.run(), found);
@@ -150,10 +153,11 @@ final class EvaluationRun {
       return stopped.get();
     }
     if (unrecorded) {
-      return judged(ended, Score.UNKNOWN, "", second.calls(), start);
+      return judged(ended, Score.UNKNOWN, "", Optional.of(second), start);
     }
     Done done =
-        judged(ended, functionCode(implemented, second), reference.name(), second.calls(), start);
+        judged(
+            ended, functionCode(implemented, second), reference.name(), Optional.of(second), start);
     return new Done(done.run().withFailures(failures(implemented)), List.of());
   }
 
@@ -247,8 +251,16 @@ final class EvaluationRun {
   private static Score functionCode(PipelineRun.Ended ended, Sample asked) {
     boolean written = asked.calls().stream().anyMatch(call -> CODE.contains(call.task()));
     return written
-        ? Score.of(isDone(ended, Stage.IMPLEMENT), isRepaired(asked.calls(), Set.of(IMPLEMENT)))
+        ? Score.of(isWritten(ended, asked), isRepaired(asked.calls(), Set.of(IMPLEMENT)))
         : Score.UNKNOWN;
+  }
+
+  /** Returns whether all components passed their tests, also where a correction is waited for. */
+  private static boolean isWritten(PipelineRun.Ended ended, Sample asked) {
+    boolean simulated =
+        ended.outcomes().get(Stage.SIMULATE).report().isPresent()
+            || asked.answers().stream().anyMatch(it -> it.task().equals(Sample.DIAGNOSE));
+    return isDone(ended, Stage.IMPLEMENT) || simulated && !awaited(ended).isEmpty();
   }
 
   private static boolean isRepaired(List<Sample.Call> calls, Collection<String> tasks) {
@@ -256,8 +268,10 @@ final class EvaluationRun {
   }
 
   private Done judged(
-      PipelineRun.Ended ended, Score code, String chain, List<Sample.Call> more, long start) {
-    List<Sample.Call> calls = Stream.concat(sample.calls().stream(), more.stream()).toList();
+      PipelineRun.Ended ended, Score code, String chain, Optional<Sample> more, long start) {
+    List<Sample> asked = Stream.concat(Stream.of(sample), more.stream()).toList();
+    List<Sample.Call> calls = asked.stream().flatMap(it -> it.calls().stream()).toList();
+    List<Sample.Answer> answers = asked.stream().flatMap(it -> it.answers().stream()).toList();
     Set<String> modeling = Set.of("design", "model", "constrain");
     boolean valid =
         Stream.of(Stage.DESIGN, Stage.MODEL, Stage.CONSTRAIN, Stage.VALIDATE)
@@ -279,7 +293,8 @@ final class EvaluationRun {
             calls.stream().map(call -> call.response().model()).distinct().sorted().toList(),
             usage(calls),
             failures(ended),
-            returned(ended),
+            TaskResult.of(answers),
+            RepairResult.of(answers),
             new Host((System.nanoTime() - start) / 1e9)),
         List.of());
   }
@@ -322,17 +337,5 @@ final class EvaluationRun {
         .filter(id -> !id.equals(REJECTED.id()) || ids.size() == 1)
         .map(id -> stage + ": " + id)
         .toList();
-  }
-
-  private static List<String> returned(PipelineRun.Ended ended) {
-    List<String> classes = new ArrayList<>();
-    ended
-        .outcomes()
-        .forEach(
-            (stage, outcome) ->
-                outcome.report(Answers.class).map(Answers::returned).stream()
-                    .flatMap(List::stream)
-                    .forEach(id -> classes.add(stage.id() + ": " + id)));
-    return classes;
   }
 }

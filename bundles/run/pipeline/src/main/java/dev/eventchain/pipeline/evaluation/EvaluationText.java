@@ -61,8 +61,9 @@ final class EvaluationText {
       String name = repaired ? "with repair" : "without repair";
       line(name, cells.get(0), cells.get(1), cells.get(2));
     }
+    tasks(row.tasks());
+    repairs(row.repairs());
     classes("failed by", row.classes(EvaluatedRun::failures));
-    classes("fixed by repair", row.classes(EvaluatedRun::returned));
   }
 
   /** Returns the number of counted runs of a row, their cost and their duration. */
@@ -117,6 +118,40 @@ final class EvaluationText {
                     interval.low() * 100,
                     interval.high() * 100))
         .orElse("nothing to judge");
+  }
+
+  private void tasks(List<TaskResult> tasks) {
+    if (!tasks.isEmpty()) {
+      line("task", "first answer", "with repair", "answers");
+    }
+    for (TaskResult task : tasks) {
+      line(
+          task.task(),
+          task.first() + "/" + task.asked(),
+          task.accepted() + "/" + task.asked(),
+          answers(task));
+    }
+  }
+
+  /** Returns the number, the size and the tokens of a task's answers. */
+  static String answers(TaskResult task) {
+    Usage usage = task.usage();
+    String tokens =
+        usage.unknown() > 0
+            ? ""
+            : String.format(
+                Locale.ROOT, ", %,d tokens", usage.inputTokens() + usage.outputTokens());
+    return String.format(Locale.ROOT, "%d, %.1f kB%s", usage.calls(), task.bytes() / 1e3, tokens);
+  }
+
+  private void repairs(List<RepairResult> repairs) {
+    String text =
+        repairs.stream()
+            .map(it -> "%s: %d of %d right".formatted(it.error(), it.right(), it.sentBack()))
+            .collect(Collectors.joining("\n" + " ".repeat(20)));
+    if (!text.isEmpty()) {
+      line("repairs", text, "", "");
+    }
   }
 
   private void classes(String title, Map<String, Integer> classes) {

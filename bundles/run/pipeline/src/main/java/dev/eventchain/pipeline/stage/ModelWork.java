@@ -102,7 +102,10 @@ public final class ModelWork {
         configuration.repairs(),
         finding -> run.options().suppressions().accepts(placed(finding)),
         message -> run.progress().step(stage, message),
-        exchange -> conversation(stage).add(said(exchange)));
+        exchange -> {
+          conversation(stage).add(said(exchange));
+          sample.ifPresent(it -> it.add(purpose, exchange));
+        });
   }
 
   /** Returns a finding in an answer, located in the file that is written from the answer. */

@@ -4,13 +4,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Host;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Score;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.State;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Usage;
 import dev.eventchain.pipeline.evaluation.EvaluationRow.Rate;
+import dev.eventchain.pipeline.stage.Sample;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -32,7 +35,8 @@ class EvaluationRowTest {
         List.of("m"),
         new Usage(2, 0, 10, 5),
         List.of(failures),
-        List.of(),
+        List.of(new TaskResult("design", 1, 0, 1, 100, new Usage(2, 0, 10, 5))),
+        List.of(new RepairResult("design: a.b", 1, 1)),
         new Host(1));
   }
 
@@ -49,7 +53,42 @@ class EvaluationRowTest {
     assertEquals(new Rate(2, 2), row.rate(EvaluatedRun::chainModel, true));
     assertEquals(Map.of("design: a.b", 2, "model: c.d", 1), row.classes(EvaluatedRun::failures));
     assertEquals(new Usage(4, 0, 20, 10), row.usage());
+    assertEquals(
+        List.of(new TaskResult("design", 2, 0, 2, 200, new Usage(4, 0, 20, 10))), row.tasks());
+    assertEquals(List.of(new RepairResult("design: a.b", 2, 2)), row.repairs());
     assertEquals(Map.of(State.UNREACHABLE, 1), row.reasons());
+  }
+
+  private static Sample.Answer answer(
+      String file, int attempt, boolean accepted, String... errors) {
+    return new Sample.Answer(
+        "implement",
+        file,
+        attempt,
+        accepted,
+        List.of(errors),
+        10,
+        Optional.of(new ChatResponse.Usage(3, 2)));
+  }
+
+  @Test
+  void aRepairIsRightIfItsErrorIsGoneFromTheNextAnswer() {
+    List<Sample.Answer> answers =
+        List.of(
+            answer("A.py", 1, false, "c.test", "c.syntax"),
+            answer("B.py", 1, true),
+            answer("A.py", 2, false, "c.test"),
+            answer("A.py", 3, true),
+            answer("C.py", 1, false, "c.test"));
+    assertEquals(
+        List.of(
+            new RepairResult("implement: c.syntax", 1, 1),
+            new RepairResult("implement: c.test", 2, 1)),
+        RepairResult.of(answers),
+        "what nobody answered again is no repair");
+    assertEquals(
+        List.of(new TaskResult("implement", 3, 1, 2, 50, new Usage(5, 0, 15, 10))),
+        TaskResult.of(answers));
   }
 
   @Test
