@@ -260,7 +260,7 @@ final class EvaluationRun {
     boolean simulated =
         ended.outcomes().get(Stage.SIMULATE).report().isPresent()
             || asked.answers().stream().anyMatch(it -> it.task().equals(Sample.DIAGNOSE));
-    return isDone(ended, Stage.IMPLEMENT) || simulated && !awaited(ended).isEmpty();
+    return isDone(ended, Stage.IMPLEMENT) || (simulated && !awaited(ended).isEmpty());
   }
 
   private static boolean isRepaired(List<Sample.Call> calls, Collection<String> tasks) {
