@@ -362,7 +362,7 @@ class OwnFunctionTest {
 
   @Test
   void formulaOfATopicThatThereIsNot() throws IOException {
-    project.replace(SCENARIO, "/aeb/threat.time_to_collision", "/aeb/threat.time_to_colision");
+    project.replace(SCENARIO, "output(RAD-1, s)", "/aeb/threat.time_to_colision");
     project
         .run()
         .expect(2)

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -23,14 +24,18 @@ import org.yaml.snakeyaml.constructor.SafeConstructor;
 
 /**
  * Tests that the scenarios of the examples pass software of others that does what the requirements
- * say in another way; the mutants of {@link MutantsTest} are the other side. A build tries one
- * variant of each example, another one each day; the profile {@code thorough} tries all. {@code
- * -Dmutants.turn=N} repeats a build's.
+ * say in another way: with other components in the same design, or by another design. The mutants
+ * of {@link MutantsTest} are the other side. A build tries one of each example, another one each
+ * day; the profile {@code thorough} tries all. {@code -Dmutants.turn=N} repeats a build's.
  */
 class VariantsTest {
 
   private static final Path VARIANTS =
       Program.ROOT.resolve("tests/end-to-end/src/test/resources/variants");
+
+  /** Software of other designs: other components, topics and ways to calculate. */
+  private static final Path DESIGNS =
+      Program.ROOT.resolve("tests/end-to-end/src/test/resources/designs");
 
   private static final int FEWEST = 4;
 
@@ -44,12 +49,38 @@ class VariantsTest {
     List<?> variants = (List<?>) read(VARIANTS.resolve(example + ".yaml")).get("variants");
     assertTrue(variants.size() >= FEWEST, "too few to speak of");
     long day = Long.getLong("mutants.turn", LocalDate.now(ZoneOffset.UTC).toEpochDay());
+    List<Path> designs = designs(example);
+    assertTrue(designs.size() >= FEWEST, "too few to speak of");
+    int one = Math.floorMod(day, variants.size() + designs.size());
+    for (Path design : designs) {
+      if (ALL || one == variants.size() + designs.indexOf(design)) {
+        pass(example, design);
+      }
+    }
+    if (ALL || one < variants.size()) {
+      pass(example, ALL ? variants : variants.subList(one, one + 1));
+    }
+  }
+
+  private static List<Path> designs(String example) throws Exception {
+    try (Stream<Path> files = Files.list(DESIGNS.resolve(example))) {
+      return files.sorted().toList();
+    }
+  }
+
+  private void pass(String example, Path design) throws Exception {
+    String name = design.getFileName().toString().replace(".yaml", "");
+    DesignProject.run(
+            Program.ROOT.resolve("examples").resolve(example), design, folder.resolve(name))
+        .expect(0)
+        .says("PASSED: ");
+  }
+
+  private void pass(String example, List<?> variants) throws Exception {
     MutantRun run = MutantRun.of(example, folder);
     Set<String> wrong = new LinkedHashSet<>();
-    for (int i = 0; i < variants.size(); i++) {
-      if (ALL || i == Math.floorMod(day, variants.size())) {
-        wrong.addAll(complaints((Map<?, ?>) variants.get(i), run));
-      }
+    for (Object variant : variants) {
+      wrong.addAll(complaints((Map<?, ?>) variant, run));
     }
     assertEquals(Set.of(), wrong, () -> String.join("\n", wrong));
   }
