@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /** Java representation of field values, see {@link MessageValue}. */
 final class Values {
@@ -199,17 +200,22 @@ final class Values {
 
   /** Returns the elements of a Java array of numbers or Booleans. */
   static double[] numbers(FieldType.Kind kind, Object array) {
-    double[] numbers = new double[Array.getLength(array)];
-    for (int i = 0; i < numbers.length; i++) {
-      numbers[i] = number(kind, Array.get(array, i));
+    // Point clouds have many bytes: they are not boxed.
+    if (array instanceof byte[] bytes) {
+      int mask = kind == FieldType.Kind.INT8 ? -1 : 0xff;
+      return IntStream.range(0, bytes.length).mapToDouble(i -> bytes[i] & mask).toArray();
     }
-    return numbers;
+    if (array instanceof float[] floats) {
+      return IntStream.range(0, floats.length).mapToDouble(i -> floats[i]).toArray();
+    }
+    return IntStream.range(0, Array.getLength(array))
+        .mapToDouble(i -> number(kind, Array.get(array, i)))
+        .toArray();
   }
 
   private static double number(FieldType.Kind kind, Object element) {
     return switch (kind) {
       case BOOL -> (Boolean) element ? 1.0 : 0.0;
-      case BYTE, CHAR, UINT8 -> Byte.toUnsignedInt((Byte) element);
       case UINT16 -> Short.toUnsignedInt((Short) element);
       case UINT32 -> Integer.toUnsignedLong((Integer) element);
       case UINT64 -> unsigned((Long) element).doubleValue();

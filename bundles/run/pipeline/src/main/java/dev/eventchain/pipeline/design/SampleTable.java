@@ -155,12 +155,18 @@ final class SampleTable {
   }
 
   private String text() {
-    List<String> names = Stream.of(own, others).flatMap(it -> it.keySet().stream()).toList();
-    StringBuilder text = new StringBuilder("\n| time [s] | ").append(String.join(" | ", names));
-    text.append(" |\n|---|").append("---|".repeat(names.size())).append('\n');
-    good.stream().filter(it -> it < decided).forEach(it -> text.append(goodRow(it)));
-    rows().forEach(text::append);
-    good.stream().filter(it -> it > decided).forEach(it -> text.append(goodRow(it)));
+    List<String> rows = rows();
+    StringBuilder text = new StringBuilder("\n");
+    if (rows.isEmpty()) { // Components that fall silent are what failed.
+      text.append(
+          String.format(
+              Locale.ROOT,
+              "None of these components read or wrote anything that changed from %.2f s to %.2f s.\n",
+              decided - BEFORE,
+              decided + AFTER));
+    } else {
+      addTable(text, rows);
+    }
     if (!constant.isEmpty()) {
       text.append("\nThese never change: ");
       text.append(
@@ -170,6 +176,15 @@ final class SampleTable {
       text.append(".\n");
     }
     return text.append('\n').toString();
+  }
+
+  private void addTable(StringBuilder text, List<String> rows) {
+    List<String> names = Stream.of(own, others).flatMap(it -> it.keySet().stream()).toList();
+    text.append("| time [s] | ").append(String.join(" | ", names));
+    text.append(" |\n|---|").append("---|".repeat(names.size())).append('\n');
+    good.stream().filter(it -> it < decided).forEach(it -> text.append(goodRow(it)));
+    rows.forEach(text::append);
+    good.stream().filter(it -> it > decided).forEach(it -> text.append(goodRow(it)));
   }
 
   /** Returns the rows around the decision, without the earliest ones of many. */

@@ -18,6 +18,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.jsonmodels.JsonDocument;
 import dev.eventchain.llm.chat.AnswerRules;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.ComponentFiles;
 import dev.eventchain.pipeline.stage.Correction;
@@ -48,11 +49,14 @@ public final class VerdictCorrection {
 
   /** Returns whether the run writes components and has simulated all scenarios. */
   public static boolean isAllowed(RunContext run) {
-    return run.options().runs(Stage.IMPLEMENT)
-        && !run.options().isPartial()
-        && !run.options()
-            .isAttached() // changes here do not affect nodes that were started elsewhere
-        && run.models().simulated().isPresent();
+    return mayFollow(run.options()) && run.models().simulated().isPresent();
+  }
+
+  /** Returns whether a run writes components and simulates all scenarios with them. */
+  public static boolean mayFollow(RunOptions options) {
+    return options.runs(Stage.IMPLEMENT)
+        && !options.isPartial()
+        && !options.isAttached(); // changes here do not affect nodes that were started elsewhere
   }
 
   /**

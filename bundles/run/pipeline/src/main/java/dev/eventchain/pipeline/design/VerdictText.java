@@ -28,6 +28,7 @@ final class VerdictText {
 
   private final List<SoftwareNode> components;
   private final StringBuilder text = new StringBuilder();
+  private boolean hasTable;
 
   private VerdictText(List<SoftwareNode> components) {
     this.components = components;
@@ -51,7 +52,7 @@ final class VerdictText {
     if (number > MOST_CRITERIA) {
       told.text.append("And ").append(number - MOST_CRITERIA).append(" more.\n");
     }
-    return told.text.append(LEGEND).toString();
+    return told.hasTable ? told.text.append(LEGEND).toString() : told.text.toString();
   }
 
   private void add(int number, ScenarioVerdict verdict, CriterionResult criterion) {
@@ -71,6 +72,7 @@ final class VerdictText {
             it -> text.append("   It judges %s: \"%s\"\n".formatted(it.requirement(), it.words())));
     if (criterion.tested() && number <= MOST_TABLES) {
       text.append(SampleTable.of(components, verdict, criterion));
+      hasTable = true;
     }
   }
 }

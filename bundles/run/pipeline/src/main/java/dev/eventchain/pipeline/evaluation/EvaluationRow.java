@@ -14,7 +14,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.function.BinaryOperator;
 import java.util.function.Function;
+import java.util.stream.Stream;
 
 /**
  * A row of the table: the runs of a model. Runs with answers that people wrote are never counted
@@ -97,20 +99,21 @@ record EvaluationRow(
 
   /** Returns the results of each task, in the order in which the first run did them. */
   List<TaskResult> tasks() {
-    Map<String, TaskResult> tasks = new LinkedHashMap<>();
-    counted.stream()
-        .flatMap(run -> run.tasks().stream())
-        .forEach(each -> tasks.merge(each.task(), each, TaskResult::and));
-    return List.copyOf(tasks.values());
+    Stream<TaskResult> all = counted.stream().flatMap(run -> run.tasks().stream());
+    return sums(all, TaskResult::task, TaskResult::and, new LinkedHashMap<>());
   }
 
   /** Returns the results of the repairs, by error. */
   List<RepairResult> repairs() {
-    SortedMap<String, RepairResult> repairs = new TreeMap<>();
-    counted.stream()
-        .flatMap(run -> run.repairs().stream())
-        .forEach(each -> repairs.merge(each.error(), each, RepairResult::and));
-    return List.copyOf(repairs.values());
+    Stream<RepairResult> all = counted.stream().flatMap(run -> run.repairs().stream());
+    return sums(all, RepairResult::error, RepairResult::and, new TreeMap<>());
+  }
+
+  /** Returns the sums of what has one name, in the order of a map. */
+  static <T> List<T> sums(
+      Stream<T> all, Function<T, String> name, BinaryOperator<T> sum, Map<String, T> into) {
+    all.forEach(each -> into.merge(name.apply(each), each, sum));
+    return List.copyOf(into.values());
   }
 
   Usage usage() {

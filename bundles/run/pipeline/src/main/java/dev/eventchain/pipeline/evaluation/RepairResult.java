@@ -7,11 +7,12 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * How often an error in an answer was gone in the next one.
+ * How often an error in an answer was mended in the next one.
  *
  * @param error as {@code task: id}
  * @param sentBack number of answers with it that were sent back and answered again
- * @param right number of these of which the next answer was without it
+ * @param right number of these of which the next answer was accepted, or was without it and had no
+ *     other error that the first one did not have
  */
 record RepairResult(String error, int sentBack, int right) {
 
@@ -21,8 +22,9 @@ record RepairResult(String error, int sentBack, int right) {
     for (int i = 0; i < answers.size(); i++) {
       Sample.Answer refused = answers.get(i);
       answers.subList(i + 1, answers.size()).stream()
-          .filter(refused::isBefore)
+          .filter(refused::isAbout)
           .findFirst()
+          .filter(next -> next.attempt() == refused.attempt() + 1)
           .ifPresent(
               next ->
                   refused.errors().stream()
@@ -33,7 +35,9 @@ record RepairResult(String error, int sentBack, int right) {
   }
 
   private static RepairResult of(Sample.Answer refused, String id, Sample.Answer next) {
-    boolean isRight = next.accepted() || !next.errors().contains(id);
+    // An error that is new may hide those that were there: code that does not parse fails no test.
+    boolean anyNew = !refused.errors().containsAll(next.errors());
+    boolean isRight = next.accepted() || (!anyNew && !next.errors().contains(id));
     return new RepairResult(refused.task() + ": " + id, 1, isRight ? 1 : 0);
   }
 

@@ -2,10 +2,8 @@ package dev.eventchain.pipeline.evaluation;
 
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Usage;
 import dev.eventchain.pipeline.stage.Sample;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 
 /**
  * How often a language model did a task.
@@ -20,9 +18,11 @@ record TaskResult(String task, int asked, int first, int accepted, long bytes, U
 
   /** Returns the results of tasks, in the order in which they were first asked. */
   static List<TaskResult> of(List<Sample.Answer> answers) {
-    Map<String, TaskResult> tasks = new LinkedHashMap<>();
-    answers.forEach(answer -> tasks.merge(answer.task(), of(answer), TaskResult::and));
-    return new ArrayList<>(tasks.values());
+    return EvaluationRow.sums(
+        answers.stream().map(TaskResult::of),
+        TaskResult::task,
+        TaskResult::and,
+        new LinkedHashMap<>());
   }
 
   private static TaskResult of(Sample.Answer answer) {

@@ -11,6 +11,7 @@ import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.design.VerdictCorrection;
 import dev.eventchain.pipeline.generate.GeneratedPackage;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.results.RequirementOutcome;
@@ -363,12 +364,13 @@ public final class SimulateStage implements StageWork {
 
   private static SimulationSettings settings(
       RunContext run, EventChain chain, SimulationSettings usual) {
+    Set<String> written = written(run, chain);
     SimulationSettings settings =
         usual
-            .withGenerated(written(run, chain))
+            .withGenerated(written)
             .withAccepted(run.options().suppressions()::accepts)
             .ofAllScenarios(!run.options().isPartial())
-            .withSamples(run.options().runs(Stage.IMPLEMENT))
+            .withSamples(!written.isEmpty() && VerdictCorrection.mayFollow(run.options()))
             .withStrength(RequirementStrength.budget(run));
     return switch (run.options().driver()) {
       case LOCKSTEP -> settings;
@@ -380,9 +382,8 @@ public final class SimulateStage implements StageWork {
 
   /** Returns the components of a language model: those that the software base does not have. */
   private static Set<String> written(RunContext run, EventChain chain) {
-    return chain.getSoftware().stream()
+    return run.softwareBase().missing(chain).stream()
         .map(SoftwareNode::getName)
-        .filter(name -> run.softwareBase().find(name).isEmpty())
         .collect(Collectors.toSet());
   }
 

@@ -60,9 +60,9 @@ public final class Sample {
       int bytes,
       Optional<ChatResponse.Usage> usage) {
 
-    /** Returns whether another answer repairs this one. */
-    public boolean isBefore(Answer other) {
-      return task.equals(other.task) && file.equals(other.file) && attempt + 1 == other.attempt;
+    /** Returns whether another answer becomes the same file for the same task. */
+    public boolean isAbout(Answer other) {
+      return task.equals(other.task) && file.equals(other.file);
     }
   }
 

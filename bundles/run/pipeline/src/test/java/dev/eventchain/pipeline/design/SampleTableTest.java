@@ -136,6 +136,19 @@ class SampleTableTest {
   }
 
   @Test
+  void whereNothingCameThisIsSaid() {
+    assertEquals(
+        """
+
+        None of these components read or wrote anything that changed from 8.40 s to 9.20 s.
+
+        These never change: input limit is 100 [m].
+
+        """,
+        SampleTable.of(List.of(warning()), verdict(samples()), decided(9.0)));
+  }
+
+  @Test
   void everyMessageIsShownAndWhatHeldWhenItWasGood() {
     assertEquals(
         """

@@ -92,6 +92,22 @@ class EvaluationRowTest {
   }
 
   @Test
+  void anErrorThatANewOneMayHideIsNotMended() {
+    List<Sample.Answer> answers =
+        List.of(
+            answer("A.py", 1, false, "c.test"),
+            answer("A.py", 2, false, "c.syntax"),
+            answer("A.py", 1, false, "c.clock"),
+            answer("A.py", 2, true));
+    assertEquals(
+        List.of(
+            new RepairResult("implement: c.clock", 1, 1),
+            new RepairResult("implement: c.test", 1, 0)),
+        RepairResult.of(answers),
+        "another conversation repairs nothing of an earlier one");
+  }
+
+  @Test
   void whatPeopleWroteIsNeverCountedWithAnswersOfAModel() {
     List<EvaluationRow> rows =
         EvaluationRow.of(
