@@ -40,7 +40,7 @@ function observedList(observed) {
 
 /** The words of requirements that a criterion judges. */
 function judgedWords(criterion) {
-  return records(criterion.judges).map((each) => html("q", { class: "judged", title: `Words of ${text(each.requirement)}` }, text(each.words)));
+  return records(criterion.judges).map((each) => html("span", { class: "judged" }, text(each.requirement) + " ", html("q", null, text(each.words))));
 }
 
 function criterionItem(criterion, before) {
