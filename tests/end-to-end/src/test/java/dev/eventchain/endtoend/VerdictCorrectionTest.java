@@ -247,6 +247,29 @@ class VerdictCorrectionTest {
     assertTrue(Files.exists(folder.resolve("asked/model-01.prompt.md")));
   }
 
+  /** A criterion that the design gives nothing to read is a question about the design. */
+  @Test
+  void anOutputThatTheDesignLacksIsAskedOfItsAuthor() throws IOException {
+    run().expect(4);
+    answer(1, right.replace("```python\n", "").replace("```", ""));
+    Path scenario = project.resolve("scenarios/stopped-vehicle-50.yaml");
+    Files.writeString(
+        scenario,
+        Files.readString(scenario)
+            + """
+                - name: the emergency is signalled
+                  judges: {AEB-3: "signal an emergency braking condition"}
+                  formula: always[0.3, 11] (ttc < 0.8 s implies eventually[0, 0.2] output(AEB-3, bool))
+            """
+                .indent(0));
+    run().expect(4).says("waiting for 1 answer");
+    String asked = prompt("diagnose-01");
+    assertTrue(asked.contains("no output of type bool of the chain satisfies AEB-3"), asked);
+    diagnose(1, "design", DECISION, "Nothing tells others of an emergency.");
+    run().expect(4);
+    assertTrue(prompt("design-01").contains("> Nothing tells others of an emergency."));
+  }
+
   /** Returns the number of answers that the report shows for a file. */
   private long spoken(String file) throws IOException {
     String report = Files.readString(project.resolve("out/report.html"));

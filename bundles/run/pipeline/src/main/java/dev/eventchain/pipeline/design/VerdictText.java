@@ -52,7 +52,7 @@ final class VerdictText {
     if (number > MOST_CRITERIA) {
       told.text.append("And ").append(number - MOST_CRITERIA).append(" more.\n");
     }
-    return told.hasTable ? told.text.append(LEGEND).toString() : told.text.toString();
+    return told.text.append(told.hasTable ? LEGEND : "\n").toString();
   }
 
   private void add(int number, ScenarioVerdict verdict, CriterionResult criterion) {
