@@ -168,6 +168,23 @@ class VerdictCorrectionTest {
   }
 
   @Test
+  void aLaterRunKnowsWhatDidNotHelpAndAsksTheSame() throws IOException {
+    failOnce();
+    diagnose(1, "component", DECISION, "It brakes late.");
+    run().expect(4);
+    answer(2, LATE.replace("0.3", "0.4"));
+    run().expect(4).says("corrected after the verdict").says("waiting for 1 answer");
+    String asked = prompt("diagnose-02");
+    assertTrue(asked.contains("- component `Braking_Decision`: It brakes late."), asked);
+    run().expect(4).says("= Implement").says("waiting for 1 answer");
+    assertEquals(asked, prompt("diagnose-02"));
+    diagnose(2, "component", DECISION, "It still brakes late.");
+    run().expect(4);
+    assertFalse(Files.exists(folder.resolve("asked/diagnose-03.prompt.md")), "already answered");
+    assertTrue(prompt("implement-03").contains("> It still brakes late."));
+  }
+
+  @Test
   void anAnswerThatNamesNothingToCorrectIsSentBack() throws IOException {
     failOnce();
     diagnose(1, "component", "Lidar_To_Scan", "It is late.");
@@ -225,10 +242,15 @@ class VerdictCorrectionTest {
     return tests.toString();
   }
 
+  /** Each step is a run of its own: nothing that was corrected before is lost on the way. */
   @Test
   void anotherDesignIsAskedForAndOnlyWhatDependsOnItIsWrittenAgain() throws IOException {
     failOnce();
-    diagnose(1, "design", DECISION, "It does not say from which time to collision on to brake.");
+    diagnose(1, "component", "TTC_Calculation", "It is late.");
+    run().expect(4);
+    answer(2, component("TTC_Calculation") + "\n# corrected\n");
+    run().expect(4);
+    diagnose(2, "design", DECISION, "It does not say from which time to collision on to brake.");
     run().expect(4);
     String told = prompt("design-01");
     assertTrue(told.contains("> It does not say from which time to collision on to brake."), told);
@@ -237,14 +259,15 @@ class VerdictCorrectionTest {
         present.replace("\"description\": \"Determines", "\"description\": \"It determines");
     assertNotEquals(present, other);
     answer("design-01", "json", other);
-    String before = component("TTC_Calculation");
+    String corrected = component("TTC_Calculation");
+    assertTrue(corrected.endsWith("# corrected\n"), corrected);
     run().expect(4);
-    assertTrue(prompt("implement-02").contains("It determines"), "its author gets the new text");
-    assertFalse(Files.exists(folder.resolve("asked/implement-03.prompt.md")), "only this one");
-    assertEquals(before, component("TTC_Calculation"));
-    answer(2, right.replace("```python\n", "").replace("```", ""));
+    assertTrue(prompt("implement-03").contains("It determines"), "its author gets the new text");
+    assertFalse(Files.exists(folder.resolve("asked/implement-04.prompt.md")), "only this one");
+    answer(3, right.replace("```python\n", "").replace("```", ""));
     run().expect(4).says("waiting for"); // The model of another chain is asked for, too.
     assertTrue(Files.exists(folder.resolve("asked/model-01.prompt.md")));
+    assertEquals(corrected, component("TTC_Calculation"));
   }
 
   /** A criterion that the design gives nothing to read is a question about the design. */

@@ -66,6 +66,8 @@ public final class ImplementStage implements StageWork {
     List<SoftwareNode> missing = run.softwareBase().missing(chain);
     TestFiles tests = new TestFiles(run, SourceText.read(description));
     Work work = new Work(run, SourceText.read(description), tests);
+    StandingDiagnoses.resume(run);
+    StandingDiagnoses.store(run);
     if (run.models().correction().components().isEmpty()) {
       work.implement(missing);
     } else {

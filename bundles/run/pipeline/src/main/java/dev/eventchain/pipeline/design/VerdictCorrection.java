@@ -79,6 +79,7 @@ public final class VerdictCorrection {
   }
 
   private Diagnosis diagnose(List<SoftwareNode> path) {
+    StandingDiagnoses.restore(run);
     run.progress().step(Stage.SIMULATE, "asking what is wrong");
     DiagnoseAgent.Failure failure =
         new DiagnoseAgent.Failure(

@@ -33,6 +33,11 @@ public record Correction(
     components = Map.copyOf(components);
   }
 
+  /** Returns what is left of the correction of a design once the design has been written. */
+  public static Correction keeping(Set<String> kept) {
+    return new Correction(Optional.empty(), kept, Map.of(), Map.of());
+  }
+
   /** Returns the correction of a design. */
   public static Correction of(AgentResult design, Set<String> kept) {
     return new Correction(Optional.of(design), kept, Map.of(), Map.of());
