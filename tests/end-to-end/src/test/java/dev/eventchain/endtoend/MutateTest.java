@@ -11,9 +11,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** Tests of {@code mutate}: on one component of a small project, which has seven mutants. */
 class MutateTest {
@@ -42,8 +45,6 @@ class MutateTest {
   void copyTheExample() throws IOException {
     copy = ProjectCopy.of("radar-aeb", folder);
     copy.onlyScenario("scenarios/stopped-vehicle-50.yaml");
-    Files.deleteIfExists(copy.path().resolve("mutants.yaml"));
-    Files.deleteIfExists(copy.path().resolve("tests/" + NAME + ".yaml"));
   }
 
   private Program.Ended mutate(Object... more) {
@@ -94,6 +95,21 @@ class MutateTest {
     assertEquals(Set.of("TEST"), outcomes());
     assertTrue(results().size() > 40, "the others are listed, too");
     assertEquals("NOT_TRIED", results().get(0).path("outcome").asText());
+  }
+
+  /** All examples are tried in the profile {@code thorough}, the smallest one in each build. */
+  @ParameterizedTest
+  @MethodSource("examples")
+  void noDefectOfAnExampleStaysUnexplained(String example) throws IOException {
+    Path project = folder.resolve("own").resolve(example);
+    Program.copy(Program.ROOT.resolve("examples").resolve(example), project);
+    new Program().run("mutate", Program.withoutStrength(project)).expect(0);
+  }
+
+  static Stream<String> examples() {
+    return Integer.getInteger("mutants.of.examples", 9) == 1
+        ? Stream.of("radar-aeb", "lane-departure")
+        : Stream.of("radar-aeb");
   }
 
   @Test

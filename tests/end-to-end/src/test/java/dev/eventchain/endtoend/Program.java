@@ -216,10 +216,23 @@ final class Program {
     return copyOf("aeb", folder);
   }
 
-  /** Returns a copy of an example without results of runs, and without strength. */
+  /**
+   * Returns a copy of an example without results of runs, and without strength; also without tests
+   * of its existing components, which find most defects before a scenario does.
+   */
   static Path copyOf(String example, Path folder) throws IOException {
     Path copy = folder.resolve(example);
     copy(ROOT.resolve("examples").resolve(example), copy);
+    Files.deleteIfExists(copy.resolve("mutants.yaml"));
+    Path tests = copy.resolve("tests");
+    if (Files.isDirectory(tests)) {
+      try (Stream<Path> files = Files.list(tests)) {
+        for (Path file : files.toList()) {
+          Files.delete(file);
+        }
+      }
+      Files.delete(tests);
+    }
     return withoutStrength(copy);
   }
 

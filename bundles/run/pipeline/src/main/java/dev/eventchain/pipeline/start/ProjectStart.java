@@ -61,6 +61,7 @@ public final class ProjectStart {
           BENCH,
           "eventchain.yaml",
           "model/chain.xmi",
+          "mutants.yaml",
           "requirements.md",
           "scenarios/short-sight.yaml",
           "scenarios/stopped-vehicle-50.yaml",
@@ -71,7 +72,10 @@ public final class ProjectStart {
           "software-base/msg/demo_msgs/msg/BrakeRequest.msg",
           "software-base/msg/demo_msgs/msg/RadarTarget.msg",
           "software-base/msg/demo_msgs/msg/Threat.msg",
-          "software-base/signals.json");
+          "software-base/signals.json",
+          "tests/Brake_Request.yaml",
+          "tests/Collision_Warning.yaml",
+          "tests/Radar_Tracking.yaml");
 
   private static final String SIGNALS = "software-base/signals.json";
   private static final String MODEL = "model/chain.xmi";
