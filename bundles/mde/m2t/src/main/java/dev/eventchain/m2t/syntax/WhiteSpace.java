@@ -1,65 +1,30 @@
 package dev.eventchain.m2t.syntax;
 
-import dev.eventchain.m2t.syntax.Token.Kind;
-import java.util.ArrayDeque;
+import dev.eventchain.m2t.syntax.BodyTree.Body;
+import dev.eventchain.m2t.syntax.BodyTree.Part;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.List;
 
 /**
- * Normaliser of the white space around tags, run once for a template. The rules were observed in
- * Acceleo 3.7.11. The {@link Role} of a tag selects the rules:
+ * Normaliser of the white space around tags, run once for a template. The rules are those of
+ * Acceleo 3.7.11, also where they look arbitrary. A text loses
  *
  * <ul>
- *   <li>A tag takes the <b>rest of its line</b> with the line break if that is blank: {@link
- *       #takenBehind}.
- *   <li>A tag takes the <b>indentation</b> before it, if nothing but white space is between it and
- *       the tag or the line break before ({@link #takenBefore}).
- *   <li>A template's <b>last line break</b> is dropped ({@link #withoutLastBreak}).
+ *   <li>at its start the <b>rest of a line</b> that is blank, with its break, if it is the first
+ *       one in a block of several lines, follows such a block, or is on a line that does not speak;
+ *   <li>at its end the <b>indentation</b> of a line, if it is the last one in a block of several
+ *       lines, such a block follows, or that line does not speak;
+ *   <li>the <b>last line break</b> of a template.
  * </ul>
  *
- * The rules only consider two adjacent tags and the text between them: the tag before cuts its
- * start, and the tag after cuts its end.
+ * <p>A line speaks if an expression, a protected area or a text that is not blank is on it;
+ * comments and tags of blocks do not. The first and the last part of a body are not looked at.
  */
 final class WhiteSpace {
-  /** Treatment of the white space around a tag. */
-  private enum Role {
-    /** An expression, or a tag of a block on one line: takes nothing, like text. */
-    SPEAKING,
-    /**
-     * A comment, or a tag of an empty block on one line. Takes the rest of its line if its line
-     * starts blank; takes the indentation before it unless a speaking tag follows.
-     */
-    SILENT,
-    /** Ends a block on one line with white space: takes the rest of its line like a silent tag. */
-    TRAILING,
-    /** Begins a body over several lines: takes the rest of its line and the indentation. */
-    BEGINNING,
-    /**
-     * Ends a block over several lines. Takes the indentation, and the rest of its line if that
-     * starts blank, or if it is nothing but white space up to the next tag.
-     */
-    ENDING,
-    /** A tag of a protected area over several lines: a line of the output without indentation. */
-    AREA;
+  private final BodyTree tree;
 
-    boolean takesIndentation() {
-      return this == BEGINNING || this == ENDING || this == AREA;
-    }
-  }
-
-  private final String source;
-  private final List<Token> tokens;
-  private final Role[] roles;
-
-  /** True for each tag whose line starts blank, with only white space and silent tags. */
-  private final boolean[] startsBlank;
-
-  private WhiteSpace(String source, List<Token> tokens) {
-    this.source = source;
-    this.tokens = tokens;
-    this.roles = new Role[tokens.size()];
-    this.startsBlank = new boolean[tokens.size()];
+  private WhiteSpace(BodyTree tree) {
+    this.tree = tree;
   }
 
   /**
@@ -69,167 +34,111 @@ final class WhiteSpace {
    * @return the text of each token; empty for tags
    */
   static List<Syntax.Text> normalise(String source, List<Token> tokens) {
-    WhiteSpace whiteSpace = new WhiteSpace(source, tokens);
-    whiteSpace.findRoles();
-    whiteSpace.findBlankStarts();
     List<Syntax.Text> texts = new ArrayList<>(tokens.size());
-    for (int i = 0; i < tokens.size(); i++) {
-      texts.add(
-          tokens.get(i).kind() == Kind.TEXT
-              ? whiteSpace.text(i)
-              : new Syntax.Text(tokens.get(i).start(), ""));
+    tokens.forEach(token -> texts.add(new Syntax.Text(token.start(), "")));
+    WhiteSpace whiteSpace = new WhiteSpace(BodyTree.of(source, tokens));
+    for (Body body : whiteSpace.tree.bodies()) {
+      for (int i = 0; i < body.parts().size(); i++) {
+        Part part = body.parts().get(i);
+        if (part.isText()) {
+          texts.set(part.token(), whiteSpace.text(body, i));
+        }
+      }
     }
     return texts;
   }
 
-  private Syntax.Text text(int index) {
-    Token token = tokens.get(index);
-    String whole = source.substring(token.start(), token.end());
-    int from = index == 0 ? 0 : takenBehind(index - 1, whole);
-    boolean last = index + 1 == tokens.size();
-    int to = last ? whole.length() : Math.max(from, takenBefore(index + 1, whole));
-    if (!last && endsTemplate(index + 1)) {
-      to = withoutLastBreak(whole, from, to);
+  private Syntax.Text text(Body body, int index) {
+    Part part = body.parts().get(index);
+    String whole = part.text();
+    if (body.isModule()) {
+      return new Syntax.Text(part.start(), whole);
     }
-    return new Syntax.Text(token.start() + from, whole.substring(from, to));
+    int from = takesStart(body, index) ? BlankLines.firstOf(whole) : 0;
+    String rest = whole.substring(from);
+    String kept = rest.substring(0, rest.length() - takenAtEnd(body, index, rest));
+    return new Syntax.Text(part.start() + from, kept);
   }
 
-  /** Returns the length of the text after a tag that it takes. */
-  private int takenBehind(int tag, String text) {
-    Role role = roles[tag];
-    int rest = text.indexOf('\n') + 1;
-    boolean alone = rest > 0 && text.substring(0, rest).isBlank();
-    return switch (role) {
-      case BEGINNING -> alone ? rest : 0;
-      case SILENT, TRAILING -> alone && startsBlank[tag] ? rest : 0;
-      case ENDING -> !startsBlank[tag] ? 0 : alone ? rest : text.isBlank() ? text.length() : 0;
-      case SPEAKING, AREA -> 0;
-    };
+  private boolean takesStart(Body body, int index) {
+    if (index == 0) {
+      return !body.isArea() && !body.isOnOneLine();
+    }
+    return !isOnSpeakingLine(body, index, true) || isOverLines(body.parts().get(index - 1));
   }
 
-  /** Returns the offset from which the text before a tag is taken. */
-  private int takenBefore(int tag, String text) {
-    int indentation = text.lastIndexOf('\n') + 1;
+  /** Returns the number of characters that a text loses at its end. */
+  private int takenAtEnd(Body body, int index, String rest) {
+    boolean last = index + 1 == body.parts().size();
+    if (last && body.isTemplate()) {
+      String whole = body.parts().get(index).text();
+      return BlankLines.lastOf(rest, BlankLines.isSecondOfTwoBreaks(whole, rest));
+    }
     boolean takes =
-        roles[tag].takesIndentation() || (roles[tag] == Role.SILENT && !isBeforeSpeaking(tag));
-    return takes && text.substring(indentation).isBlank() ? indentation : text.length();
+        last && !body.isOnOneLine()
+            || !isOnSpeakingLine(body, index, false)
+            || !last && isBlockOverLines(body.parts().get(index + 1));
+    return takes ? BlankLines.lastOf(rest, true) : 0;
+  }
+
+  /** Returns whether a part is a block of several lines other than a protected area. */
+  private static boolean isOverLines(Part part) {
+    return isBlockOverLines(part) && !part.isArea();
+  }
+
+  private static boolean isBlockOverLines(Part part) {
+    return part.isBlock() && !part.isOnOneLine();
   }
 
   /**
-   * Returns whether a sequence of silent tags, starting at this one, is directly followed by a
-   * speaking tag.
+   * Returns whether the line on which a text starts, or ends, speaks. Of a text within a line, what
+   * follows decides; what is before decides only if nothing follows.
    */
-  private boolean isBeforeSpeaking(int tag) {
-    int next = tag;
-    while (next < tokens.size() && roles[next] == Role.SILENT) {
-      next++;
+  private static boolean isOnSpeakingLine(Body body, int index, boolean start) {
+    List<Part> parts = body.parts();
+    Part part = parts.get(index);
+    boolean within = part.isOnOneLine();
+    if (body.isOnOneLine() || (within && !part.text().isBlank())) {
+      return true;
     }
-    return next < tokens.size()
-        && tokens.get(next).kind() != Kind.TEXT
-        && !roles[next].takesIndentation();
-  }
-
-  private boolean endsTemplate(int index) {
-    Token token = tokens.get(index);
-    return roles[index] == Role.ENDING && token.keyword().equals("template");
-  }
-
-  /**
-   * Returns the end of a template's final text without its last line break. If the text is just two
-   * breaks, only one is dropped: the last one stays if the tag before took the first.
-   */
-  private static int withoutLastBreak(String text, int from, int to) {
-    String kept = text.substring(0, to);
-    boolean two = kept.equals("\n\n") || kept.equals("\r\n\r\n");
-    if (to <= from || text.charAt(to - 1) != '\n' || (two && from > 0)) {
-      return to;
+    boolean speaks = true;
+    if (index > 0 && (within || (start && BlankLines.startsWithOne(part.text())))) {
+      speaks = speaks(parts, index - 1, -1);
     }
-    boolean wide = to - 1 > from && text.charAt(to - 2) == '\r';
-    return wide ? to - 2 : to - 1;
+    if (index + 1 < parts.size() && (within || (!start && BlankLines.endsWithOne(part.text())))) {
+      speaks = speaks(parts, index + 1, 1);
+    }
+    return speaks;
   }
 
-  private void findRoles() {
-    Deque<List<Integer>> open = new ArrayDeque<>();
-    for (int i = 0; i < tokens.size(); i++) {
-      Token token = tokens.get(i);
-      roles[i] = token.kind() == Kind.COMMENT ? Role.SILENT : Role.SPEAKING;
-      if (token.kind() == Kind.OPEN) {
-        open.push(new ArrayList<>());
+  /** Returns whether a line speaks, from a part on to its beginning (-1) or its end (1). */
+  private static boolean speaks(List<Part> parts, int index, int step) {
+    int next = index;
+    while (next + step > 0 && next + step < parts.size() - 1 && parts.get(next).isOnOneLine()) {
+      if (isSpeaking(parts.get(next), step)) {
+        return true;
       }
-      if (token.isBlockTag() && !open.isEmpty()) {
-        open.peek().add(i);
-      }
-      if (token.kind() == Kind.CLOSE && !open.isEmpty()) {
-        findRoles(open.pop());
-      }
+      next += step;
     }
+    Part end = parts.get(next);
+    return end.isText() ? !isBlankTowards(end.text(), step) : isSpeaking(end, step);
   }
 
-  /** Sets the roles of a block's tags, after those of its inner blocks. */
-  private void findRoles(List<Integer> tags) {
-    int first = tags.get(0);
-    int last = tags.get(tags.size() - 1);
-    boolean overLines =
-        source.substring(tokens.get(first).end(), tokens.get(last).start()).indexOf('\n') >= 0;
-    boolean area = tokens.get(first).keyword().equals("protected");
-    if (overLines) {
-      tags.forEach(tag -> roles[tag] = area ? Role.AREA : Role.BEGINNING);
-      roles[last] = area ? Role.AREA : Role.ENDING;
-    } else if (!area && isEmpty(first, last)) {
-      tags.forEach(tag -> roles[tag] = Role.SILENT);
-    } else if (!area && tokens.get(last - 1).kind() == Kind.TEXT && isBlank(last - 1)) {
-      roles[last] = Role.TRAILING;
+  private static boolean isSpeaking(Part part, int step) {
+    if (part.isText()) {
+      return !part.text().isBlank();
     }
-  }
-
-  /** Returns whether a block contains only silent tags and its own. */
-  private boolean isEmpty(int first, int last) {
-    for (int i = first + 1; i < last; i++) {
-      Token token = tokens.get(i);
-      if (token.kind() != Kind.MIDDLE && roles[i] != Role.SILENT) {
-        return false;
-      }
+    if (part.isComment()) {
+      return false;
     }
-    return true;
-  }
-
-  private boolean isBlank(int index) {
-    return source.substring(tokens.get(index).start(), tokens.get(index).end()).isBlank();
-  }
-
-  /**
-   * Notes which tags are on a line that starts blank. The line of a body's first text always counts
-   * as such: it is treated as the rest of the line of the tag that begins the body.
-   */
-  private void findBlankStarts() {
-    Deque<Boolean> open = new ArrayDeque<>();
-    boolean blank = true;
-    for (int i = 0; i < tokens.size(); i++) {
-      Token token = tokens.get(i);
-      if (token.kind() == Kind.OPEN) {
-        open.push(blank);
-      }
-      boolean closes = token.kind() == Kind.CLOSE && !open.isEmpty();
-      boolean outside = closes ? open.pop() : blank;
-      blank = roles[i] == Role.TRAILING ? outside : blank;
-      startsBlank[i] = blank;
-      blank =
-          token.kind() == Kind.TEXT
-              ? isBlankBehind(i, blank)
-              : roles[i] == Role.BEGINNING || (blank && !speaks(i));
+    if (!part.isBlock() || part.isArea()) {
+      return true;
     }
+    List<Part> inner = part.body().parts();
+    return !inner.isEmpty() && speaks(inner, step < 0 ? inner.size() - 1 : 0, step);
   }
 
-  private boolean speaks(int tag) {
-    return roles[tag] == Role.SPEAKING || roles[tag] == Role.AREA;
-  }
-
-  /** Returns whether the line is blank so far, after a text. */
-  private boolean isBlankBehind(int index, boolean before) {
-    Token token = tokens.get(index);
-    String text = source.substring(token.start(), token.end());
-    int line = text.lastIndexOf('\n') + 1;
-    boolean begins = index > 0 && roles[index - 1] == Role.BEGINNING;
-    return line == 0 ? before && text.isBlank() : begins || text.substring(line).isBlank();
+  private static boolean isBlankTowards(String text, int step) {
+    return step < 0 ? BlankLines.endsWithOne(text) : BlankLines.startsWithOne(text);
   }
 }
