@@ -134,6 +134,11 @@ class AnyMetamodelTest {
     suppressed[command.length + 1] = decided;
     new Program().run(suppressed).expect(0);
     assertTrue(Files.exists(out.resolve("good.txt")));
+    Files.delete(out.resolve("good.txt"));
+    Object[] lenient = Arrays.copyOf(command, command.length + 1);
+    lenient[command.length] = "--lenient";
+    new Program().run(lenient).expect(0).says("warning: `pages` has no value");
+    assertTrue(Files.exists(out.resolve("good.txt")), "as Acceleo, which does not look at it");
   }
 
   @Test
@@ -142,6 +147,12 @@ class AnyMetamodelTest {
         .run("validate", "--metamodel", ecore, "--ocl", ocl("-- nothing\n"), model)
         .expect(1)
         .says("ocl.nothing-evaluated");
+    new Program().run("validate", "--metamodel", ecore, model).expect(1);
+    new Program()
+        .run("validate", "--allow-empty", "--metamodel", ecore, model)
+        .expect(0)
+        .says("info: Only the form of the models was checked: no constraint is about them.");
+    new Program().run("validate", "--allow-empty", folder).expect(2).says("is for model files");
   }
 
   @Test

@@ -1,7 +1,9 @@
 package dev.eventchain.check;
 
+import dev.eventchain.constraints.ConstraintRules;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
 import java.util.List;
 
 /**
@@ -16,5 +18,25 @@ public record Validation(Coverage coverage, List<Diagnostic> diagnostics) {
   /** Copies the findings. */
   public Validation {
     diagnostics = List.copyOf(diagnostics);
+  }
+
+  /**
+   * Returns the same for callers to whom it is enough that models are instances of their
+   * metamodels: where no constraint is about them, that is an information.
+   */
+  public Validation withoutNeedOfConstraints() {
+    List<Diagnostic> found =
+        diagnostics.stream()
+            .map(each -> each.is(ConstraintRules.NOTHING_EVALUATED) ? formOnly(each) : each)
+            .toList();
+    return new Validation(coverage, found);
+  }
+
+  private static Diagnostic formOnly(Diagnostic nothing) {
+    return Diagnostic.of(
+            nothing.kind(),
+            "Only the form of the models was checked: no constraint is about them.",
+            nothing.location())
+        .withSeverity(Severity.INFO);
   }
 }

@@ -55,8 +55,9 @@ final class GenerateCommand extends ProjectCommand {
   @Option(
       names = "--lenient",
       description =
-          "With --template: undefined values, and files that another block overwrites, are"
-              + " warnings, which helps when migrating from Acceleo. The last such block wins.")
+          "With --template: undefined values, values that the metamodel forbids or misses, and files"
+              + " that another block overwrites are warnings, which helps when migrating from"
+              + " Acceleo. The last such block wins.")
   private boolean lenient;
 
   @Option(

@@ -68,6 +68,13 @@ final class ValidateCommand extends ProjectCommand {
               + " is checked anyway.")
   private Path faults;
 
+  @Option(
+      names = "--allow-empty",
+      description =
+          "For model files: that nothing but the shape of a model can be checked, since no"
+              + " constraint is about it, is not an error.")
+  private boolean allowEmpty;
+
   @Mixin private LlmOptions llm;
 
   ValidateCommand(Console console) {
@@ -86,6 +93,9 @@ final class ValidateCommand extends ProjectCommand {
     }
     if (models.isEmpty() && !messages.isEmpty()) {
       throw wrongUsage("--messages is for model files; a project has software-base/msg");
+    }
+    if (models.isEmpty() && allowEmpty) {
+      throw wrongUsage("--allow-empty is for model files; there is always a rule for a project");
     }
     if (projects.size() != 1 && (faults != null || output() != null)) {
       throw wrongUsage((faults == null ? "-o" : "--faults") + " is for one project");
@@ -122,7 +132,8 @@ final class ValidateCommand extends ProjectCommand {
     Validation validation =
         ModelValidation.validate(
             given.metamodels, given.map, constraints, models, messages, timeLimit());
-    return Outcome.of(validation.coverage(), validation.diagnostics(), suppressions);
+    Validation counted = allowEmpty ? validation.withoutNeedOfConstraints() : validation;
+    return Outcome.of(counted.coverage(), counted.diagnostics(), suppressions);
   }
 
   /** Validates a project after the stages that create its model and constraints. */

@@ -49,7 +49,10 @@ public final class GenerateMojo extends ModelMojo {
   @Parameter(property = "eventchain.trace", defaultValue = "false")
   private boolean trace;
 
-  /** True to report undefined values, and files that another block overwrites, as warnings. */
+  /**
+   * True to report undefined values, values that the metamodel forbids or misses, and files that
+   * another block overwrites, as warnings.
+   */
   @Parameter(property = "eventchain.lenient", defaultValue = "false")
   private boolean lenient;
 

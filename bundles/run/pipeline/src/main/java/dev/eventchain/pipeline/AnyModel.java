@@ -3,6 +3,7 @@ package dev.eventchain.pipeline;
 import dev.eventchain.check.ModelValidation;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.m2t.TemplateModule;
@@ -75,7 +76,7 @@ public final class AnyModel {
    * @param suppressions the suppressed findings about the models
    * @param timeLimit the processor time that the patterns of a data type may take
    * @return the findings; nothing is written if one of them is an error other than an undefined
-   *     value, for example if a model is not an instance of its metamodel
+   *     value, for example if a model breaks a rule of its metamodel and this is not lenient
    * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
    */
   public static WrittenFiles generate(
@@ -94,7 +95,7 @@ public final class AnyModel {
           TemplateModule.compile(
               template.main(), template.sources(), templatePackages(any), classes.loader());
       WrittenFiles files = new WrittenFiles(target.folder());
-      files.found(any.ecore().diagnostics());
+      files.found(lenient ? milder(any.ecore().diagnostics()) : any.ecore().diagnostics());
       if (!Diagnostic.anyError(suppressions.part(files.diagnostics()).remaining())) {
         GenerationContext context =
             GenerationContext.of(any::locate)
@@ -110,6 +111,13 @@ public final class AnyModel {
       }
       return files;
     }
+  }
+
+  /** Returns findings about a model that Acceleo does not look at, with warnings for errors. */
+  private static List<Diagnostic> milder(List<Diagnostic> found) {
+    return found.stream()
+        .map(each -> each.severity() == Severity.ERROR ? each.withSeverity(Severity.WARNING) : each)
+        .toList();
   }
 
   /**

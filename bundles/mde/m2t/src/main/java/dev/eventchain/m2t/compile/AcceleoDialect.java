@@ -29,6 +29,11 @@ record AcceleoDialect(List<OperationLibrary> libraries) implements Dialect {
     return true;
   }
 
+  @Override
+  public boolean takesFirstType() {
+    return true;
+  }
+
   /** Returns the assumed type: values of unknown type may be model elements. */
   @Override
   public Optional<EClassifier> assumed(EClassifier type) {

@@ -29,6 +29,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -97,6 +98,7 @@ public final class Linker {
       String bare = uri.replaceAll("^'|'$", "");
       Optional<EPackage> metamodel =
           Stream.concat(packages.stream(), Stream.of(EcorePackage.eINSTANCE))
+              .flatMap(Linker::withNested)
               .filter(each -> bare.equals(each.getNsURI()))
               .findFirst();
       metamodel.ifPresentOrElse(
@@ -114,8 +116,19 @@ public final class Linker {
     return found.isEmpty() ? List.copyOf(packages) : found;
   }
 
+  private static Stream<EPackage> withNested(EPackage metamodel) {
+    return Stream.concat(
+        Stream.of(metamodel), metamodel.getESubpackages().stream().flatMap(Linker::withNested));
+  }
+
   private String known() {
-    List<String> uris = packages.stream().map(EPackage::getNsURI).sorted().toList();
+    List<String> uris =
+        packages.stream()
+            .flatMap(Linker::withNested)
+            .map(EPackage::getNsURI)
+            .filter(Objects::nonNull)
+            .sorted()
+            .toList();
     return uris.isEmpty()
         ? "None is known: name the .ecore file of the metamodel."
         : "Known metamodels: " + String.join(", ", uris) + ".";

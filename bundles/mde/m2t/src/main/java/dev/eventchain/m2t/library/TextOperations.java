@@ -159,8 +159,13 @@ final class TextOperations {
     rows.add(row("toUpperFirst", TO_TEXT, (s, a, c) -> first(s, true)));
     rows.add(row("toLowerFirst", TO_TEXT, (s, a, c) -> first(s, false)));
     for (Kind kind : List.of(ANY, COLLECTION)) {
-      rows.add(new Row("toString", kind, List.of(), TO_TEXT, true, (s, a, c) -> Texts.of(s)));
+      rows.add(new Row("toString", kind, List.of(), TO_TEXT, true, (s, a, c) -> toText(s)));
     }
+  }
+
+  /** Returns the text of a value; that of null is not empty, as in Acceleo. */
+  private static String toText(Object value) {
+    return value == null ? "null" : Texts.of(value);
   }
 
   private static Row row(String name, ResultType result, Body body, Kind... arguments) {

@@ -24,6 +24,8 @@ public final class TemplateLexer {
       Stream.of(BLOCKS, MIDDLES, DECLARATIONS).flatMap(List::stream).toList();
 
   private static final String COMMENT = "comment";
+  private static final String COMMENT_BEGIN = "[comment]";
+  private static final String COMMENT_END = "[/comment]";
 
   /** Keywords that can also start an OCL expression. */
   private static final Set<String> EXPRESSION_KEYWORDS = Set.of("if", "let");
@@ -225,14 +227,14 @@ public final class TemplateLexer {
   private Token comment(int start, int nameEnd) {
     int slashEnd = next("/]", nameEnd);
     int plainEnd = next("]", nameEnd);
-    int blockEnd = next("[/comment]", nameEnd);
+    boolean empty = plainEnd >= 0 && text.substring(nameEnd, plainEnd).isBlank();
+    int blockEnd = empty ? blockEnd(nameEnd) : next(COMMENT_END, nameEnd);
     int nextComment = next("[comment", nameEnd);
     boolean closed = blockEnd > plainEnd && (nextComment < 0 || blockEnd < nextComment);
     boolean bracketed = plainEnd >= 0 && text.substring(nameEnd, plainEnd).indexOf('[') >= 0;
-    boolean empty = plainEnd >= 0 && text.substring(nameEnd, plainEnd).isBlank();
     boolean open = plainEnd >= 0 && (slashEnd < 0 || plainEnd < slashEnd);
     if (open && blockEnd > plainEnd && (empty || slashEnd < 0 || (closed && !bracketed))) {
-      int end = blockEnd + "[/comment]".length();
+      int end = blockEnd + COMMENT_END.length();
       return new Token(Kind.COMMENT, COMMENT, start, end, plainEnd + 1, blockEnd);
     }
     if (empty) {
@@ -240,6 +242,26 @@ public final class TemplateLexer {
       return broken(start, plainEnd + 1);
     }
     return commentUntil(start, nameEnd, "/]");
+  }
+
+  /**
+   * Returns the offset of the tag that closes a comment, in which others may be nested; the next
+   * such tag if it closes none of them, and -1 without one.
+   */
+  private int blockEnd(int from) {
+    int first = next(COMMENT_END, from);
+    int end = first;
+    int inner = next(COMMENT_BEGIN, from);
+    for (int open = 1; end >= 0; end = text.indexOf(COMMENT_END, end + 1)) {
+      while (inner >= 0 && inner < end) {
+        open++;
+        inner = text.indexOf(COMMENT_BEGIN, inner + 1);
+      }
+      if (--open == 0) {
+        return end;
+      }
+    }
+    return first;
   }
 
   private Token lineComment(int start) {

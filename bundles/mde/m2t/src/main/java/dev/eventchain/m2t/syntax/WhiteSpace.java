@@ -75,9 +75,9 @@ final class WhiteSpace {
       return BlankLines.lastOf(rest, BlankLines.isSecondOfTwoBreaks(whole, rest));
     }
     boolean takes =
-        last && !body.isOnOneLine()
+        (last && !body.isOnOneLine())
             || !isOnSpeakingLine(body, index, false)
-            || !last && isBlockOverLines(body.parts().get(index + 1));
+            || (!last && isBlockOverLines(body.parts().get(index + 1)));
     return takes ? BlankLines.lastOf(rest, true) : 0;
   }
 

@@ -64,10 +64,22 @@ public final class CallLibrary implements OperationLibrary {
       String name,
       List<EClassifier> argumentTypes,
       boolean loosely) {
-    List<EClassifier> types = new ArrayList<>(argumentTypes);
-    if (source != null) {
-      types.add(0, source);
+    if (source == null) {
+      return operation(language, name, argumentTypes, loosely, false);
     }
+    List<EClassifier> types = new ArrayList<>(argumentTypes);
+    types.add(0, source);
+    // As in Acceleo, x.name(x, y) is the same as x.name(y): the source has no influence then.
+    return operation(language, name, types, loosely, true)
+        .or(() -> operation(language, name, argumentTypes, loosely, false));
+  }
+
+  private Optional<Operation> operation(
+      TypeSystem language,
+      String name,
+      List<EClassifier> types,
+      boolean loosely,
+      boolean hasSource) {
     Signatures signatures = new Signatures(language);
     List<Callable> candidates =
         visible.stream()
@@ -82,7 +94,7 @@ public final class CallLibrary implements OperationLibrary {
     List<Callable> called = called(meant, candidates, signatures, loosely);
     boolean one = called.stream().allMatch(each -> each.resultType().equals(meant.resultType()));
     List<Callable> general = fromTheMostGeneral(called);
-    Call call = new Call(name, overridingFirst(called), overridingFirst(general), source != null);
+    Call call = new Call(name, overridingFirst(called), overridingFirst(general), hasSource);
     return Optional.of(new Operation(name, one ? meant.resultType() : language.any(), call));
   }
 

@@ -44,6 +44,14 @@ public interface Dialect {
   }
 
   /**
+   * Returns whether a name of types in several packages means the first one: an outer package comes
+   * before its nested ones, and a metamodel before later ones. Otherwise, such a name is an error.
+   */
+  default boolean takesFirstType() {
+    return false;
+  }
+
+  /**
    * Returns a substitute for a library operation of whose result only one end is used: {@code
    * x.f()->first()}. Its result has the same first or last element, and is empty if the original
    * is.

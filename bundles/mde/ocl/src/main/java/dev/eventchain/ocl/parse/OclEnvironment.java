@@ -164,7 +164,7 @@ public final class OclEnvironment extends EcoreEnvironment {
   /** Finds a type; one that several packages have must be named with its package. */
   @Override
   public EClassifier tryLookupClassifier(List<String> names) throws LookupException {
-    if (nearest(names) == null) {
+    if (!dialect().takesFirstType() && nearest(names) == null) {
       List<EClassifier> candidates = factory.packages().classifiers(names);
       if (candidates.size() > 1) {
         String all = candidates.stream().map(Names::qualified).collect(Collectors.joining(", "));
