@@ -252,9 +252,7 @@ final class BlockParser {
     HeaderReader reader = reader(token);
     Optional<SourceRange> inside = reader.parentheses("the name of the file");
     reader.variablesInBraces();
-    while (reader.accept(')')) {
-      continue; // Acceleo reads over what closes nothing.
-    }
+    reader.skip(')'); // Acceleo reads over what closes nothing.
     reader.expectEnd("the end of the tag");
     List<Node> body = body(false);
     if (inside.isEmpty()) {

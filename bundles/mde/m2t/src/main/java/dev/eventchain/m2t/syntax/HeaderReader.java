@@ -57,6 +57,14 @@ final class HeaderReader {
         && (end == limit || !Character.isJavaIdentifierPart(text.charAt(end)));
   }
 
+  /** Reads over a character as often as it comes. */
+  void skip(char c) {
+    boolean more = accept(c);
+    while (more) {
+      more = accept(c);
+    }
+  }
+
   boolean acceptWord(String word) {
     if (!atWord(word)) {
       return false;

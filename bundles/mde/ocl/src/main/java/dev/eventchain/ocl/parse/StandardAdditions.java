@@ -16,29 +16,59 @@ import org.eclipse.ocl.expressions.CollectionKind;
 import org.eclipse.ocl.types.CollectionType;
 
 /**
- * The operations of the standard library that Eclipse OCL's older one lacks: {@code reverse()} of
- * ordered collections (OMG OCL 2.4, 11.7.3 and 11.7.5) and {@code oclType()} of objects (11.3.1).
+ * The operations that Eclipse OCL's older standard library lacks: {@code reverse()} of ordered
+ * collections (OMG OCL 2.4, 11.7.3 and 11.7.5) and {@code oclType()} of objects (11.3.1); and those
+ * of its newer one, in the Pivot dialect: {@code oclContainer()} and {@code oclContents()} of
+ * objects, {@code includingAll} and {@code excludingAll} of collections.
  */
 final class StandardAdditions implements OperationLibrary {
 
   private static final String REVERSE = "reverse";
   private static final String TYPE = "oclType";
+  private static final String CONTAINER = "oclContainer";
+  private static final String CONTENTS = "oclContents";
+  private static final String INCLUDING_ALL = "includingAll";
+  private static final String EXCLUDING_ALL = "excludingAll";
 
   @Override
   public Collection<String> names() {
-    return List.of(REVERSE, TYPE);
+    return List.of(REVERSE, TYPE, CONTAINER, CONTENTS, INCLUDING_ALL, EXCLUDING_ALL);
   }
 
   @Override
   public Optional<Operation> lookup(
       TypeSystem types, EClassifier source, String name, List<EClassifier> argumentTypes) {
-    if (source == null || !argumentTypes.isEmpty()) {
+    if (source == null) {
       return Optional.empty();
     }
+    return argumentTypes.isEmpty()
+        ? withoutArguments(types, source, name)
+        : withOthers(types, source, name, argumentTypes);
+  }
+
+  private static Optional<Operation> withoutArguments(
+      TypeSystem types, EClassifier source, String name) {
+    Optional<EClassifier> object = Optional.of(source).filter(EClass.class::isInstance);
     return switch (name) {
       case REVERSE ->
           Optional.of(source).filter(StandardAdditions::isOrdered).map(StandardAdditions::reverse);
-      case TYPE -> Optional.of(source).filter(EClass.class::isInstance).map(type -> type());
+      case TYPE -> object.map(type -> type());
+      case CONTAINER -> object.map(type -> container(types));
+      case CONTENTS -> object.map(type -> contents(types));
+      default -> Optional.empty();
+    };
+  }
+
+  /** Returns an operation of a collection with the elements of another one. */
+  private static Optional<Operation> withOthers(
+      TypeSystem types, EClassifier source, String name, List<EClassifier> argumentTypes) {
+    boolean collections =
+        argumentTypes.size() == 1
+            && source instanceof CollectionType<?, ?>
+            && argumentTypes.get(0) instanceof CollectionType<?, ?>;
+    return switch (collections ? name : "") {
+      case INCLUDING_ALL -> Optional.of(includingAll(types, source, argumentTypes.get(0)));
+      case EXCLUDING_ALL -> Optional.of(excludingAll(source));
       default -> Optional.empty();
     };
   }
@@ -66,6 +96,64 @@ final class StandardAdditions implements OperationLibrary {
         TYPE,
         EcorePackage.Literals.ECLASS,
         (source, arguments, run) -> ((EObject) given(source)).eClass());
+  }
+
+  private static Operation container(TypeSystem types) {
+    return new Operation(
+        CONTAINER,
+        types.anyObject(),
+        (source, arguments, run) -> ((EObject) given(source)).eContainer());
+  }
+
+  private static Operation contents(TypeSystem types) {
+    EClassifier set = types.collectionLike(types.type("Set(OclAny)"), types.anyObject());
+    return new Operation(
+        CONTENTS,
+        set,
+        (source, arguments, run) ->
+            CollectionOperations.create(
+                CollectionKind.SET_LITERAL, ((EObject) given(source)).eContents()));
+  }
+
+  private static Operation includingAll(TypeSystem types, EClassifier source, EClassifier others) {
+    EClassifier result = types.conforms(others, source) ? source : mixed(types, source, others);
+    return new Operation(
+        INCLUDING_ALL,
+        result,
+        (collection, arguments, run) -> {
+          Collection<Object> own = elements(given(collection));
+          Collection<Object> all =
+              CollectionOperations.create(CollectionOperations.kindOf(own), own);
+          all.addAll(elements(given(arguments.get(0))));
+          return all;
+        });
+  }
+
+  /** Returns the type of the source, with elements of both if those of the other one fit it. */
+  private static EClassifier mixed(TypeSystem types, EClassifier source, EClassifier others) {
+    EClassifier own = types.elementType(source).orElseThrow();
+    EClassifier more = types.elementType(others).orElseThrow();
+    return types.conforms(more, own)
+        ? source
+        : types.collectionLike(source, types.conforms(own, more) ? more : types.any());
+  }
+
+  private static Operation excludingAll(EClassifier source) {
+    return new Operation(
+        EXCLUDING_ALL,
+        source,
+        (collection, arguments, run) -> {
+          Collection<Object> rest = elements(given(collection));
+          for (Object other : elements(given(arguments.get(0)))) {
+            rest = CollectionOperations.excluding(rest, other);
+          }
+          return rest;
+        });
+  }
+
+  @SuppressWarnings("unchecked")
+  private static Collection<Object> elements(Object collection) {
+    return (Collection<Object>) collection;
   }
 
   private static Object given(Object source) {
