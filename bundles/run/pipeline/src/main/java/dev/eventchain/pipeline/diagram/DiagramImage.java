@@ -2,9 +2,12 @@ package dev.eventchain.pipeline.diagram;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
 import java.io.UncheckedIOException;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.Optional;
@@ -63,12 +66,16 @@ final class DiagramImage {
     Thread drawing = new Thread(null, () -> svg[0] = draw(text), "diagram", STACK_BYTES);
     drawing.setDaemon(true);
     drawing.setUncaughtExceptionHandler((thread, thrown) -> failure[0] = thrown);
+    PrintStream before = System.err;
+    System.setErr(withoutThread(before, drawing)); // PlantUML prints its failures
     drawing.start();
     try {
       await(drawing, longest);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new IllegalStateException("The drawing was interrupted", e);
+    } finally {
+      System.setErr(before);
     }
     if (failure[0] != null) {
       throw new UndrawableException(failure[0]);
@@ -78,6 +85,32 @@ final class DiagramImage {
     }
     String picture = VERSION.matcher(svg[0]).replaceAll("");
     return Optional.of(picture.getBytes(StandardCharsets.UTF_8));
+  }
+
+  /** Returns a stream that swallows what one thread prints. */
+  private static PrintStream withoutThread(PrintStream stream, Thread swallowed) {
+    OutputStream filter =
+        new OutputStream() {
+          @Override
+          public void write(int b) {
+            if (Thread.currentThread() != swallowed) {
+              stream.write(b);
+            }
+          }
+
+          @Override
+          public void write(byte[] bytes, int offset, int length) {
+            if (Thread.currentThread() != swallowed) {
+              stream.write(bytes, offset, length);
+            }
+          }
+
+          @Override
+          public void flush() {
+            stream.flush();
+          }
+        };
+    return new PrintStream(filter, true, Charset.defaultCharset());
   }
 
   /** Waits until a thread has ended or used a processor time, with a limit. */

@@ -331,23 +331,6 @@ class DiagramsTest {
     assertTrue(files.summary().endsWith("2 written"), files.summary());
   }
 
-  @Test
-  void theTextOfADiagramWithoutALayoutIsWritten() {
-    Path files = Path.of("src/test/resources/dev/eventchain/pipeline/diagram/undrawn");
-    WrittenFiles written =
-        Diagrams.draw(
-            EnumSet.of(Kind.INSTANCE),
-            List.of(files.resolve("plan.ecore")),
-            Map.of(),
-            List.of(files.resolve("m.xmi")),
-            folder.resolve("out"),
-            false);
-    assertEquals(
-        List.of("diagram.undrawn"), written.diagnostics().stream().map(Diagnostic::id).toList());
-    assertTrue(Files.exists(folder.resolve("out/instance.puml")));
-    assertFalse(Files.exists(folder.resolve("out/instance.svg")));
-  }
-
   private static EventChain chain() {
     EventChain chain = EventchainFactory.eINSTANCE.createEventChain();
     chain.setName("test");
