@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.Arrays;
+import java.util.List;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -279,6 +280,34 @@ class AnyMetamodelTest {
   }
 
   /** Metamodels refer to each other as projects of a workspace, wherever that is. */
+  /** A metamodel may refer to another one by its file or by its namespace, in any order. */
+  @Test
+  void metamodelsMayBeNamedInAnyOrder() throws IOException {
+    Path low = Files.createDirectories(folder.resolve("low"));
+    Path base = Files.writeString(low.resolve("library.ecore"), ECORE);
+    Path high = Files.createDirectories(folder.resolve("high"));
+    String shelf =
+        SHOP.replaceAll("platform:/resource/org.example.library/model/library.ecore", "%s");
+    Path byFile =
+        Files.writeString(high.resolve("file.ecore"), shelf.formatted("../low/library.ecore"));
+    Path byName =
+        Files.writeString(
+            high.resolve("name.ecore"), shelf.formatted("http://example.org/library"));
+    Path shop = Files.writeString(high.resolve("shop.xmi"), SHOP_MODEL);
+    Object rules = ocl(OF_BOOKS);
+    new Program()
+        .run("validate", "--metamodel", byFile, "--ocl", rules, shop)
+        .expect(2)
+        .says("leaves the folders of the given files")
+        .says("a metamodel by --metamodel");
+    for (Path upper : List.of(byFile, byName)) {
+      new Program()
+          .run("validate", "--metamodel", upper, "--metamodel", base, "--ocl", rules, shop)
+          .expect(1)
+          .says("[ocl.violated Shop::HasPages]");
+    }
+  }
+
   @Test
   void referencesIntoAWorkspaceAreFollowedWhereTheCommandSaysItIs() throws IOException {
     Path workspace = Files.createDirectories(folder.resolve("elsewhere/workspace"));

@@ -47,10 +47,7 @@ public final class ModelValidation {
   private ModelValidation(
       List<Path> metamodels, Map<String, Path> map, List<Path> models, Duration timeLimit) {
     store = EventChainMetamodel.store(folders(metamodels, models), map);
-    for (Path metamodel : metamodels) {
-      SourceLocation place = SourceLocation.of(metamodel);
-      packages.addAll(DiagnosticException.at(place, () -> store.loadMetamodel(metamodel)));
-    }
+    load(metamodels);
     // The given metamodel applies, even if it is the file of the shipped one.
     EPackage shipped = EventchainPackage.eINSTANCE;
     if (packages.stream().noneMatch(given -> shipped.getNsURI().equals(given.getNsURI()))) {
@@ -60,6 +57,28 @@ public final class ModelValidation {
     all = XmiStore.withReferred(this.models);
     origins = all.get(0).origins();
     ecore = EcoreChecks.of(all, timeLimit);
+  }
+
+  /** Loads metamodels in any order: one may refer to a later one by its namespace. */
+  private void load(List<Path> metamodels) {
+    List<Path> open = metamodels;
+    while (!open.isEmpty()) {
+      List<Path> failed = new ArrayList<>();
+      Optional<DiagnosticException> first = Optional.empty();
+      for (Path metamodel : open) {
+        try {
+          SourceLocation place = SourceLocation.of(metamodel);
+          packages.addAll(DiagnosticException.at(place, () -> store.loadMetamodel(metamodel)));
+        } catch (DiagnosticException e) {
+          failed.add(metamodel);
+          first = first.or(() -> Optional.of(e));
+        }
+      }
+      if (failed.size() == open.size()) {
+        throw first.orElseThrow();
+      }
+      open = failed;
+    }
   }
 
   /**

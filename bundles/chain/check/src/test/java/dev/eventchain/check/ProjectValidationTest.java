@@ -206,7 +206,7 @@ class ProjectValidationTest {
     Files.delete(project.file("timing.ocl"));
     Files.delete(project.file("constraints.ocl"));
     project.write("Constraints.ocl", constraints);
-    project.write("Tests/Brake_Request.yaml", "");
+    Files.move(project.file("tests"), project.file("Tests"));
     project.write("Recordings/README", "a folder for something else");
     Files.move(project.file("model/chain.xmi"), project.file("model/Chain.xmi"));
     assertEquals(

@@ -49,7 +49,8 @@ final class MappedUris {
     String target = reference.replaceFirst("#.*", "");
     return target.matches("(?!file:)[A-Za-z][A-Za-z0-9+.-]+:.*")
         ? "Say which file that is: --map " + target + "=FILE"
-        : "Refer to files in the project's folder by a relative path.";
+        : "Refer to files below the folders of the given files by a relative path, or give that"
+            + " file to the command, too, a metamodel by --metamodel.";
   }
 
   /**

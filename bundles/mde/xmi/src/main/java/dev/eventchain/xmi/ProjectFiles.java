@@ -130,7 +130,7 @@ final class ProjectFiles {
       followed.add(file);
       return Optional.empty();
     }
-    return Optional.of("The reference `" + reference + "` leaves the project's folder.");
+    return Optional.of("The reference `" + reference + "` leaves the folders of the given files.");
   }
 
   boolean isKnownMetamodel(URI target) {
