@@ -39,10 +39,13 @@ final class BenchProposal {
           Guess.of("accel", "ego.acceleration", "m/s2"),
           Guess.of("range|distance|gap|headway", "min(gap, 200 m)", "m"),
           Guess.of("ttc|time_to_collision", "min(ttc, 1000 s)", "s"),
-          Guess.of("offset|lateral|position.y", "ego.offset", "m"),
-          Guess.of("position.x|odometer", "ego.position", "m"),
+          Guess.of("offset|lateral", "ego.offset", "m"),
+          Guess.of("position.x", "ego.x", "m"),
+          Guess.of("position.y", "ego.y", "m"),
+          Guess.of("odometer", "ego.position", "m"),
           Guess.of("yaw_rate|angular.z", "ego.yaw_rate", "rad/s"),
-          Guess.of("heading|yaw", "ego.heading", "rad"));
+          Guess.of("heading", "ego.heading", "rad"),
+          Guess.of("yaw", "ego.yaw", "rad"));
 
   private static final Pattern PRESENT = Pattern.compile("valid|present|detected");
 

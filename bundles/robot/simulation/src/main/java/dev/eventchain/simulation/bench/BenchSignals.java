@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 
 /**
  * Signals that formulas may read: the world, the inputs of the bench, and each field of each known
@@ -28,8 +29,9 @@ public final class BenchSignals implements Signal.Source {
   /** Meaning of inputs that are not computed. */
   static final String SCRIPTED = "set by scenarios";
 
-  /** Prefix of the orientation quaternion, another form of the heading, for messages only. */
-  private static final String QUATERNION = "ego.orientation.";
+  /** Other forms of the pose and its changes, for messages: reported only where they are read. */
+  private static final Pattern OTHER_FORM =
+      Pattern.compile("ego\\.(x|y|yaw|orientation\\..|acceleration\\..)");
 
   private static final WorldSignals WORLD = new WorldSignals();
 
@@ -98,7 +100,7 @@ public final class BenchSignals implements Signal.Source {
   public List<Signal> reported(Collection<Signal> read) {
     Map<String, Signal> reported = new TreeMap<>();
     WorldSignals.all().stream()
-        .filter(signal -> !signal.name().startsWith(QUATERNION))
+        .filter(signal -> !OTHER_FORM.matcher(signal.name()).matches())
         .forEach(signal -> reported.put(signal.name(), signal));
     reported.putAll(inputs);
     read.forEach(signal -> reported.put(signal.name(), signal));

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.function.ToDoubleBiFunction;
 import java.util.function.ToDoubleFunction;
 
 /** Signals of the road, the vehicle and its commands. */
@@ -29,16 +30,29 @@ public final class WorldSignals implements Signal.Source {
     add("ego.offset", "m", "front bumper left of the lane's centre", ofPose(Trace.Pose::offset));
     add("ego.heading", "rad", "to the left of the road", ofPose(Trace.Pose::heading));
     add("ego.yaw_rate", "rad/s", "to the left", ofPose(Trace.Pose::yawRate));
-    add(
+    addOnMap("ego.x", "m", "front bumper on the map", (state, place) -> place.x());
+    addOnMap("ego.y", "m", "front bumper on the map", (state, place) -> place.y());
+    addOnMap("ego.yaw", "rad", "on the map, to the left", (state, place) -> place.heading());
+    addOnMap(
         "ego.orientation.z",
         "1",
-        "heading as quaternion, z",
-        ofPose(pose -> StrictMath.sin(pose.heading() / 2)));
-    add(
+        "yaw as quaternion, z",
+        (state, place) -> StrictMath.sin(place.heading() / 2));
+    addOnMap(
         "ego.orientation.w",
         "1",
-        "heading as quaternion, w",
-        ofPose(pose -> StrictMath.cos(pose.heading() / 2)));
+        "yaw as quaternion, w",
+        (state, place) -> StrictMath.cos(place.heading() / 2));
+    addOnMap(
+        "ego.acceleration.x",
+        "m/s2",
+        "on the map, that of turning included",
+        (state, place) -> turned(0.0 - state.deceleration(), 0.0 - aside(state), place.heading()));
+    addOnMap(
+        "ego.acceleration.y",
+        "m/s2",
+        "on the map, that of turning included",
+        (state, place) -> turned(aside(state), 0.0 - state.deceleration(), place.heading()));
     addLane("lane.left", "m", "front bumper's middle to the left line", Road::toTheLeft);
     addLane("lane.right", "m", "front bumper's middle to the right line", Road::toTheRight);
     addLane("lane.width", "m", "from line to line", (road, offset) -> road.laneWidth());
@@ -81,6 +95,38 @@ public final class WorldSignals implements Signal.Source {
             trace.states().stream()
                 .mapToDouble(state -> value.apply(trace.road(), state.pose().offset()))
                 .toArray());
+  }
+
+  /**
+   * Adds a signal of the pose on the map, which at the start has the road along its x axis. The yaw
+   * is from -pi to pi.
+   */
+  private static void addOnMap(
+      String name, String unit, String meaning, ToDoubleBiFunction<Trace.State, Road.Place> value) {
+    add(
+        name,
+        unit,
+        meaning,
+        trace ->
+            trace.states().stream()
+                .mapToDouble(state -> value.applyAsDouble(state, onMap(trace.road(), state)))
+                .toArray());
+  }
+
+  private static Road.Place onMap(Road road, Trace.State state) {
+    Road.Place place = road.place(state.position(), state.pose().offset());
+    double yaw = StrictMath.IEEEremainder(place.heading() + state.pose().heading(), 2.0 * Math.PI);
+    return new Road.Place(place.x(), place.y(), yaw);
+  }
+
+  /** Returns the acceleration to the left that turning takes. */
+  private static double aside(Trace.State state) {
+    return state.speed() * state.pose().yawRate();
+  }
+
+  /** Returns {@code own} along an axis and {@code other} across it, both turned by an angle. */
+  private static double turned(double own, double other, double angle) {
+    return own * StrictMath.cos(angle) + other * StrictMath.sin(angle);
   }
 
   private static void addCommand(
