@@ -15,13 +15,16 @@ import org.eclipse.ocl.Environment;
 import org.eclipse.ocl.cst.CSTNode;
 import org.eclipse.ocl.cst.ClassifierContextDeclCS;
 import org.eclipse.ocl.cst.IntegerLiteralExpCS;
+import org.eclipse.ocl.cst.LoopExpCS;
 import org.eclipse.ocl.cst.OperationCallExpCS;
 import org.eclipse.ocl.cst.SimpleNameCS;
+import org.eclipse.ocl.cst.VariableCS;
 import org.eclipse.ocl.ecore.CallOperationAction;
 import org.eclipse.ocl.ecore.Constraint;
 import org.eclipse.ocl.ecore.SendSignalAction;
 import org.eclipse.ocl.ecore.parser.OCLAnalyzer;
 import org.eclipse.ocl.expressions.IntegerLiteralExp;
+import org.eclipse.ocl.expressions.LoopExp;
 import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.OperationCallExp;
 import org.eclipse.ocl.parser.OCLLexer;
@@ -64,6 +67,34 @@ public final class OclAnalyzer extends OCLAnalyzer {
     IntegerLiteralExp<EClassifier> literal = super.integerLiteralExpCS(node, environment);
     BigLiterals.complete(literal, node.getSymbol());
     return literal;
+  }
+
+  /** Refuses two variables of one name in a loop; an inner loop may hide an outer one's. */
+  @Override
+  protected LoopExp<EClassifier, EParameter> loopExpCS(
+      LoopExpCS node,
+      Environment<
+              EPackage,
+              EClassifier,
+              EOperation,
+              EStructuralFeature,
+              EEnumLiteral,
+              EParameter,
+              EObject,
+              CallOperationAction,
+              SendSignalAction,
+              Constraint,
+              EClass,
+              EObject>
+          environment) {
+    VariableCS first = node.getVariable1();
+    VariableCS second = node.getVariable2();
+    boolean same = first != null && second != null && first.getName().equals(second.getName());
+    if (same) {
+      String message = "Both variables of the loop are called '" + first.getName() + "'.";
+      collector().add(ExpressionRules.TYPE, true, message, "Rename one.", second.getStartOffset());
+    }
+    return super.loopExpCS(node, environment);
   }
 
   /** Keeps the environment, which already has its {@code self} or is meant to have none. */

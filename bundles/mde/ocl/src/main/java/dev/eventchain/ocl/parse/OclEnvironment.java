@@ -3,8 +3,12 @@ package dev.eventchain.ocl.parse;
 import dev.eventchain.ocl.dialect.Dialect;
 import dev.eventchain.ocl.metamodel.Names;
 import dev.eventchain.ocl.metamodel.PackageIndex;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
@@ -34,6 +38,12 @@ import org.eclipse.ocl.utilities.TypedElement;
 public final class OclEnvironment extends EcoreEnvironment {
 
   private final OclEnvironmentFactory factory;
+
+  /** Variables that others hide, the innermost first, by name. */
+  private final Map<String, Deque<Variable<EClassifier, EParameter>>> hidden = new HashMap<>();
+
+  /** True while a variable that was hidden is added again. */
+  private boolean restoring;
 
   /** True while parsing the type of a declaration. */
   private boolean declaring;
@@ -80,6 +90,38 @@ public final class OclEnvironment extends EcoreEnvironment {
     if (addElement(variable.getName(), variable, true)
         && variable.getName().equals(SELF_VARIABLE_NAME)) {
       setSelfVariable(variable);
+    }
+  }
+
+  /** Adds a variable, which hides another one of its name until it is deleted. */
+  @Override
+  public boolean addElement(
+      String name, Variable<EClassifier, EParameter> variable, boolean isExplicit) {
+    Variable<EClassifier, EParameter> outer = name == null ? null : lookupLocal(name);
+    if (outer != null) {
+      hidden.computeIfAbsent(name, each -> new ArrayDeque<>()).push(outer);
+      super.deleteElement(name);
+    }
+    return super.addElement(name, variable, isExplicit);
+  }
+
+  @Override
+  public void deleteElement(String name) {
+    super.deleteElement(name);
+    Deque<Variable<EClassifier, EParameter>> outer = hidden.get(name);
+    if (outer != null && !outer.isEmpty()) {
+      restoring = true;
+      super.addElement(name, outer.pop(), true);
+      restoring = false;
+    }
+  }
+
+  /** Gives a new variable a container; one that was hidden has got its loop by now. */
+  @Override
+  protected void addedVariable(
+      String name, Variable<EClassifier, EParameter> variable, boolean isExplicit) {
+    if (!restoring) {
+      super.addedVariable(name, variable, isExplicit);
     }
   }
 
