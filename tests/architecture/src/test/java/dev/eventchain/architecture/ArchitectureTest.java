@@ -129,6 +129,9 @@ class ArchitectureTest {
       noClasses()
           .that()
           .resideOutsideOfPackages(ROOT + "cli..", ROOT + "emfgenerator..")
+          .and()
+          // It keeps from the terminal what a library prints there.
+          .doNotHaveFullyQualifiedName(ROOT + "pipeline.diagram.DiagramImage")
           .should()
           .accessField(System.class, "out")
           .orShould()
