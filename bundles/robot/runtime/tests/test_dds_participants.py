@@ -25,6 +25,7 @@ from wire import (
     connected,
     fresh_tag,
     loopback_configuration,
+    reach_echo,
     take,
     wait_until,
 )
@@ -115,7 +116,7 @@ def test_bytes_and_timestamps_survive_the_way_to_another_process_and_back(name: 
         writer = participant.writer("/there", name, EVERY)
         reader = participant.reader("/back", name, EVERY)
         process = echo(configuration, name)
-        wait_until(lambda: writer.matched() and reader.matched(), "the other process")
+        reach_echo(writer, reader, samples[0])
         timestamps = [0, 1, LATEST, *(generator.randrange(LATEST) for _ in samples[3:])]
         written = list(zip(timestamps, samples, strict=True))
         for timestamp, sample in written:

@@ -57,6 +57,23 @@ def connected(
     return writer, reader
 
 
+def reach_echo(writer: Writer, reader: Reader, sample: bytes) -> None:
+    """Write a sample to an echo in another process until it comes back, and take all that is still on its way.
+
+    Matches seen from here are not enough: what is written before the other side knows these endpoints, too, is lost.
+    """
+    wait_until(lambda: writer.matched() and reader.matched(), "the other process")
+    written, returned = 0, 0
+    end = monotonic() + PATIENCE
+    while not returned or returned < written:
+        assert monotonic() < end, "still waiting: an echo"
+        if not returned:
+            written += 1
+            writer.write(sample, written)
+        sleep(0.02)
+        returned = max([returned, *(each.source_timestamp for each in reader.take())])
+
+
 def take(reader: Reader, count: int) -> list[Received]:
     taken: list[Received] = []
     wait_until(lambda: taken.extend(reader.take()) or len(taken) >= count, f"{count} samples")

@@ -85,8 +85,7 @@ class EventsTest {
     DdsWriter writer = here.writer("/quiet", FLOAT, QOS);
     DdsReader reader =
         there.reader("/quiet", FLOAT, QOS.withReliability(QosSettings.Reliability.BEST_EFFORT));
-    assertTrue(writer.waitForMatches(1, Wire.PATIENCE));
-    assertTrue(reader.waitForMatches(1, Wire.PATIENCE));
+    Wire.connect(writer, reader);
     assertTrue(writer.write(NUMBER));
     assertEquals(1, reader.take(Wire.PATIENCE).size());
     assertEquals(List.of(), writer.events());
@@ -100,7 +99,7 @@ class EventsTest {
     QosSettings every = QOS.withDeadline(Duration.ofMillis(200));
     DdsWriter writer = here.writer("/deadline", FLOAT, every);
     DdsReader reader = there.reader("/deadline", FLOAT, every);
-    assertTrue(writer.waitForMatches(1, Wire.PATIENCE));
+    Wire.connect(writer, reader);
     assertTrue(writer.write(NUMBER));
     assertEquals(1, reader.take(Wire.PATIENCE).size());
     assertTrue(first(DdsEvent.Kind.DEADLINE_MISSED, reader::events).isPresent());
@@ -114,7 +113,7 @@ class EventsTest {
             .withLease(Duration.ofMillis(300));
     DdsReader reader = there.reader("/alive", FLOAT, lease);
     DdsWriter writer = here.writer("/alive", FLOAT, lease);
-    assertTrue(writer.waitForMatches(1, Wire.PATIENCE));
+    Wire.connect(writer, reader);
     writer.assertLiveliness();
     assertTrue(first(DdsEvent.Kind.LIVELINESS_LOST, reader::events).isPresent());
     assertTrue(first(DdsEvent.Kind.LIVELINESS_LOST, writer::events).isPresent());
@@ -129,7 +128,7 @@ class EventsTest {
     QosSettings all = QOS.withHistory(QosSettings.History.KEEP_ALL);
     DdsWriter writer = here.writer("/full", FLOAT, all);
     DdsReader reader = there.reader("/full", FLOAT, all);
-    assertTrue(writer.waitForMatches(1, Wire.PATIENCE));
+    Wire.connect(writer, reader);
     int taken = 0;
     for (int i = 0; i < 2000; i++) {
       taken += writer.write(NUMBER, i) ? 1 : 0;

@@ -76,8 +76,7 @@ class ExchangeTest {
     assertTrue(written.size() >= 150, "only " + written.keySet());
     for (String name : written.keySet()) {
       DdsWriter writer = writers.get(name);
-      assertTrue(writer.waitForMatches(1, Wire.PATIENCE), name);
-      assertTrue(readers.get(name).waitForMatches(1, Wire.PATIENCE), name);
+      Wire.connect(writer, readers.get(name));
       assertTrue(writer.write(written.get(name)), name);
       List<DdsSample> samples = take(readers.get(name), 1);
       assertEquals(1, samples.size(), name);
@@ -96,8 +95,7 @@ class ExchangeTest {
     QosSettings all = RELIABLE.withHistory(QosSettings.History.KEEP_ALL);
     DdsWriter writer = here.writer("/numbers", FLOAT, all);
     DdsReader reader = there.reader("/numbers", FLOAT, all);
-    assertTrue(writer.waitForMatches(1, Wire.PATIENCE));
-    assertTrue(reader.waitForMatches(1, Wire.PATIENCE));
+    Wire.connect(writer, reader);
     long[] stamps = new java.util.Random(3).longs(3000, 0, 4_000_000_000_000_000_000L).toArray();
     for (int i = 0; i < 3000; i++) {
       while (!writer.write(number(i), stamps[i])) {
@@ -117,7 +115,7 @@ class ExchangeTest {
   void theWriterChoosesTheSourceTimestampAndOtherwiseItIsNow() {
     DdsWriter writer = here.writer("/stamped", FLOAT, RELIABLE);
     DdsReader reader = there.reader("/stamped", FLOAT, RELIABLE);
-    assertTrue(writer.waitForMatches(1, Wire.PATIENCE));
+    Wire.connect(writer, reader);
     long before = TimeUnit.MILLISECONDS.toNanos(System.currentTimeMillis());
     assertTrue(writer.write(number(1), 123_456_789_012L));
     assertTrue(writer.write(number(2), 0));
@@ -137,7 +135,7 @@ class ExchangeTest {
     new java.util.Random(1).nextBytes(data);
     DdsWriter writer = here.writer("/points", type, RELIABLE);
     DdsReader reader = there.reader("/points", type, RELIABLE);
-    assertTrue(writer.waitForMatches(1, Wire.PATIENCE));
+    Wire.connect(writer, reader);
     assertTrue(writer.write(CdrCodec.encode(MessageValue.of(type).set("data", data))));
     MessageValue cloud = CdrCodec.decode(type, take(reader, 1).get(0).bytes());
     assertArrayEquals(data, (byte[]) cloud.get("data"));
@@ -148,7 +146,7 @@ class ExchangeTest {
     BlockingQueue<Float> heard = new LinkedBlockingQueue<>();
     BlockingQueue<Throwable> failures = new LinkedBlockingQueue<>();
     DdsWriter writer = here.writer("/heard", FLOAT, RELIABLE);
-    DdsReader unused =
+    DdsReader listening =
         there.reader(
             "/heard",
             FLOAT,
@@ -160,8 +158,7 @@ class ExchangeTest {
                 throw new IllegalStateException("one is refused");
               }
             });
-    assertEquals("/heard", unused.topic());
-    assertTrue(writer.waitForMatches(1, Wire.PATIENCE));
+    Wire.connect(writer, listening);
     for (int i = 0; i < 3; i++) {
       assertTrue(writer.write(number(i)));
       assertEquals(i, heard.poll(2, TimeUnit.MINUTES));

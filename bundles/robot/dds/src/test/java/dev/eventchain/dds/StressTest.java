@@ -139,8 +139,7 @@ class StressTest {
       for (int i = 0; i < 20; i++) {
         try (DdsParticipant passing = Wire.onTheWire(tag)) {
           DdsReader reader = passing.reader("/scan", SCAN, qos);
-          assertTrue(writer.waitForMatches(1, Wire.PATIENCE), "round " + i);
-          assertTrue(reader.waitForMatches(1, Wire.PATIENCE), "round " + i);
+          Wire.connect(writer, reader);
           assertTrue(writer.write(CdrCodec.encode(MessageValue.of(SCAN)), i));
           assertEquals(i, reader.take(Wire.PATIENCE).get(0).sourceTimestamp());
         }

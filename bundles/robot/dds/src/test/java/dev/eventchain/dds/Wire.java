@@ -1,5 +1,6 @@
 package dev.eventchain.dds;
 
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import dev.eventchain.sandbox.PythonEnvironment;
@@ -58,6 +59,15 @@ final class Wire {
         newDomain(),
         DdsParticipant.loopback("<ExternalDomainId>7</ExternalDomainId><Tag>" + tag + "</Tag>"),
         distribution);
+  }
+
+  /**
+   * Waits until both know each other. A writer that knows the reader is not enough: what it writes
+   * before the reader knows it, too, is lost.
+   */
+  static void connect(DdsWriter writer, DdsReader reader) {
+    assertTrue(writer.waitForMatches(1, PATIENCE), () -> "no reader of " + writer.topic());
+    assertTrue(reader.waitForMatches(1, PATIENCE), () -> "no writer of " + reader.topic());
   }
 
   private static final class OfPython {
