@@ -2,6 +2,7 @@ package dev.eventchain.messages;
 
 import java.util.Arrays;
 import java.util.StringJoiner;
+import java.util.function.DoubleConsumer;
 
 /**
  * A message. Fields hold
@@ -69,19 +70,19 @@ public final class MessageValue {
   }
 
   /**
-   * Returns the elements of an array or a sequence of numbers or Booleans; unsigned numbers as
-   * non-negative values, Booleans as 1 and 0.
+   * Passes on the elements of an array or a sequence of numbers or Booleans, in order; unsigned
+   * numbers as non-negative values, Booleans as 1 and 0.
    *
    * @throws IllegalArgumentException if there is no such field, or it does not hold several numbers
    */
-  public double[] numbers(String path) {
+  public void forEachNumber(String path, DoubleConsumer consumer) {
     MessageValue owner = owner(path);
     int index = owner.index(path.substring(path.lastIndexOf('.') + 1));
     Object elements = owner.values[index];
     if (!elements.getClass().isArray()) {
       throw new IllegalArgumentException("'" + path + "' of " + type + " has no numbers.");
     }
-    return Values.numbers(owner.type.fields().get(index).type().kind(), elements);
+    Values.forEachNumber(owner.type.fields().get(index).type().kind(), elements, consumer);
   }
 
   /**

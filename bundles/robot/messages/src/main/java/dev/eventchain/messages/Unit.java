@@ -3,7 +3,9 @@ package dev.eventchain.messages;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Arrays;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * A unit of measurement in the notation of vehicle signals: {@code m/s}, {@code km/h}, {@code
@@ -13,6 +15,11 @@ import java.util.Optional;
 public final class Unit {
 
   private static final double ALMOST = 1e-9;
+
+  /** A project has few units, and a simulation asks for them with each message. */
+  private static final int MOST_PARSED = 500;
+
+  private static final Map<String, Optional<Unit>> PARSED = new ConcurrentHashMap<>();
 
   private final int[] exponents;
   private final double scale;
@@ -49,7 +56,14 @@ public final class Unit {
    * @return empty if the text is not a known unit
    */
   public static Optional<Unit> parse(String text) {
-    return UnitParser.parse(text);
+    Optional<Unit> parsed = PARSED.get(text);
+    if (parsed == null) {
+      parsed = UnitParser.parse(text);
+      if (PARSED.size() < MOST_PARSED) {
+        PARSED.put(text, parsed);
+      }
+    }
+    return parsed;
   }
 
   /** Returns the relation of this unit to another one. */

@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import java.util.stream.IntStream;
+import java.util.function.DoubleConsumer;
 
 /** Java representation of field values, see {@link MessageValue}. */
 final class Values {
@@ -198,19 +198,24 @@ final class Values {
     };
   }
 
-  /** Returns the elements of a Java array of numbers or Booleans. */
-  static double[] numbers(FieldType.Kind kind, Object array) {
-    // Point clouds have many bytes: they are not boxed.
+  /** Passes on the elements of a Java array of numbers or Booleans, in order. */
+  static void forEachNumber(FieldType.Kind kind, Object array, DoubleConsumer consumer) {
+    // Scans and images have many: they are not boxed.
     if (array instanceof byte[] bytes) {
       int mask = kind == FieldType.Kind.INT8 ? -1 : 0xff;
-      return IntStream.range(0, bytes.length).mapToDouble(i -> bytes[i] & mask).toArray();
+      for (byte each : bytes) {
+        consumer.accept(each & mask);
+      }
+    } else if (array instanceof float[] floats) {
+      for (float each : floats) {
+        consumer.accept(each);
+      }
+    } else {
+      int length = Array.getLength(array);
+      for (int i = 0; i < length; i++) {
+        consumer.accept(number(kind, Array.get(array, i)));
+      }
     }
-    if (array instanceof float[] floats) {
-      return IntStream.range(0, floats.length).mapToDouble(i -> floats[i]).toArray();
-    }
-    return IntStream.range(0, Array.getLength(array))
-        .mapToDouble(i -> number(kind, Array.get(array, i)))
-        .toArray();
   }
 
   private static double number(FieldType.Kind kind, Object element) {

@@ -14,6 +14,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -235,7 +236,7 @@ class MessageCatalogTest {
     assertEquals(0x1p64, value.number("data"));
     assertThrows(IllegalArgumentException.class, () -> value.set("data", -1));
     assertThrows(IllegalArgumentException.class, () -> value.number("other"));
-    assertThrows(IllegalArgumentException.class, () -> value.numbers("data"));
+    assertThrows(IllegalArgumentException.class, () -> value.forEachNumber("data", it -> {}));
   }
 
   @ParameterizedTest
@@ -244,8 +245,11 @@ class MessageCatalogTest {
     MessageValue value =
         MessageValue.of(STANDARD.find("std_msgs/%sMultiArray".formatted(kind)).orElseThrow());
     value.set("data", List.of(element, 0.0));
-    assertArrayEquals(new double[] {element, 0.0}, value.numbers("data"));
-    assertThrows(IllegalArgumentException.class, () -> value.numbers("layout.dim"));
+    List<Double> numbers = new ArrayList<>();
+    value.forEachNumber("data", numbers::add);
+    assertEquals(List.of(element, 0.0), numbers);
+    assertThrows(
+        IllegalArgumentException.class, () -> value.forEachNumber("layout.dim", numbers::add));
   }
 
   @Test

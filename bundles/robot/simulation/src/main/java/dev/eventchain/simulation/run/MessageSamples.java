@@ -1,5 +1,6 @@
 package dev.eventchain.simulation.run;
 
+import dev.eventchain.messages.FieldType;
 import dev.eventchain.messages.MessageValue;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.simulation.chain.SimulatedChain;
@@ -8,7 +9,6 @@ import dev.eventchain.simulation.verdict.FieldSamples.Form;
 import dev.eventchain.simulation.verdict.FieldSamples.Sample;
 import dev.eventchain.simulation.world.World;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -66,11 +66,16 @@ public final class MessageSamples {
     } else if (value instanceof Number) {
       field.samples.add(single(time, message.number(path)));
     } else if (value instanceof Collection<?> elements) {
-      field.form = Form.ARRAY;
-      field.samples.add(new Sample(time, Double.NaN, Double.NaN, 0, elements.size()));
+      field.form = Form.LIST;
+      field.samples.add(counted(time, elements.size()));
+    } else if (value instanceof byte[] bytes && isRaw(message, path)) {
+      field.form = Form.LIST;
+      field.samples.add(counted(time, bytes.length));
     } else if (value.getClass().isArray()) {
       field.form = Form.ARRAY;
-      field.samples.add(summary(time, message.numbers(path)));
+      Extent extent = new Extent();
+      message.forEachNumber(path, extent::add);
+      field.samples.add(extent.at(time));
     }
   }
 
@@ -78,14 +83,36 @@ public final class MessageSamples {
     return new Sample(time, value, value, Double.isFinite(value) ? 1 : 0, 1);
   }
 
-  private static Sample summary(double time, double[] elements) {
-    double[] finite = Arrays.stream(elements).filter(Double::isFinite).toArray();
-    return new Sample(
-        time,
-        Arrays.stream(finite).min().orElse(Double.NaN),
-        Arrays.stream(finite).max().orElse(Double.NaN),
-        finite.length,
-        elements.length);
+  private static Sample counted(double time, int size) {
+    return new Sample(time, Double.NaN, Double.NaN, 0, size);
+  }
+
+  /** Returns whether bytes are those of an image or a point cloud, and not signed numbers. */
+  private static boolean isRaw(MessageValue message, String path) {
+    return message.type().resolve(path).type().orElseThrow().kind() != FieldType.Kind.INT8;
+  }
+
+  /** What the elements of an array have in common. */
+  private static final class Extent {
+    private double least = Double.POSITIVE_INFINITY;
+    private double most = Double.NEGATIVE_INFINITY;
+    private int finite;
+    private int size;
+
+    void add(double element) {
+      size++;
+      if (Double.isFinite(element)) {
+        finite++;
+        least = Math.min(least, element);
+        most = Math.max(most, element);
+      }
+    }
+
+    Sample at(double time) {
+      boolean hasAny = finite > 0;
+      return new Sample(
+          time, hasAny ? least : Double.NaN, hasAny ? most : Double.NaN, finite, size);
+    }
   }
 
   /** Returns the samples of each field that a message came for, in the order of the chain. */

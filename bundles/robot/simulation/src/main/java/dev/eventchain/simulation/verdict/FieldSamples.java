@@ -19,7 +19,9 @@ public record FieldSamples(
     NUMBER,
     /** 1 or 0. */
     TRUTH,
-    ARRAY
+    ARRAY,
+    /** Elements that are no numbers of their own, such as messages and raw bytes: only counted. */
+    LIST
   }
 
   /**
@@ -28,7 +30,7 @@ public record FieldSamples(
    * @param time when the message arrived, or was published by a node, in s since the start
    * @param least the number, or the smallest finite element; NaN if there is none
    * @param most the number, or the largest finite element; NaN if there is none
-   * @param finite number of finite elements; of a number 1 or 0
+   * @param finite number of finite elements; of a number 1 or 0, of a list 0
    * @param size number of elements; of a number 1
    */
   public record Sample(double time, double least, double most, int finite, int size) {}

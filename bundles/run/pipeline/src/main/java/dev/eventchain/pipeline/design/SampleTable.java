@@ -128,6 +128,7 @@ final class SampleTable {
       case NUMBER -> number(sample.least());
       case TRUTH -> sample.least() != 0.0 ? "true" : "false";
       case ARRAY -> array(sample);
+      case LIST -> sample.size() == 1 ? "1 element" : sample.size() + " elements";
     };
   }
 

@@ -1,6 +1,7 @@
 package dev.eventchain.pipeline.design;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.eventchain.Data;
@@ -118,6 +119,18 @@ class SampleTableTest {
         List.of(),
         SourceLocation.NONE,
         List.of());
+  }
+
+  @Test
+  void elementsThatAreNoNumbersAreCounted() {
+    List<Sample> objects =
+        scans().stream()
+            .map(it -> new Sample(it.time(), Double.NaN, Double.NaN, 0, it.time() < 1.45 ? 1 : 3))
+            .toList();
+    FieldSamples field = new FieldSamples("/scan", "ranges", "", Form.LIST, objects);
+    String table = SampleTable.of(List.of(warning()), verdict(List.of(field)), decided(1.505));
+    assertTrue(table.contains("| 1 element |"), table);
+    assertTrue(table.contains("| 3 elements |"), table);
   }
 
   @Test
