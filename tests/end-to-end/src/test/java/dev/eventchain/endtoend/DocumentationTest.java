@@ -41,13 +41,7 @@ class DocumentationTest {
   void install() throws IOException {
     Path bin = Files.createDirectories(folder.resolve("bin"));
     Path program = bin.resolve("eventchain");
-    Path java = Path.of(System.getProperty("java.home"), "bin", "java");
-    Path lib = Program.ROOT.resolve("bundles/front/cli/target/eventchain/lib");
-    String options = "-XX:+UseSerialGC -XX:TieredStopAtLevel=1";
-    Files.writeString(
-        program,
-        "#!/bin/sh\nexec '%s' %s -cp '%s/*' dev.eventchain.cli.Main \"$@\"\n"
-            .formatted(java, options, lib));
+    Files.writeString(program, new Program().script());
     assertTrue(program.toFile().setExecutable(true));
   }
 

@@ -74,9 +74,11 @@ final class Program {
     }
   }
 
-  /** Sets an environment variable for the program. */
+  /** Sets an environment variable for the program, unless the tests themselves have it. */
   Program with(String name, String value) {
-    environment.put(name, value);
+    if (!value.equals(System.getenv(name))) {
+      environment.put(name, value);
+    }
     return this;
   }
 
@@ -156,9 +158,9 @@ final class Program {
 
   private List<String> command() {
     List<String> command = new ArrayList<>(prefix);
-    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-cp"));
-    command.addAll(List.of(ProgramInside.CLASS_PATH, ProgramInside.MAIN));
+    command.add(LaunchedJava.JAVA.toString());
+    command.addAll(LaunchedJava.OPTIONS);
+    command.addAll(List.of("-cp", ProgramInside.CLASS_PATH, ProgramInside.MAIN));
     return command;
   }
 

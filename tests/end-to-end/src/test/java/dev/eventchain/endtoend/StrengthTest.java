@@ -102,6 +102,11 @@ class StrengthTest {
     assertTrue(strength.path("noticed").asInt() >= 2, strength.toString());
     assertTrue(Files.readString(project.path().resolve("out/report.html")).contains("\"noticed\""));
     assertTrue(Files.readString(cases).contains("proved, notices "), Files.readString(cases));
+    Path other = folder.resolve("elsewhere");
+    run("--strength", "-o", other).expect(0);
+    assertEquals(
+        Files.readString(project.path().resolve("out/verdict.json")),
+        Files.readString(other.resolve("verdict.json")));
   }
 
   /** One scenario that names all requirements, in which the software has nothing to do. */
