@@ -13,15 +13,20 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Collections;
 import java.util.Enumeration;
+import java.util.Map;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
 import java.util.stream.Stream;
 
 /** Provides Python files in resources as files on disk. */
 public final class PythonSources {
+
+  /** Copies of folders in jars, by address: a jar does not change while its classes are in use. */
+  private static final Map<String, Path> COPIES = new ConcurrentHashMap<>();
 
   private PythonSources() {}
 
@@ -72,9 +77,15 @@ public final class PythonSources {
             : Optional.empty();
       }
     }
+    Path known = COPIES.get(root.toString());
+    if (known != null && Files.isDirectory(known)) {
+      return Optional.of(known);
+    }
     var files = contents((JarURLConnection) root.openConnection(), resourceRoot + "/");
     boolean hasPython = files.keySet().stream().anyMatch(PythonSources::isPython);
-    return hasPython ? Optional.of(copy(files)) : Optional.empty();
+    Optional<Path> folder = hasPython ? Optional.of(copy(files)) : Optional.empty();
+    folder.ifPresent(it -> COPIES.put(root.toString(), it));
+    return folder;
   }
 
   private static boolean isPython(String file) {
