@@ -24,7 +24,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** Tests the evaluation of language models from the command line. */
 class EvaluateTest {
@@ -135,8 +135,15 @@ class EvaluateTest {
     schema = JsonSchemaFactory.getInstance(VersionFlag.V202012).getSchema(text);
   }
 
+  /** {@link LiveRunTest} asks each kind of service in each build. */
+  static Stream<String> wires() {
+    return Thorough.allOrFirst(
+        List.of("openai", "openai-compatible", "gemini", "anthropic", "ollama"))
+        .stream();
+  }
+
   @ParameterizedTest
-  @ValueSource(strings = {"openai", "openai-compatible", "gemini", "anthropic", "ollama"})
+  @MethodSource("wires")
   void answersOfEachKindOfServicePass(String wire) throws IOException {
     try (RecordedService service = service(wire)) {
       connect(wire, service);

@@ -20,16 +20,14 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * Tests that the scenarios of the examples fail components with safety-relevant defects, and by the
- * criterion that concerns the defect. A build tries a ninth of the mutants, another one each day;
- * the profile {@code thorough} tries all. {@code -Dmutants.turn=N} repeats a build's ninth.
+ * criterion that concerns the defect. A build tries one in {@link Thorough#DAYS} mutants, other
+ * ones each day; the profile {@code thorough} tries all. {@code -Dmutants.turn=N} repeats a
+ * build's.
  */
 class MutantsTest {
 
   private static final Path MUTANTS =
       Program.ROOT.resolve("tests/end-to-end/src/test/resources/mutants");
-
-  /** Number of days in which all mutants are tried. */
-  private static final int DAYS = Integer.getInteger("mutants.of.examples", 9);
 
   @TempDir Path folder;
 
@@ -39,11 +37,12 @@ class MutantsTest {
     List<Mutant> mutants = Mutant.read(MUTANTS.resolve(example + ".yaml"));
     Set<String> ids = mutants.stream().map(Mutant::id).collect(Collectors.toSet());
     assertEquals(mutants.size(), ids.size(), "two have the same id");
-    long turn = Long.getLong("mutants.turn", LocalDate.now(ZoneOffset.UTC).toEpochDay() % DAYS);
+    long turn =
+        Long.getLong("mutants.turn", LocalDate.now(ZoneOffset.UTC).toEpochDay() % Thorough.DAYS);
     MutantRun run = MutantRun.of(example, folder);
     List<MutantRun.Trial> trials =
         IntStream.range(0, mutants.size())
-            .filter(index -> index % DAYS == turn)
+            .filter(index -> index % Thorough.DAYS == turn)
             .mapToObj(index -> run.trial(mutants.get(index)))
             .toList();
     List<ScenarioVerdict> verdicts = run.simulate(trials);

@@ -19,7 +19,7 @@ class SmallMemoryTest {
   @TempDir Path folder;
 
   @ParameterizedTest
-  @ValueSource(ints = {8, 10, 12, 16})
+  @ValueSource(ints = {8, 12})
   void allOfItOrAFinding(int megabytes) throws IOException {
     Path example = Program.exampleIn(folder);
     Path report = folder.resolve("findings.json");
