@@ -35,7 +35,8 @@ record TestExpectation(
   }
 
   private static TestExpectation exactly(JsonNode value, double tolerance) {
-    return new TestExpectation(Optional.of(value), tolerance, 0, false, 0, false);
+    JsonNode whole = TestValues.expanded(value);
+    return new TestExpectation(Optional.of(whole), tolerance, 0, false, 0, false);
   }
 
   /** Reads an object with {@code value} and {@code tolerance}, or with bounds. */

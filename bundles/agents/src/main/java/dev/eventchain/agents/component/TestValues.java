@@ -66,6 +66,20 @@ final class TestValues {
     of(written, type);
   }
 
+  /** Returns an array of the form {@code {count, of, at}} with all its elements. */
+  static JsonNode expanded(JsonNode written) {
+    int count = written.path("count").asInt(-1);
+    if (count < 0 || count > LONGEST || !written.has("of") || !hasIndicesBelow(written, count)) {
+      return written;
+    }
+    ArrayNode elements = JsonNodeFactory.instance.arrayNode(count);
+    for (int i = 0; i < count; i++) {
+      JsonNode here = written.path("at").path(Integer.toString(i));
+      elements.add(here.isMissingNode() ? written.get("of") : here);
+    }
+    return elements;
+  }
+
   /** Returns the value in a call of a step, with values per call resolved. */
   static JsonNode inCall(JsonNode written, int call) {
     if (written.isArray()) {
@@ -162,13 +176,20 @@ final class TestValues {
       JsonNode here = written.path("at").path(Integer.toString(i));
       elements.add(here.isMissingNode() ? usual : scalar(here, type));
     }
+    if (!hasIndicesBelow(written, count)) {
+      throw new Unfit("an array whose 'at' names indices below its 'count'");
+    }
+    return elements;
+  }
+
+  private static boolean hasIndicesBelow(JsonNode written, int count) {
     for (var names = written.path("at").fieldNames(); names.hasNext(); ) {
       String index = names.next();
       if (!index.matches("\\d{1,7}") || Integer.parseInt(index) >= count) {
-        throw new Unfit("an array whose 'at' names indices below its 'count'");
+        return false;
       }
     }
-    return elements;
+    return true;
   }
 
   /** Returns the elements as fields of messages hold them. */

@@ -22,7 +22,7 @@ import picocli.CommandLine.Parameters;
     description = {
       "Try which small defects of its components a project's tests and scenarios notice.",
       "The project is run first, as far as it has changed, and has to pass. Then each place of each"
-          + " component gets each defect that applies: a comparison, a number by 1 and 10 %, a sign,"
+          + " component gets each defect that applies: a comparison, a number by 1 and 10 %%, a sign,"
           + " a unit, an index, a dropped branch, state that is not updated, swapped inputs, an early"
           + " return, an output that stays. A defect that no component test and no scenario notices"
           + " is a finding, unless DIR/mutants.yaml accepts it with a reason. Results are in"
