@@ -42,8 +42,10 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.ResourceLock;
 
 /** Tests the world with nodes that run elsewhere, here participants of this process. */
+@ResourceLock("processes of nodes")
 class AttachedTest {
 
   private static final QosSettings QOS = QosSettings.named("default").orElseThrow();

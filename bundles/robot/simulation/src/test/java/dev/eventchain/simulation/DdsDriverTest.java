@@ -24,8 +24,10 @@ import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.ResourceLock;
 
 /** Tests nodes as separate processes, connected by Cyclone DDS. */
+@ResourceLock("processes of nodes")
 class DdsDriverTest {
 
   private static final ObjectMapper JSON = new ObjectMapper();

@@ -26,11 +26,13 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.ResourceLock;
 
 /**
  * Tests faults in a drive towards a stopped vehicle, all in one simulation, since each run is slow.
  */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
+@ResourceLock("processes of nodes")
 class FaultsTest {
 
   private static final String FAULTS =

@@ -3,6 +3,7 @@ package dev.eventchain.simulation;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -20,8 +21,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -287,26 +291,21 @@ class SimulationTest {
   @Test
   void interruptEndsTheSimulationAndItsProcesses() throws Exception {
     AebProject project = new AebProject(folder).with("Braking_Decision", "failing/hangs.py");
-    List<Scenario> scenarios = AebProject.scenarios();
-    Thread caller = Thread.currentThread();
-    Thread interrupter =
-        new Thread(
-            () -> {
-              try {
-                Thread.sleep(1500);
-              } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-              }
-              caller.interrupt();
-            });
-    interrupter.start();
-    assertThrows(InterruptedException.class, () -> project.simulate(scenarios));
-    interrupter.join();
-    assertEquals(
-        0,
-        Thread.getAllStackTraces().keySet().stream()
-            .filter(thread -> thread.getName().startsWith("simulation "))
-            .count());
+    ThreadGroup all = new ThreadGroup("of the simulation");
+    FutureTask<SimulationResult> simulation =
+        new FutureTask<>(() -> project.simulate(AebProject.scenarios()));
+    Thread caller = new Thread(all, simulation);
+    caller.start();
+    Thread.sleep(1500);
+    caller.interrupt();
+    ExecutionException e = assertThrows(ExecutionException.class, simulation::get);
+    assertInstanceOf(InterruptedException.class, e.getCause());
+    caller.join();
+    Thread[] left = new Thread[all.activeCount()];
+    int count = all.enumerate(left);
+    assertTrue(
+        Arrays.stream(left, 0, count).noneMatch(it -> it.getName().startsWith("simulation ")),
+        () -> Arrays.toString(left));
   }
 
   @Test
