@@ -35,6 +35,7 @@ class RunTest {
   @BeforeAll
   static void runOnce() throws IOException {
     project = Program.wholeExampleIn(folder);
+    Program.copy(Program.ROOT.resolve("examples/aeb/tests"), project.resolve("tests"));
     Program.measureStrength(project);
     first = new Program().run("run", project);
   }
