@@ -6,7 +6,9 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.ocl.text.ExpressionRules;
 import dev.eventchain.ocl.text.Tokens;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -73,9 +75,18 @@ public final class FrequentMistakes {
           "closure",
           "iterate");
 
+  private static final Set<String> CONDITIONAL = Set.of("if", "elseif", "else", "endif");
+
+  private static final String NO_ELSE =
+      "Write if ... then ... else ... endif, or in a constraint: condition implies ...";
+
   private final SourceRange range;
   private final Tokens tokens;
   private final List<Diagnostic> found = new ArrayList<>();
+
+  /** For each if that is not closed yet, whether its last part is an else. */
+  private final Deque<Boolean> hasElse = new ArrayDeque<>();
+
   private int at;
 
   private FrequentMistakes(SourceRange range) {
@@ -115,8 +126,12 @@ public final class FrequentMistakes {
       add(at, new Mistake("';' does not end an expression.", "Leave it out."));
     } else if (INFIX.contains(token) && endsOperand(at - 1) && startsOperand(at + 1)) {
       add(at, infix(token));
-    } else if (token.equals("let") || token.equals("_")) {
-      lookAtName();
+    } else if (CONDITIONAL.contains(token) && !(at > 0 && tokens.is(at - 1, "."))) {
+      lookAtConditional(token);
+    } else if (isQuotedSelf()) {
+      add(
+          at,
+          new Mistake("_'self' is read as self, whatever has that name.", "Write self._'self'."));
     } else if (token.equals("->")) {
       lookAtArrow();
     } else if (token.equals(".") && isIteration(at + 1)) {
@@ -128,13 +143,16 @@ public final class FrequentMistakes {
     at++;
   }
 
-  private void lookAtName() {
-    if (isQuotedSelf()) {
-      add(
-          at,
-          new Mistake("_'self' is read as self, whatever has that name.", "Write self._'self'."));
-    } else if (tokens.is(at, "let") && tokens.isName(at + 1) && tokens.is(at + 2, "=")) {
-      add(at + 1, new Mistake("A variable needs a type.", "Write let name : Type = ... in ..."));
+  private void lookAtConditional(String token) {
+    if (token.equals("if")) {
+      hasElse.push(false);
+    } else if (!hasElse.isEmpty()) {
+      boolean before = hasElse.pop();
+      if (token.equals("endif") && !before) {
+        add(at, new Mistake("This if has no else, so it has no value otherwise.", NO_ELSE));
+      } else if (!token.equals("endif")) {
+        hasElse.push(token.equals("else"));
+      }
     }
   }
 

@@ -27,6 +27,7 @@ import org.eclipse.ocl.expressions.IntegerLiteralExp;
 import org.eclipse.ocl.expressions.LoopExp;
 import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.OperationCallExp;
+import org.eclipse.ocl.expressions.Variable;
 import org.eclipse.ocl.parser.OCLLexer;
 import org.eclipse.ocl.utilities.TypedElement;
 
@@ -45,6 +46,7 @@ public final class OclAnalyzer extends OCLAnalyzer {
     super(new BigLiterals.Parser(new OCLLexer(environment, input.toCharArray())));
     getLexer().lexer(getAbstractParser().getIPrsStream());
     KeywordNames.release(getAbstractParser().getIPrsStream(), environment.packages());
+    NewerSyntax.spellOut(getAbstractParser().getIPrsStream());
   }
 
   @Override
@@ -67,6 +69,44 @@ public final class OclAnalyzer extends OCLAnalyzer {
     IntegerLiteralExp<EClassifier> literal = super.integerLiteralExpCS(node, environment);
     BigLiterals.complete(literal, node.getSymbol());
     return literal;
+  }
+
+  /** Gives a variable without a type that of its value. */
+  @Override
+  protected Variable<EClassifier, EParameter> variableDeclarationCS(
+      VariableCS node,
+      Environment<
+              EPackage,
+              EClassifier,
+              EOperation,
+              EStructuralFeature,
+              EEnumLiteral,
+              EParameter,
+              EObject,
+              CallOperationAction,
+              SendSignalAction,
+              Constraint,
+              EClass,
+              EObject>
+          environment,
+      boolean add) {
+    if (NewerSyntax.isTyped(node)) {
+      return super.variableDeclarationCS(node, environment, add);
+    }
+    OCLExpression<EClassifier> value = oclExpressionCS(node.getInitExpression(), environment);
+    Variable<EClassifier, EParameter> variable =
+        genVariableDeclaration(
+            node,
+            "variableDeclarationCS",
+            environment,
+            node.getName(),
+            value.getType(),
+            value,
+            true,
+            add,
+            false);
+    initStartEndPositions(variable, node);
+    return variable;
   }
 
   /** Refuses two variables of one name in a loop; an inner loop may hide an outer one's. */
