@@ -51,7 +51,23 @@ final class ProgramInside {
     // A run's results belong to the build of the program, which is identified by its class path.
     System.setProperty("java.class.path", CLASS_PATH);
     URL[] urls = jars().stream().map(ProgramInside::url).toArray(URL[]::new);
-    return new URLClassLoader(urls, ClassLoader.getPlatformClassLoader());
+    ClassLoader loader = new URLClassLoader(urls, ClassLoader.getPlatformClassLoader());
+    loadMetamodels(loader);
+    return loader;
+  }
+
+  /** A process has one command; here, several threads begin at once. */
+  private static void loadMetamodels(ClassLoader loader) {
+    Thread thread = Thread.currentThread();
+    ClassLoader before = thread.getContextClassLoader();
+    thread.setContextClassLoader(loader);
+    try {
+      loader.loadClass("dev.eventchain.check.ChainModel").getMethod("loadMetamodels").invoke(null);
+    } catch (ReflectiveOperationException e) {
+      throw new IllegalStateException(e);
+    } finally {
+      thread.setContextClassLoader(before);
+    }
   }
 
   private static URL url(Path file) {

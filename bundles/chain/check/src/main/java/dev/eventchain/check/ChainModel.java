@@ -9,6 +9,7 @@ import dev.eventchain.jsonmodels.ModelComparison;
 import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.ProjectSettings;
@@ -24,10 +25,12 @@ import java.time.Duration;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.emf.ecore.EcorePackage;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
@@ -59,6 +62,16 @@ public final class ChainModel {
     this.ecore = ecore;
     this.described = described;
     this.descriptions = descriptions;
+  }
+
+  /**
+   * Loads the metamodels, which a program with several threads does before they start. EMF's
+   * packages refer to each other while they are initialised: two threads that begin at different
+   * ones wait for each other for ever.
+   */
+  public static void loadMetamodels() {
+    Objects.requireNonNull(EcorePackage.eINSTANCE);
+    Objects.requireNonNull(EventchainPackage.eINSTANCE);
   }
 
   /**

@@ -1,5 +1,6 @@
 package dev.eventchain.maven;
 
+import dev.eventchain.check.ChainModel;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticFormat;
@@ -31,6 +32,10 @@ import org.apache.maven.project.MavenProject;
 
 /** Base class of all goals: writes reports and findings that may fail the build. */
 abstract class EventchainMojo extends AbstractMojo {
+
+  static {
+    ChainModel.loadMetamodels(); // Maven may start goals of several modules at once.
+  }
 
   /** Skips the goal. */
   @Parameter(property = "eventchain.skip", defaultValue = "false")

@@ -14,7 +14,8 @@ import org.eclipse.ocl.parser.OCLParsersym;
 /**
  * Reads syntax of Eclipse's newer dialect by its older grammar: {@code elseif c then x} as {@code
  * else if c then x} with one more {@code endif} at the end, and variables that begin with a value,
- * as in {@code let x = y} and {@code iterate(e; x = y | z)}, as if a type were written, which {@link #isTyped} tells from one that is. Added tokens are where written ones are.
+ * as in {@code let x = y} and {@code iterate(e; x = y | z)}, as if a type were written, which
+ * {@link #isTyped} tells from one that is. Added tokens are where written ones are.
  */
 final class NewerSyntax {
 

@@ -17,10 +17,8 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Isolated;
 
 /** A model for whose instance diagram PlantUML fails to find a layout. */
-@Isolated("it reads what all of the process prints")
 class UndrawnDiagramTest {
 
   private static final Path FILES =
