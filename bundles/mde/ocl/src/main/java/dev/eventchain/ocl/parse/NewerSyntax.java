@@ -75,7 +75,7 @@ final class NewerSyntax {
     follow(kind);
     if (kind == OCLParsersym.TK_if) {
       ends.push(0);
-    } else if (isElseIf(token) && !ends.isEmpty()) {
+    } else if (isElseIf(index) && !ends.isEmpty()) {
       ends.push(ends.pop() + 1);
       tokens.add(copy(token, OCLParsersym.TK_else));
       token.setKind(OCLParsersym.TK_if);
@@ -100,9 +100,9 @@ final class NewerSyntax {
     }
   }
 
-  private boolean isElseIf(IToken token) {
-    return token.getKind() == OCLParsersym.TK_IDENTIFIER
-        && token.getValue(stream.getInputChars()).equals("elseif")
+  private boolean isElseIf(int index) {
+    return written.get(index).getKind() == OCLParsersym.TK_IDENTIFIER
+        && stream.getTokenText(index).equals("elseif")
         && !BEFORE_NAMES.contains(tokens.get(tokens.size() - 1).getKind());
   }
 
