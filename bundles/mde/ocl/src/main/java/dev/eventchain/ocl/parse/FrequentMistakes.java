@@ -80,6 +80,9 @@ public final class FrequentMistakes {
   private static final String NO_ELSE =
       "Write if ... then ... else ... endif, or in a constraint: condition implies ...";
 
+  private static final Mistake QUOTED_SELF =
+      new Mistake("_'self' is read as self, whatever has that name.", "Write self._'self'.");
+
   private final SourceRange range;
   private final Tokens tokens;
   private final List<Diagnostic> found = new ArrayList<>();
@@ -129,18 +132,17 @@ public final class FrequentMistakes {
     } else if (CONDITIONAL.contains(token) && !(at > 0 && tokens.is(at - 1, "."))) {
       lookAtConditional(token);
     } else if (isQuotedSelf()) {
-      add(
-          at,
-          new Mistake("_'self' is read as self, whatever has that name.", "Write self._'self'."));
+      add(at, QUOTED_SELF);
     } else if (token.equals("->")) {
       lookAtArrow();
     } else if (token.equals(".") && isIteration(at + 1)) {
-      add(
-          at,
-          new Mistake(
-              "'" + tokens.text(at + 1) + "' follows an arrow.", "Write -> instead of the dot."));
+      add(at, dotted(tokens.text(at + 1)));
     }
     at++;
+  }
+
+  private static Mistake dotted(String iteration) {
+    return new Mistake("'" + iteration + "' follows an arrow.", "Write -> instead of the dot.");
   }
 
   private void lookAtConditional(String token) {

@@ -94,17 +94,11 @@ public final class OclAnalyzer extends OCLAnalyzer {
       return super.variableDeclarationCS(node, environment, add);
     }
     OCLExpression<EClassifier> value = oclExpressionCS(node.getInitExpression(), environment);
+    String rule = "variableDeclarationCS";
+    EClassifier type = value.getType();
     Variable<EClassifier, EParameter> variable =
         genVariableDeclaration(
-            node,
-            "variableDeclarationCS",
-            environment,
-            node.getName(),
-            value.getType(),
-            value,
-            true,
-            add,
-            false);
+            node, rule, environment, node.getName(), type, value, true, add, false);
     initStartEndPositions(variable, node);
     return variable;
   }
