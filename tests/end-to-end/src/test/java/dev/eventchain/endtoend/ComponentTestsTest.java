@@ -28,7 +28,7 @@ class ComponentTestsTest {
 
   @Test
   void proposedTestsAreRunAndLieInTheOutput() throws IOException {
-    implement().expect(0).says("30 component tests passed");
+    implement().expect(0).says("54 component tests passed");
     String proposed = Files.readString(project.path().resolve("out").resolve(DECISION));
     assertTrue(proposed.contains("- name: at the emergency threshold\n"), proposed);
     implement().expect(0).says("= Implement");
@@ -45,7 +45,7 @@ class ComponentTestsTest {
         """);
     implement()
         .expect(0)
-        .says("16 component tests passed")
+        .says("40 component tests passed")
         .says("tests/Braking_Decision.yaml:1:1: warning: No test is about AEB-3, none about AEB-5,")
         .says("none with 'ttc' at 1.0, none with 'ttc' just above 1.0,")
         .says("[component.tests.gap]");
@@ -119,7 +119,7 @@ class ComponentTestsTest {
         component,
         code.replaceFirst("(?m)^class ", "import os\nfrom limits import HIGHEST\n\n\nclass "));
     project.write("software-base/components/limits.py", "HIGHEST = 1.0\n");
-    implement().expect(0).says("31 component tests passed");
+    implement().expect(0).says("55 component tests passed");
     project.write("tests/Carla_Vehicle_Control.yaml", test.formatted("0.5"));
     implement()
         .expect(1)
@@ -140,7 +140,7 @@ class ComponentTestsTest {
     String code = Files.readString(project.path().resolve(component));
     project.write(component, code.replaceFirst("(?m)^class ", "import limits\n\n\nclass "));
     project.write("software-base/components/limits.py", "HIGHEST = 1.0\n");
-    implement().expect(0).says("31 component tests passed");
+    implement().expect(0).says("55 component tests passed");
     implement().expect(0).says("= Implement");
     project.write("software-base/components/limits.py", "HIGHEST = 1 / 0\n");
     implement().expect(1).says("Carla_Vehicle_Control");
@@ -148,19 +148,19 @@ class ComponentTestsTest {
     project.write(component, "class Carla_Vehicle_Control:\n    pass\n");
     implement().expect(1).says("Carla_Vehicle_Control");
     project.write(component, code);
-    implement().expect(0).says("31 component tests passed");
+    implement().expect(0).says("55 component tests passed");
   }
 
   /** Whatever an earlier run found in its own version, the tests run on the current one. */
   @Test
   void editedComponentsAreTestedAsTheyStand() throws IOException {
-    implement().expect(0).says("30 component tests passed");
+    implement().expect(0).says("54 component tests passed");
     String component = "out/components/Braking_Decision.py";
     project.replace(component, "PARTIAL_BRAKE = 0.5", "PARTIAL_BRAKE = 1.0 / 2.0");
     implement()
         .expect(0)
         .says("= Implement")
-        .says("30 component tests passed")
+        .says("54 component tests passed")
         .says("Braking_Decision.py: warning: ")
         .says("[eventchain.file.edited]");
     project.replace(component, "PARTIAL_BRAKE = 1.0 / 2.0", "PARTIAL_BRAKE = 0.7");
@@ -169,7 +169,7 @@ class ComponentTestsTest {
     Files.delete(project.path().resolve("out").resolve(DECISION));
     requireFailed(implement()); // by the tests that the model proposes again
     project.replace(component, "PARTIAL_BRAKE = 0.7", "PARTIAL_BRAKE = 0.5");
-    implement().expect(0).says("30 component tests passed");
+    implement().expect(0).says("54 component tests passed");
   }
 
   private static void requireFailed(Program.Ended ended) {
@@ -178,21 +178,21 @@ class ComponentTestsTest {
         .says("out/tests/Braking_Decision.yaml:")
         .says("The test 'in the partial range' of AEB-4 fails:")
         .says("'braking_force' is 0.7, not 0.5, with ttc = 1.5. [component.test.failed]")
-        .says("15 component tests passed"); // those of the other component
+        .says("39 component tests passed"); // those of the other component
   }
 
   @Test
   void editedTestsAreRunAndCounted() throws IOException {
-    implement().expect(0).says("30 component tests passed");
+    implement().expect(0).says("54 component tests passed");
     String test = "tests:\n  - {name: full, requirement: %s, inputs: {ttc: %s}, outputs: %s}\n";
     project.write("out/" + DECISION, test.formatted("AEB-4", "0.99", "{braking_force: 1}"));
-    implement().expect(0).says("= Implement").says("16 component tests passed").says("tests.gap");
+    implement().expect(0).says("= Implement").says("40 component tests passed").says("tests.gap");
     project.write("out/" + DECISION, test.formatted("AEB-5", "-1.0", "{braking_force: 0.0}"));
     implement()
         .expect(1)
         .says("out/tests/Braking_Decision.yaml:2:5")
         .says("'braking_force' is 1.0, not 0.0")
-        .says("15 component tests passed");
+        .says("39 component tests passed");
     project.write("out/" + DECISION, "tests: []\n");
     implement().expect(1).says("The file contains no test and no property.");
   }

@@ -22,6 +22,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
 
 /**
  * Compares language models: each does all tasks of several runs of a project; counts the results as
@@ -155,7 +156,17 @@ public final class LanguageModelEvaluation {
       Thread.currentThread().interrupt();
       throw new IllegalStateException("nobody interrupts an evaluation", e);
     } finally {
-      workers.shutdown();
+      end(workers);
+    }
+  }
+
+  /** Waits for runs that have begun: after the evaluation, nobody writes into its folder. */
+  private static void end(ExecutorService workers) {
+    workers.shutdown();
+    try {
+      workers.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
     }
   }
 
