@@ -95,7 +95,7 @@ public final class OclAnalyzer extends OCLAnalyzer {
     }
     OCLExpression<EClassifier> value = oclExpressionCS(node.getInitExpression(), environment);
     String rule = "variableDeclarationCS";
-    EClassifier type = value.getType();
+    EClassifier type = value == null ? null : value.getType(); // a value with errors
     Variable<EClassifier, EParameter> variable =
         genVariableDeclaration(
             node, rule, environment, node.getName(), type, value, true, add, false);
