@@ -8,12 +8,14 @@ import dev.eventchain.simulation.scenario.CriterionKind;
 import dev.eventchain.simulation.scenario.Expectation;
 import dev.eventchain.simulation.scenario.FormulaCriterion;
 import dev.eventchain.simulation.world.Trace;
+import java.util.Collections;
 import java.util.HashSet;
-import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.WeakHashMap;
 
 /**
  * Decides whether a criterion that holds says anything about the software.
@@ -27,6 +29,8 @@ import java.util.TreeSet;
  *       somewhere in the simulation the same output does something, or another criterion depends on
  *       the components that write it.
  * </ul>
+ *
+ * <p>Several threads may ask about different runs.
  */
 final class Evidence {
 
@@ -34,7 +38,14 @@ final class Evidence {
   private final List<ScenarioRun> runs;
   private final boolean complete;
   private final SoftwareOutputs outputs;
-  private final IdentityHashMap<Trace, WithoutSoftware> without = new IdentityHashMap<>();
+
+  /**
+   * By the identity of traces; thousands of variants are judged, and each is forgotten with its
+   * run.
+   */
+  private final Map<Trace, WithoutSoftware> without =
+      Collections.synchronizedMap(new WeakHashMap<>());
+
   private Optional<Set<String>> proven = Optional.empty();
 
   /**
@@ -158,7 +169,7 @@ final class Evidence {
   }
 
   /** Returns the components that write outputs on which criteria that hold depend. */
-  private Set<String> proven() {
+  private synchronized Set<String> proven() {
     if (proven.isEmpty()) {
       Set<String> found = new HashSet<>();
       for (ScenarioRun run : runs) {

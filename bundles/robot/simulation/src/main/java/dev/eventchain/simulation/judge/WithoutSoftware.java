@@ -32,21 +32,27 @@ final class WithoutSoftware {
   /** Smallest noticeable difference of headings, in rad. */
   private static final double HEADING = 0.01;
 
-  private final ScenarioRun run;
   private final List<Trace> traces;
+  private final boolean differs;
 
+  /**
+   * Drives a scenario without its software.
+   *
+   * @param run the run with the software, which is not kept
+   */
   WithoutSoftware(ScenarioRun run, SimulatedChain chain) {
-    this.run = run;
     boolean steers = chain.drives(Actuator.STEERING, Actuator.STEERING_ANGLE);
     Trace with = run.trace();
     traces = new ArrayList<>();
-    traces.add(drive(steers, OptionalLong.empty(), OptionalLong.empty()));
+    traces.add(drive(run, steers, OptionalLong.empty(), OptionalLong.empty()));
     if (with.pedalsTaken().isPresent() || with.wheelTaken().isPresent()) {
-      traces.add(drive(steers, with.pedalsTaken(), with.wheelTaken()));
+      traces.add(drive(run, steers, with.pedalsTaken(), with.wheelTaken()));
     }
+    differs = differ(with.states(), traces.get(0).states());
   }
 
-  private Trace drive(boolean steers, OptionalLong pedals, OptionalLong wheel) {
+  private static Trace drive(
+      ScenarioRun run, boolean steers, OptionalLong pedals, OptionalLong wheel) {
     Scenario scenario = run.scenario();
     Situation situation = scenario.situation();
     World world = new World(situation, new Trace(scenario.inputs(), situation.road()));
@@ -68,8 +74,10 @@ final class WithoutSoftware {
 
   /** Returns whether the software noticeably changed how the vehicle moves. */
   boolean differs() {
-    List<Trace.State> with = run.trace().states();
-    List<Trace.State> without = traces.get(0).states();
+    return differs;
+  }
+
+  private static boolean differ(List<Trace.State> with, List<Trace.State> without) {
     if (without.size() < with.size()) {
       return true;
     }
