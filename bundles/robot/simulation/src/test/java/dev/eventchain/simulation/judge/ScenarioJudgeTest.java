@@ -9,6 +9,7 @@ import dev.eventchain.simulation.host.RunLog;
 import dev.eventchain.simulation.run.OutputRecord;
 import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.scenario.Scenario;
+import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import dev.eventchain.simulation.world.Trace;
 import dev.eventchain.simulation.world.VehicleCommand;
 import dev.eventchain.simulation.world.World;
@@ -57,7 +58,7 @@ class ScenarioJudgeTest {
             List.of(),
             0,
             0);
-    assertTrue(judge.criteria(run, true).stream().anyMatch(each -> each.passed()));
+    assertTrue(judge.criteria(run, true).stream().anyMatch(CriterionResult::passed));
     return new WeakReference<>(world.trace());
   }
 }
