@@ -128,6 +128,15 @@ def test_after_the_shutdown_nothing_is_run(simulation: Simulation) -> None:
         rclpy.spin_once(node, timeout_sec=0)
 
 
+def test_the_block_of_init_ends_with_a_shutdown(simulation: Simulation) -> None:
+    with rclpy.init():
+        assert rclpy.ok()
+    assert not rclpy.ok()
+    with pytest.raises(KeyError), rclpy.init():
+        rclpy.shutdown()
+        raise KeyError("errors of the block pass, and a second shutdown is none")
+
+
 def test_pytest_runs_tests_of_a_package_with_its_messages(tmp_path: Path) -> None:
     (tmp_path / "test_it.py").write_text(
         "import carla_msgs.msg\n"

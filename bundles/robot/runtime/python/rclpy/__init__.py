@@ -15,9 +15,24 @@ from eventchain_ros2.executors import Executor as _Executor
 from eventchain_ros2.node import Node as _Node
 
 
-def init(*, args: list[str] | None = None, context: Any = None, domain_id: int | None = None, **_: Any) -> None:
-    """Allow the creation of nodes."""
+class InitContextManager:
+    """The result of `init`: as a context manager, it stops all callbacks at the end of its block."""
+
+    def __enter__(self) -> InitContextManager:
+        """Return this; nodes can be created since `init`."""
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Stop all callbacks, if they are still running."""
+        try_shutdown()
+
+
+def init(
+    *, args: list[str] | None = None, context: Any = None, domain_id: int | None = None, **_: Any
+) -> InitContextManager:
+    """Allow the creation of nodes, to the end of the block if the result is used in a `with`."""
     _context.init(domain_id)
+    return InitContextManager()
 
 
 def ok(*, context: Any = None) -> bool:
