@@ -58,7 +58,11 @@ class ScenarioJudgeTest {
             List.of(),
             0,
             0);
-    assertTrue(judge.criteria(run, true).stream().anyMatch(CriterionResult::passed));
+    // Only for such criteria does the judge look at what the vehicle does without software.
+    assertTrue(
+        judge.criteria(run, true).stream()
+            .filter(CriterionResult::passed)
+            .anyMatch(each -> !each.requirements().isEmpty()));
     return new WeakReference<>(world.trace());
   }
 }
