@@ -108,7 +108,7 @@ class MutateTest {
   }
 
   static Stream<String> examples() {
-    return Thorough.allOrFirst(List.of("radar-aeb", "lane-departure")).stream();
+    return Thorough.allOrFirst(List.of("radar-aeb", "lane-departure", "acc", "aeb")).stream();
   }
 
   @Test

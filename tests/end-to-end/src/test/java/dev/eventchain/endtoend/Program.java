@@ -9,7 +9,6 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -244,7 +243,8 @@ final class Program {
    */
   static Path withoutStrength(Path project) throws IOException {
     Path settings = project.resolve("eventchain.yaml");
-    Files.writeString(settings, NO_STRENGTH, StandardOpenOption.APPEND);
+    String others = Files.readString(settings).replaceAll("(?m)^strength:.*\\R(?: .*\\R)*", "");
+    Files.writeString(settings, others + NO_STRENGTH);
     return project;
   }
 

@@ -11,7 +11,6 @@ import dev.eventchain.pipeline.run.Stage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -45,7 +44,9 @@ class ReadOnceTest {
       }
     }
     Path settings = project.resolve("eventchain.yaml");
-    Files.writeString(settings, "\nstrength: off\n", StandardOpenOption.APPEND);
+    String text = Files.readString(settings);
+    Files.writeString(
+        settings, text.replaceAll("(?m)^strength:\n(?: .*\n)*", "strength: off\n"));
   }
 
   @Test
