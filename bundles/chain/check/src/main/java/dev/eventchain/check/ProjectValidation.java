@@ -1,5 +1,6 @@
 package dev.eventchain.check;
 
+import dev.eventchain.diagnostics.ContentHash;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Sha256;
@@ -111,7 +112,7 @@ public final class ProjectValidation {
       boolean there = Files.isRegularFile(file);
       digest.add(file + (there ? "\n" : " is not there\n"));
       if (there) {
-        digest.add(new Sha256().add(bytes(file)).hex());
+        digest.add(ContentHash.hex(bytes(file)));
       }
     }
     if (Files.isDirectory(folder.softwareBase())) {

@@ -6,6 +6,7 @@ import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.util.DefaultIndenter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
+import dev.eventchain.diagnostics.ContentHash;
 import dev.eventchain.diagnostics.Sha256;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -163,7 +164,7 @@ final class FileRecords {
 
   /** Returns the fingerprint of a content: a hash of the bytes outside its protected areas. */
   static String fingerprint(byte[] content) {
-    return new Sha256().add(ProtectedAreas.withoutAreas(content)).hex();
+    return ContentHash.hex(ProtectedAreas.withoutAreas(content));
   }
 
   /** Returns the fingerprint of a large file, which has no protected areas. */

@@ -45,8 +45,7 @@ class ReadOnceTest {
     }
     Path settings = project.resolve("eventchain.yaml");
     String text = Files.readString(settings);
-    Files.writeString(
-        settings, text.replaceAll("(?m)^strength:\n(?: .*\n)*", "strength: off\n"));
+    Files.writeString(settings, text.replaceAll("(?m)^strength:\n(?: .*\n)*", "strength: off\n"));
   }
 
   @Test

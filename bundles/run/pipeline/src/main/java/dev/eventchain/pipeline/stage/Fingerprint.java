@@ -2,6 +2,7 @@ package dev.eventchain.pipeline.stage;
 
 import static java.util.stream.Collectors.toSet;
 
+import dev.eventchain.diagnostics.ContentHash;
 import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.project.ProjectFolder;
 import java.io.File;
@@ -129,9 +130,7 @@ public final class Fingerprint {
   /** Returns the hash of a file's content; a dangling link exists, but cannot be read. */
   public static String contentOf(Path file) {
     try {
-      return ProjectFolder.isAbsent(file)
-          ? ABSENT
-          : new Sha256().add(Files.readAllBytes(file)).hex();
+      return ProjectFolder.isAbsent(file) ? ABSENT : ContentHash.hex(Files.readAllBytes(file));
     } catch (IOException e) {
       throw ProjectFolder.unreadable(file, e);
     }
@@ -147,6 +146,6 @@ public final class Fingerprint {
         program.append(file.length()).append(' ').append(file.lastModified()).append('\n');
       }
     }
-    return program.toString();
+    return Sha256.of(program.toString()).hex();
   }
 }
