@@ -41,6 +41,14 @@ def test_an_unknown_package_is_left_to_other_finders(messages: Messages) -> None
         importlib.import_module("no_such_msgs.msg")
 
 
+def test_all_messages_of_a_package_can_be_imported_at_once(messages: Messages) -> None:
+    names: dict[str, Any] = {}
+    exec("from geometry_msgs.msg import *", names)
+    assert names["Twist"]().linear.x == 0.0
+    assert {"Pose", "PoseWithCovarianceStamped", "WrenchStamped"} <= set(names)
+    assert "Header" not in names
+
+
 def test_a_package_on_the_path_wins(messages: Messages, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     package = tmp_path / "std_msgs"
     package.mkdir()

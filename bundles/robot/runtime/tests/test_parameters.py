@@ -9,6 +9,8 @@ from eventchain_ros2.simulation import Simulation
 from rclpy.exceptions import (
     InvalidParameterTypeException,
     InvalidParameterValueException,
+    ParameterImmutableException,
+    ParameterNotDeclaredException,
     ParameterUninitializedException,
 )
 from rclpy.node import Node
@@ -104,3 +106,23 @@ def test_a_parameter_of_dynamic_type_takes_values_of_others_within_their_ranges(
     assert not result.successful
     anything = ParameterDescriptor(dynamic_typing=True)
     assert node(rate="fast").declare_parameter("rate", None, anything).value == "fast"
+
+
+def test_a_parameter_that_is_not_declared_has_an_alternative(simulation: Simulation) -> None:
+    started = node(rate=2.0)
+    started.declare_parameter("rate", 1.0)
+    assert started.get_parameter_or("rate", Parameter("rate", value=7.0)).value == 2.0
+    assert started.get_parameter_or("gain", Parameter("gain", value=7.0)).value == 7.0
+    assert started.get_parameter_or("gain").type_ == Parameter.Type.NOT_SET
+
+
+def test_a_parameter_can_be_forgotten_unless_it_is_read_only(simulation: Simulation) -> None:
+    started = node()
+    started.declare_parameters("", [("rate", 1.0), ("gain", 1.0, limits(0.5, 10.0, read_only=True))])
+    started.undeclare_parameter("rate")
+    assert not started.has_parameter("rate")
+    with pytest.raises(ParameterNotDeclaredException, match="rate"):
+        started.undeclare_parameter("rate")
+    with pytest.raises(ParameterImmutableException, match="'gain'"):
+        started.undeclare_parameter("gain")
+    assert started.declare_parameter("rate", "of another type").value == "of another type"

@@ -29,6 +29,10 @@ class Catalog:
         """Full names of all types, sorted."""
         return sorted(self._stated)
 
+    def members(self, package: str) -> list[str]:
+        """Names of the types of a package, without the package, sorted."""
+        return sorted(name.rpartition("/")[2] for name in self._stated if name.startswith(f"{package}/"))
+
     def find(self, name: str) -> Definition | None:
         """Return the definition of the type with this full name.
 

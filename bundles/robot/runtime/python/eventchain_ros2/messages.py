@@ -14,7 +14,7 @@ from struct import error as StructError  # noqa: N812
 from types import ModuleType
 from typing import Any, ClassVar
 
-from eventchain_ros2 import codec, validation
+from eventchain_ros2 import codec, refusals, validation
 from eventchain_ros2.catalog import Catalog
 from eventchain_ros2.definitions import Constant, Definition, FieldType, MessageDefinitionError
 
@@ -160,9 +160,15 @@ class Messages(MetaPathFinder, Loader):
         sys.meta_path.append(self)
 
     def find_spec(self, fullname: str, path: object, target: object = None) -> ModuleSpec | None:
-        """Find `package` and `package.msg` for each package of the catalog."""
+        """Find `package` and `package.msg` for each package of the catalog.
+
+        Raises:
+            ModuleNotFoundError: a module of ROS 2 that is not part of this runtime, which the message says.
+
+        """
         package, _, rest = fullname.partition(".")
         if package not in self.catalog.packages or rest not in ("", "msg"):
+            refusals.refuse(fullname)
             return None
         return ModuleSpec(fullname, self, is_package=not rest)
 
@@ -183,8 +189,10 @@ class _MessageModule(ModuleType):
         super().__init__(name)
         self._messages = messages
 
-    def __getattr__(self, name: str) -> type:
+    def __getattr__(self, name: str) -> Any:
         package = self.__name__.partition(".")[0]
+        if name == "__all__":
+            return self._messages.catalog.members(package)
         try:
             message_class = self._messages.get(f"{package}/msg/{name}")
         except KeyError as missing:

@@ -193,6 +193,16 @@ class Node:
         """Return the declared parameter of this name."""
         return self.__parameters.get(name)
 
+    def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
+        """Return the declared parameter of this name; without one, the alternative, or a parameter without a value."""
+        if name in self.__parameters:
+            return self.__parameters.get(name)
+        return Parameter(name) if alternative_value is None else alternative_value
+
+    def undeclare_parameter(self, name: str) -> None:
+        """Forget a declared parameter that is not read-only."""
+        self.__parameters.undeclare(name)
+
     def get_parameters(self, names: list[str]) -> list[Parameter]:
         """Return the declared parameters of these names."""
         return [self.__parameters.get(name) for name in names]
@@ -238,6 +248,19 @@ _REFUSED = {
     "create_guard_condition": "guard conditions",
     "create_rate": "rates",
     "add_on_set_parameters_callback": "parameter callbacks",
+    "describe_parameter": "descriptions of parameters",
+    "describe_parameters": "descriptions of parameters",
+    "add_post_set_parameters_callback": "parameter callbacks",
+    "add_pre_set_parameters_callback": "parameter callbacks",
+    "get_topic_names_and_types": "queries of the graph",
+    "get_node_names": "queries of the graph",
+    "get_node_names_and_namespaces": "queries of the graph",
+    "get_publishers_info_by_topic": "queries of the graph",
+    "get_subscriptions_info_by_topic": "queries of the graph",
+    "count_publishers": "queries of the graph",
+    "count_subscribers": "queries of the graph",
+    "get_service_names_and_types": "services",
+    "wait_for_node": "queries of the graph",
     "executor": "executors",
 }
 

@@ -76,6 +76,10 @@ class ParameterAlreadyDeclaredException(Exception):  # noqa: N818 - rclpy's name
     """A parameter is declared twice."""
 
 
+class ParameterImmutableException(Exception):  # noqa: N818 - rclpy's name
+    """A read-only parameter is undeclared."""
+
+
 class InvalidParameterTypeException(Exception):  # noqa: N818 - rclpy's name
     """A parameter is set to a value of a type other than its declared one."""
 
@@ -152,6 +156,20 @@ class Parameters:
         if not reason:
             self._declared[name] = parameter
         return reason
+
+    def undeclare(self, name: str) -> None:
+        """Forget a parameter.
+
+        Raises:
+            ParameterNotDeclaredException: there is none.
+            ParameterImmutableException: it is read-only.
+
+        """
+        if name not in self._declared:
+            raise ParameterNotDeclaredException(f"The following parameters are not declared: {name}")
+        if getattr(self._descriptors[name], "read_only", False):
+            raise ParameterImmutableException(f"Attempted to modify read-only parameter '{name}'.")
+        del self._declared[name], self._descriptors[name]
 
     def __contains__(self, name: str) -> bool:
         return name in self._declared

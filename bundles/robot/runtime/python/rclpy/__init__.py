@@ -13,6 +13,7 @@ from typing import Any, NoReturn
 from eventchain_ros2 import context as _context
 from eventchain_ros2.executors import Executor as _Executor
 from eventchain_ros2.node import Node as _Node
+from eventchain_ros2.parameters import Parameter as Parameter
 
 
 class InitContextManager:

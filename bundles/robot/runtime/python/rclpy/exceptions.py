@@ -6,6 +6,7 @@ from eventchain_ros2.parameters import (
     InvalidParameterTypeException,
     InvalidParameterValueException,
     ParameterAlreadyDeclaredException,
+    ParameterImmutableException,
     ParameterNotDeclaredException,
     ParameterUninitializedException,
 )
@@ -17,6 +18,7 @@ __all__ = [
     "InvalidTopicNameException",
     "NotInitializedException",
     "ParameterAlreadyDeclaredException",
+    "ParameterImmutableException",
     "ParameterNotDeclaredException",
     "ParameterUninitializedException",
 ]

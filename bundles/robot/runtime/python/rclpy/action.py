@@ -1,3 +1,0 @@
-"""Actions are not part of this runtime."""
-
-raise ImportError("rclpy.action: actions are not part of Eventchain's runtime")
