@@ -37,6 +37,10 @@ import org.eclipse.ocl.utilities.TypedElement;
  */
 public final class OclEnvironment extends EcoreEnvironment {
 
+  static {
+    StandardTypes.complete();
+  }
+
   private final OclEnvironmentFactory factory;
 
   /** Variables that others hide, the innermost first, by name. */
