@@ -13,6 +13,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -60,8 +61,25 @@ class JavaExamplesTest {
   }
 
   @Test
-  void aProjectIsTakenToItsVerdict() {
-    RunResult result = RunSimulation.run(Path.of("../../examples/radar-aeb"), folder);
+  void aProjectIsTakenToItsVerdict() throws IOException {
+    RunResult result = RunSimulation.run(project(), folder.resolve("out"));
     assertEquals(RunResult.Verdict.PASSED, result.verdict(), result.diagnostics()::toString);
+  }
+
+  /** Returns a copy of an example without the strength of its requirements, which takes longest. */
+  private Path project() throws IOException {
+    Path example = Path.of("../../examples/radar-aeb");
+    Path project = folder.resolve("project");
+    try (Stream<Path> files = Files.walk(example)) {
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
+        Path copy = project.resolve(example.relativize(file).toString());
+        Files.createDirectories(copy.getParent());
+        Files.copy(file, copy);
+      }
+    }
+    Path settings = project.resolve("eventchain.yaml");
+    String text = Files.readString(settings);
+    Files.writeString(settings, text.replaceAll("(?m)^strength:\\R(?: .*\\R)*", "strength: off\n"));
+    return project;
   }
 }

@@ -32,6 +32,7 @@ class AccExampleTest {
         .says("0 errors, 0 warnings");
   }
 
+  @InTurn
   @Test
   void brakeThatIsDisconnectedInTheBench() throws IOException {
     project.onlyScenario(SCENARIO);
@@ -70,6 +71,7 @@ class AccExampleTest {
     project.requireNotPassed();
   }
 
+  @InTurn
   @Test
   void latencyOfMoreThanAMillisecond() throws IOException {
     project.onlyScenario(SCENARIO);
@@ -105,6 +107,7 @@ class AccExampleTest {
     project.requireNotPassed();
   }
 
+  @InTurn
   @Test
   void criterionThatIsAboutNothing() throws IOException {
     project.onlyScenario(SCENARIO);

@@ -25,6 +25,7 @@ class AcceptTest {
     Files.deleteIfExists(accepted());
   }
 
+  @InTurn
   @Test
   void aReversedRequirementIsNotProvedByOldEvidence() throws IOException {
     copy.run().expect(0).says("4 requirements proved");
@@ -52,6 +53,7 @@ class AcceptTest {
     copy.run().expect(0).says("PASSED");
   }
 
+  @InTurn
   @Test
   void aNewRequirementIsNotAcceptedByTheOthers() throws IOException {
     accept("RAD-1", "RAD-2", "RAD-3").expect(0);

@@ -3,6 +3,7 @@ package dev.eventchain.endtoend;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
@@ -16,11 +17,13 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Tests nodes as processes on Cyclone DDS: the same verdicts as in lock-step, in one scenario of
- * each example by default and in all of them in the profile {@code thorough}.
+ * one example by default, another one each day, and in all of all examples in the profile {@code
+ * thorough}.
  */
 class DdsDriverTest {
 
@@ -39,13 +42,18 @@ class DdsDriverTest {
   @TempDir private Path folder;
 
   /** In radar-fails timers of two nodes fire at the same moments, one of them for the other. */
+  static Stream<Arguments> examples() {
+    return Thorough.allOrOne(
+        List.of(
+            arguments("aeb", "stopped-vehicle-50", "ros2-python"),
+            arguments("aeb", "stopped-vehicle-50", "cyclonedds-python"),
+            arguments("acc", "radar-fails", "ros2-python"),
+            arguments("lane-departure", "drift-left", "ros2-python")))
+        .stream();
+  }
+
   @ParameterizedTest
-  @CsvSource({
-    "aeb, stopped-vehicle-50, ros2-python",
-    "aeb, stopped-vehicle-50, cyclonedds-python",
-    "acc, radar-fails, ros2-python",
-    "lane-departure, drift-left, ros2-python"
-  })
+  @MethodSource("examples")
   void sameVerdictAndMeasurementsAsInLockstep(String example, String scenario, String template)
       throws IOException {
     Path project = copy(example, scenario);
@@ -85,6 +93,7 @@ class DdsDriverTest {
     return all.without("host").toPrettyString();
   }
 
+  @InTurn
   @Test
   void noNetworkIsNeededButLoopback() throws Exception {
     String[] alone = {"unshare", "--map-root-user", "--net", "python3", "-c", LOOPBACK_UP};

@@ -64,6 +64,7 @@ class DistributionTest {
     run(python, "validate", example).expect(0).says("constraints evaluated");
   }
 
+  @InTurn
   @Test
   void doctorSaysBeforeARunThatItCannotWork() throws IOException {
     Path nowhere = folder.resolve("wheels");

@@ -101,6 +101,7 @@ class EvaluateTest {
     configure("\nservices:\n  ours: " + ours + "\n");
   }
 
+  @InTurn
   @Test
   void whatPeopleWroteIsCountedOnceAndIsNoEvaluation() throws IOException {
     Program.Ended ended = evaluate("--runs", 5).expect(0);
@@ -170,6 +171,7 @@ class EvaluateTest {
     }
   }
 
+  @InTurn
   @Test
   void runsAtOnceComeToTheSameAndGoOnWithoutTheService() throws IOException {
     JsonNode first;
@@ -188,6 +190,7 @@ class EvaluateTest {
     assertEquals(first, withoutHost(json()));
   }
 
+  @InTurn
   @Test
   void aKilledEvaluationGoesOn() throws Exception {
     try (RecordedService service = service("gemini")) {
@@ -232,6 +235,7 @@ class EvaluateTest {
     assertEquals("chain.json of the latest run", json().at("/runs/0/implementedFor").asText());
   }
 
+  @InTurn
   @Test
   void whatCannotBeAskedDoesNotCount() throws IOException {
     RecordedService gone = service("openai");

@@ -71,6 +71,7 @@ class InitTest {
     new Program().run("bench", project).expect(0).says("consumes /brake/request");
   }
 
+  @InTurn
   @Test
   void chainOfTheComponentsIsDrawnFromTheirDescriptions() throws IOException {
     Path project = folder.resolve("My Radar-2");

@@ -48,6 +48,7 @@ class LaneDepartureTest {
         .says("'Warning_Decision' reads /vehicle/speed, which no entry of the bench provides.");
   }
 
+  @InTurn
   @Test
   void latencyOfMoreThanAMillisecondFails() throws IOException {
     Files.writeString(
@@ -65,6 +66,7 @@ class LaneDepartureTest {
         .says("EventChain::WarningWithinAMillisecond");
   }
 
+  @InTurn
   @Test
   void lampThatIsFrozenFails() throws IOException {
     project.replace(

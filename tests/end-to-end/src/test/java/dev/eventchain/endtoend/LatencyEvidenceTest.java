@@ -22,6 +22,7 @@ class LatencyEvidenceTest {
     return new ProjectCopy(Program.withoutStrength(folder));
   }
 
+  @InTurn
   @Test
   void delayOfInputsWithinAComponentCountsForTheLatency() throws IOException {
     ProjectCopy project = pedestrianBrake();

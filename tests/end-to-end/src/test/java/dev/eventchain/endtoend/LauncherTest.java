@@ -65,6 +65,7 @@ class LauncherTest {
     assertEquals(List.of(), leftOvers());
   }
 
+  @InTurn
   @Test
   void twoFirstCommandsAtOnceDoNotMix() throws Exception {
     Process one = start(System.getProperty("java.home"), "one");

@@ -6,8 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import java.nio.file.Path;
-import java.time.LocalDate;
-import java.time.ZoneOffset;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -37,8 +35,7 @@ class MutantsTest {
     List<Mutant> mutants = Mutant.read(MUTANTS.resolve(example + ".yaml"));
     Set<String> ids = mutants.stream().map(Mutant::id).collect(Collectors.toSet());
     assertEquals(mutants.size(), ids.size(), "two have the same id");
-    long turn =
-        Long.getLong("mutants.turn", LocalDate.now(ZoneOffset.UTC).toEpochDay() % Thorough.DAYS);
+    long turn = Thorough.turn() % Thorough.DAYS;
     MutantRun run = MutantRun.of(example, folder);
     List<MutantRun.Trial> trials =
         IntStream.range(0, mutants.size())

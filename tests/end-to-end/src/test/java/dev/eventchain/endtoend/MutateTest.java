@@ -137,6 +137,7 @@ class MutateTest {
     mutate().expect(2).says("accepted twice").says("'reason' is empty");
   }
 
+  @InTurn
   @Test
   void onlyChangedLinesAreMutatedSinceARevision() throws Exception {
     commit();
@@ -161,6 +162,7 @@ class MutateTest {
     assertEquals(0, process.waitFor());
   }
 
+  @InTurn
   @Test
   void aMutantThatLoopsIsCaughtByItsLimit() throws Exception {
     copy.write(

@@ -110,6 +110,7 @@ class OwnTemplateTest {
   }
 
   /** The template of the README; a module next to it replaces a shipped one. */
+  @InTurn
   @Test
   void aTemplateThatImportsAShippedSetRunsFromStartToVerdict() throws IOException {
     Path own = Program.exampleIn(folder.resolve("importing"));

@@ -94,6 +94,7 @@ class RecordedRunTest {
     assertWhole(failing.resolve("out/mcap/" + SCENARIO + ".mcap"));
   }
 
+  @InTurn
   @Test
   void aKilledRunLeavesNoHalfRecording() throws Exception {
     Path killed = Program.exampleIn(folder.resolve("killed"));

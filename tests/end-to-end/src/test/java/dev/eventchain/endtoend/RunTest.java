@@ -116,6 +116,7 @@ class RunTest {
     }
   }
 
+  @InTurn
   @Test
   void aFreshRunElsewhereGivesTheSameBytes() throws IOException {
     Path other = folder.resolve("elsewhere");

@@ -1,5 +1,7 @@
 package dev.eventchain.endtoend;
 
+import java.time.LocalDate;
+import java.time.ZoneOffset;
 import java.util.List;
 
 /** Whether the build tries everything, as the profile {@code thorough} does. */
@@ -12,8 +14,18 @@ final class Thorough {
 
   private Thorough() {}
 
+  /** Returns the number of the day, which decides what a build tries; {@code -Dmutants.turn=N}. */
+  static long turn() {
+    return Long.getLong("mutants.turn", LocalDate.now(ZoneOffset.UTC).toEpochDay());
+  }
+
   /** Returns all in the profile {@code thorough}, else the first. */
   static <T> List<T> allOrFirst(List<T> all) {
     return IS_ON ? all : all.subList(0, 1);
+  }
+
+  /** Returns all in the profile {@code thorough}, else one, another one each day. */
+  static <T> List<T> allOrOne(List<T> all) {
+    return IS_ON ? all : List.of(all.get(Math.floorMod(turn(), all.size())));
   }
 }

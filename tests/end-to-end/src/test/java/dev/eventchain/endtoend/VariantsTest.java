@@ -7,8 +7,6 @@ import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.LocalDate;
-import java.time.ZoneOffset;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -41,13 +39,8 @@ class VariantsTest {
 
   @TempDir Path folder;
 
-  private static long turn() {
-    return Long.getLong("mutants.turn", LocalDate.now(ZoneOffset.UTC).toEpochDay());
-  }
-
   static Stream<String> examples() {
-    List<String> all = List.of("aeb", "acc", "lane-departure", "radar-aeb");
-    return Thorough.IS_ON ? all.stream() : Stream.of(all.get(Math.floorMod(turn(), all.size())));
+    return Thorough.allOrOne(List.of("aeb", "acc", "lane-departure", "radar-aeb")).stream();
   }
 
   @ParameterizedTest
@@ -57,7 +50,7 @@ class VariantsTest {
     assertTrue(variants.size() >= FEWEST, "too few to speak of");
     List<Path> designs = designs(example);
     assertTrue(designs.size() >= FEWEST, "too few to speak of");
-    int one = Math.floorMod(turn() / 4, variants.size() + designs.size());
+    int one = Math.floorMod(Thorough.turn() / 4, variants.size() + designs.size());
     for (Path design : designs) {
       if (Thorough.IS_ON || one == variants.size() + designs.indexOf(design)) {
         pass(example, design);

@@ -157,6 +157,7 @@ class VerdictCorrectionTest {
     assertEquals(3, spoken("Braking_Decision.py"), "the prompt, the verdict and the correction");
   }
 
+  @InTurn
   @Test
   void theNextDiagnosisKnowsWhatDidNotHelp() throws IOException {
     failOnce();
@@ -167,6 +168,7 @@ class VerdictCorrectionTest {
     assertTrue(prompt("diagnose-02").contains("- component `TTC_Calculation`: It is late."));
   }
 
+  @InTurn
   @Test
   void aLaterRunKnowsWhatDidNotHelpAndAsksTheSame() throws IOException {
     failOnce();
@@ -184,6 +186,7 @@ class VerdictCorrectionTest {
     assertTrue(prompt("implement-03").contains("> It still brakes late."));
   }
 
+  @InTurn
   @Test
   void anAnswerThatNamesNothingToCorrectIsSentBack() throws IOException {
     failOnce();
@@ -215,6 +218,7 @@ class VerdictCorrectionTest {
         .says("[agents.verdict.question]");
   }
 
+  @InTurn
   @Test
   void testsOfALanguageModelAreCorrectedAndThenTheCode() throws IOException {
     failOnce();
@@ -243,6 +247,7 @@ class VerdictCorrectionTest {
   }
 
   /** Each step is a run of its own: nothing that was corrected before is lost on the way. */
+  @InTurn
   @Test
   void anotherDesignIsAskedForAndOnlyWhatDependsOnItIsWrittenAgain() throws IOException {
     failOnce();
@@ -271,6 +276,7 @@ class VerdictCorrectionTest {
   }
 
   /** A criterion that the design gives nothing to read is a question about the design. */
+  @InTurn
   @Test
   void anOutputThatTheDesignLacksIsAskedOfItsAuthor() throws IOException {
     run().expect(4);

@@ -60,7 +60,7 @@ public final class ExpressionLanguage implements TypeSystem {
   private static final String EXPRESSION_PREFIX = "inv:\n";
   private static final String ANY_BODY = " null";
   private static final String TYPE_PREFIX = "inv:\nlet type : ";
-  private static final String TYPE_SUFFIX = "\n = null in true";
+  private static final String TYPE_SUFFIX = "\n = invalid in true";
 
   private final OclEnvironmentFactory factory;
   private final OclEnvironment root;

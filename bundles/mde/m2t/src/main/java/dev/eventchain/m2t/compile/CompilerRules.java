@@ -13,6 +13,7 @@ final class CompilerRules {
   static final Rule LINT_UNUSED = Rule.warning("m2t.lint.unused", SyntaxTrait.LINT);
   static final Rule METAMODEL_UNKNOWN = Rule.error("m2t.metamodel.unknown");
   static final Rule NAME_DUPLICATE = Rule.error("m2t.name.duplicate");
+  static final Rule QUERY_EMPTY = Rule.warning("m2t.query.empty");
   static final Rule QUERY_TYPE = Rule.warning("m2t.query.type");
   static final Rule SUPER = Rule.error("m2t.super");
 

@@ -1,6 +1,7 @@
 package dev.eventchain.m2t.compile;
 
 import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.generation.GenerationRules;
 import dev.eventchain.m2t.library.ServiceLibrary;
 import dev.eventchain.m2t.syntax.Problems;
@@ -8,6 +9,7 @@ import dev.eventchain.m2t.syntax.SyntaxRules;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.Scope;
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Optional;
 import java.util.function.Predicate;
@@ -77,6 +79,13 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
           "Use [let].");
       return Optional.empty();
     }
+  }
+
+  /** Returns the expression {@code null}. */
+  Expression nothing() {
+    return language
+        .parse(SourceText.of("", "null").whole(), language.root(), new ArrayList<>())
+        .orElseThrow();
   }
 
   private void note(Expression expression, int start) {

@@ -297,6 +297,17 @@ public final class Linker {
   private void define(Syntax.Query syntax, Query query, Unit unit) {
     usage.enter(query);
     Scope scope = scope(query, unit);
+    if (syntax.value().strip().isEmpty()) {
+      query.define(unit.expressions().nothing());
+      unit.loaded()
+          .problems()
+          .add(
+              CompilerRules.QUERY_EMPTY,
+              syntax.name().start(),
+              "The query '%s' has no expression: its value is null.".formatted(query.name()),
+              "Write the expression between '=' and the end of the tag.");
+      return;
+    }
     Optional<Expression> value = unit.expressions().parse(syntax.value(), scope);
     if (value.isEmpty()) {
       return;
