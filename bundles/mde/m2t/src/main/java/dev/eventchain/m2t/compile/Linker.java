@@ -296,42 +296,42 @@ public final class Linker {
 
   private void define(Syntax.Query syntax, Query query, Unit unit) {
     usage.enter(query);
-    Scope scope = scope(query, unit);
     if (syntax.value().strip().isEmpty()) {
-      query.define(unit.expressions().nothing());
-      unit.loaded()
-          .problems()
-          .add(
-              CompilerRules.QUERY_EMPTY,
-              syntax.name().start(),
-              "The query '%s' has no expression: its value is null.".formatted(query.name()),
-              "Write the expression between '=' and the end of the tag.");
+      defineNothing(syntax, query, unit);
       return;
     }
-    Optional<Expression> value = unit.expressions().parse(syntax.value(), scope);
+    Optional<Expression> value = unit.expressions().parse(syntax.value(), scope(query, unit));
     if (value.isEmpty()) {
       return;
     }
     ExpressionLanguage language = unit.expressions().language();
-    boolean service = value.get().outermostCall().orElse(null) instanceof ServiceLibrary.Call;
-    if (!service && !new Signatures(language).mayFit(value.get().type(), query.resultType())) {
+    if (value.get().outermostCall().orElse(null) instanceof ServiceLibrary.Call) {
+      query.defineService(value.get(), unit.expressions().valuesOf(query.resultType()));
+      return;
+    }
+    if (!new Signatures(language).mayFit(value.get().type(), query.resultType())) {
+      String actual = value.get().type().getName();
       unit.loaded()
           .problems()
           .add(
               CompilerRules.QUERY_TYPE,
               syntax.value().start(),
-              "The query is of type '"
-                  + value.get().type().getName()
-                  + "', not '"
-                  + query.resultType().getName()
-                  + "'.",
+              "The query is of type '%s', not '%s'."
+                  .formatted(actual, query.resultType().getName()),
               "Fix the type after the colon, or the expression.");
     }
-    if (service) {
-      query.defineService(value.get(), unit.expressions().valuesOf(query.resultType()));
-    } else {
-      query.define(value.get());
-    }
+    query.define(value.get());
+  }
+
+  private static void defineNothing(Syntax.Query syntax, Query query, Unit unit) {
+    unit.loaded()
+        .problems()
+        .add(
+            CompilerRules.QUERY_EMPTY,
+            syntax.name().start(),
+            "The query '%s' has no expression: its value is null.".formatted(query.name()),
+            "Write the expression between '=' and the end of the tag.");
+    query.define(unit.expressions().nothing());
   }
 
   private void define(Syntax.Template syntax, Template template, Unit unit) {
