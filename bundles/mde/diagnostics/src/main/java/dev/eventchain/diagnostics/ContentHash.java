@@ -13,6 +13,9 @@ import java.util.zip.CRC32;
  */
 public final class ContentHash {
 
+  /** Roughly what an entry takes beside its content, so that many small contents count, too. */
+  private static final int OVERHEAD = 200;
+
   private static final ContentHash SHARED = new ContentHash(16 << 20);
 
   private final long capacity;
@@ -34,8 +37,8 @@ public final class ContentHash {
   /**
    * Creates an empty memory.
    *
-   * @param capacity how many bytes of contents are remembered; one of more than a sixteenth of that
-   *     is hashed each time
+   * @param capacity how many bytes are remembered; a content of more than a sixteenth of that is
+   *     hashed each time
    */
   ContentHash(long capacity) {
     this.capacity = capacity;
@@ -64,16 +67,16 @@ public final class ContentHash {
 
   private void remember(Key key, Entry entry) {
     if (recent.put(key, entry) == null) {
-      size += key.length();
+      size += key.length() + OVERHEAD;
     }
     var oldest = recent.keySet().iterator();
     while (size > capacity) {
-      size -= oldest.next().length();
+      size -= oldest.next().length() + OVERHEAD;
       oldest.remove();
     }
   }
 
-  /** Returns how many bytes of contents are remembered. */
+  /** Returns roughly how many bytes are remembered. */
   synchronized long size() {
     return size;
   }
