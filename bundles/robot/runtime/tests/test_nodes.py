@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-import importlib
-import subprocess
-import sys
 from typing import Any
 
 import pytest
 import rclpy
-from conftest import BUNDLE
-from eventchain_ros2.messages import Messages
 from eventchain_ros2.simulation import Simulation
 from rclpy.duration import Duration
 from rclpy.exceptions import (
@@ -383,34 +378,6 @@ def test_what_is_missing_is_refused_by_name(simulation: Simulation) -> None:
         node.get_topic_names_and_types()
     with pytest.raises(AttributeError, match="no attribute 'create_nothing'"):
         node.create_nothing()
-
-
-@pytest.mark.parametrize(
-    ("module", "missing"),
-    [
-        ("rclpy.action", "Eventchain's runtime has no actions"),
-        ("rclpy.lifecycle", "Eventchain's runtime has no managed nodes"),
-        ("rclpy.utilities", "Eventchain's runtime has no module 'rclpy.utilities'"),
-        ("std_srvs.srv", "Eventchain's runtime has no services"),
-        ("sensor_msgs.srv", "Eventchain's runtime has no services"),
-        ("tf2_ros.buffer", "Eventchain's runtime has no transforms"),
-        ("example_interfaces.msg", "no message package has this name"),
-        ("no_such_module", "No module named 'no_such_module'$"),
-    ],
-)
-def test_modules_that_are_missing_are_named(messages: Messages, module: str, missing: str) -> None:
-    with pytest.raises(ModuleNotFoundError, match=missing):
-        importlib.import_module(module)
-
-
-def test_the_module_of_nodes_brings_the_others(simulation: Simulation) -> None:
-    program = (
-        "import rclpy; from rclpy.node import Node; print(rclpy.qos.qos_profile_sensor_data.depth, rclpy.Parameter)"
-    )
-    done = subprocess.run(
-        [sys.executable, "-c", program], env={"PYTHONPATH": str(BUNDLE / "python")}, capture_output=True, text=True
-    )
-    assert done.stdout == "5 <class 'eventchain_ros2.parameters.Parameter'>\n", done.stderr
 
 
 def test_nodes_live_between_init_and_shutdown(simulation: Simulation) -> None:

@@ -42,7 +42,7 @@ def refuse(module: str) -> None:
 
     """
     package, _, rest = module.partition(".")
-    if package == "rclpy":
+    if package == "rclpy" and rest:
         missing = _RCLPY.get(rest.partition(".")[0], f"module '{module}'")
     else:
         missing = _PACKAGES.get(package) or _SUBPACKAGES.get(rest, "")

@@ -107,7 +107,6 @@ class AccExampleTest {
     project.requireNotPassed();
   }
 
-  @InTurn
   @Test
   void criterionThatIsAboutNothing() throws IOException {
     project.onlyScenario(SCENARIO);

@@ -25,7 +25,6 @@ class AcceptTest {
     Files.deleteIfExists(accepted());
   }
 
-  @InTurn
   @Test
   void aReversedRequirementIsNotProvedByOldEvidence() throws IOException {
     copy.run().expect(0).says("4 requirements proved");
@@ -53,7 +52,6 @@ class AcceptTest {
     copy.run().expect(0).says("PASSED");
   }
 
-  @InTurn
   @Test
   void aNewRequirementIsNotAcceptedByTheOthers() throws IOException {
     accept("RAD-1", "RAD-2", "RAD-3").expect(0);

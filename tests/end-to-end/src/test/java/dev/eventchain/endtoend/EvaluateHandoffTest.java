@@ -93,7 +93,6 @@ class EvaluateHandoffTest {
     assertFalse(table.contains("authored"), table);
   }
 
-  @InTurn
   @Test
   void answersThatPeopleSayTheyWroteAreNoMeasurement() throws IOException {
     evaluate().expect(4);

@@ -22,7 +22,6 @@ class LatencyEvidenceTest {
     return new ProjectCopy(Program.withoutStrength(folder));
   }
 
-  @InTurn
   @Test
   void delayOfInputsWithinAComponentCountsForTheLatency() throws IOException {
     ProjectCopy project = pedestrianBrake();

@@ -116,7 +116,6 @@ class RunTest {
     }
   }
 
-  @InTurn
   @Test
   void aFreshRunElsewhereGivesTheSameBytes() throws IOException {
     Path other = folder.resolve("elsewhere");

@@ -269,7 +269,6 @@ class StaleResultsTest {
     run("run --from generate --date 2027-04-01").expect(2).says(OUTDATED);
   }
 
-  @InTurn
   @Test
   void anErrorThatIsNoLongerSuppressedCountsAlsoInALaterStage() throws IOException {
     append("constraints.ocl", "context SoftwareNode inv Fast: frequency > 30");
@@ -282,7 +281,6 @@ class StaleResultsTest {
     assertNothingPasses();
   }
 
-  @InTurn
   @Test
   void aRequirementThatNoScenarioTestsIsNotProvedByAllThatPass() throws IOException {
     try (Stream<Path> scenarios = Files.list(project.resolve("scenarios"))) {
@@ -303,7 +301,6 @@ class StaleResultsTest {
     run("run --date 2027-04-01").expect(1).says("project.requirement.untested");
   }
 
-  @InTurn
   @Test
   void withoutMemoryNobodyTestsAPackageOfUnknownSources() throws IOException {
     delete(out(".stages"));

@@ -67,7 +67,6 @@ class StrengthTest {
   }
 
   /** A criterion that cannot notice what the warning does, beside others that can. */
-  @InTurn
   @Test
   void requirementWhoseOnlyCriterionNoticesNothing() throws IOException {
     project.replace(SCENARIO, WARNED, FOUND);
@@ -119,7 +118,6 @@ class StrengthTest {
   }
 
   /** A budget too small for anything: only what would fail because of it is driven as a whole. */
-  @InTurn
   @Test
   void strengthBelowWhatTheProjectAsksFor() throws IOException {
     Program.measureStrength(project.path());

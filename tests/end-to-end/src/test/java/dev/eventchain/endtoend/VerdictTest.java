@@ -150,7 +150,6 @@ class VerdictTest {
     assertFalse(Files.exists(folder.resolve("handoff")));
   }
 
-  @InTurn
   @Test
   void latencyConstraintBetweenAnyTwoComponentsIsMeasured() throws IOException {
     editModel(
@@ -171,7 +170,6 @@ class VerdictTest {
         Program.slowestPaths(project));
   }
 
-  @InTurn
   @Test
   void componentThatIsNotSimulatedLeavesWhatDependsOnItUntested() throws IOException {
     editModel("name=\"Braking_Decision\"", "name=\"Braking_Decision\" implementation=\"NODE\"");
@@ -193,7 +191,6 @@ class VerdictTest {
     assertNoPass();
   }
 
-  @InTurn
   @Test
   void constraintThatWhatWasMeasuredDecidesProvesItsRequirement() throws IOException {
     editModel(

@@ -6,10 +6,10 @@ import java.util.Map;
 import java.util.zip.CRC32;
 
 /**
- * SHA-256 of the contents of files. A run hashes the same contents at each of its stages, which
- * took a quarter of its processor time: the Java compiler of short runs has no instructions for
- * SHA-256. So contents are remembered with their hash, and an equal one is found by its checksum
- * and compared byte for byte, which takes a fraction of the time.
+ * SHA-256 of the contents of files. A run hashes the same contents at each of its stages, and the
+ * Java compiler of short runs has no instructions for SHA-256: in a program that runs project after
+ * project, it took a quarter of the time of Java's code. So contents are remembered with their
+ * hash, and an equal one is found by its checksum and compared byte for byte.
  */
 public final class ContentHash {
 
