@@ -14,7 +14,7 @@ RUNTIME = "eventchain_ros2"
 # Each module imports only from the lines above its own, so there are no cycles.
 LAYERS = (
     {"definitions"},
-    {"clock", "cyclone", "faults", "graph", "logger", "parameters", "refusals"},
+    {"clock", "cyclone", "faults", "graph", "logger", "node_sources", "parameters", "refusals"},
     {"qos", "type_support", "validation"},
     {"catalog", "codec", "dds_qos", "processes"},
     {"dds_endpoints", "idl", "messages", "simulation"},

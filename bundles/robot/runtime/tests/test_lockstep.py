@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import py_compile
 import shutil
 from pathlib import Path
 from typing import Any
@@ -69,6 +71,45 @@ def test_reset_forgets_modules_of_the_folders_before(tmp_path: Path) -> None:
         host.configure(chain())
         host.configure({**chain(), "path": [str(tmp_path)], "nodes": [doubler(tmp_path)]}, kind=RESET)
         assert host.step(100 * MILLISECOND, (0, float32(3.0))) == [(50 * MILLISECOND, 0, float32(9.0))]
+
+
+@pytest.mark.parametrize(
+    ("file", "before", "after"),
+    [
+        ("components/Doubler.py", "* 2.0", "* 3.0"),
+        ("doubler_node.py", 'data=output["doubled"]', "data=float(3 * 3.0)   "),
+    ],
+)
+def test_a_file_that_is_changed_between_scenarios_is_read_again(
+    tmp_path: Path, file: str, before: str, after: str
+) -> None:
+    shutil.copytree(FIXTURES / "chain", tmp_path / "chain", ignore=shutil.ignore_patterns("__pycache__"))
+    changed = tmp_path / "chain" / file
+    configuration = {**chain(), "path": [str(tmp_path)], "nodes": [doubler(tmp_path)]}
+    with HostProcess() as host:
+        host.configure(configuration)
+        assert host.step(100 * MILLISECOND, (0, float32(3.0))) == [(50 * MILLISECOND, 0, float32(6.0))]
+        times = changed.stat().st_atime_ns, changed.stat().st_mtime_ns
+        text = changed.read_text()
+        assert len(before) == len(after)
+        changed.write_text(text.replace(before, after))
+        os.utime(changed, ns=times)  # same size, same time
+        host.configure(configuration, kind=RESET)
+        assert host.step(100 * MILLISECOND, (0, float32(3.0))) == [(50 * MILLISECOND, 0, float32(9.0))]
+
+
+def test_byte_code_beside_a_node_is_not_trusted(tmp_path: Path) -> None:
+    shutil.copytree(FIXTURES / "chain", tmp_path / "chain", ignore=shutil.ignore_patterns("__pycache__"))
+    node = tmp_path / "chain" / "doubler_node.py"
+    source, stat = node.read_text(), node.stat()
+    node.write_text(source.replace('data=output["doubled"]', "data=float(3 * 7.0)   "))
+    os.utime(node, ns=(stat.st_atime_ns, stat.st_mtime_ns))
+    py_compile.compile(str(node), doraise=True)
+    node.write_text(source)
+    os.utime(node, ns=(stat.st_atime_ns, stat.st_mtime_ns))
+    with HostProcess() as host:
+        host.configure({**chain(), "path": [str(tmp_path)], "nodes": [doubler(tmp_path)]})
+        assert host.step(100 * MILLISECOND, (0, float32(3.0))) == [(50 * MILLISECOND, 0, float32(6.0))]
 
 
 def test_what_user_code_prints_goes_to_standard_error() -> None:

@@ -10,10 +10,12 @@ generated code compares exact types, and other types go to the slow functions of
 
 from __future__ import annotations
 
+import functools
 from array import array
 from collections.abc import Callable
 from math import gcd, inf, nan
 from struct import Struct
+from types import CodeType
 from typing import Any, NamedTuple
 
 from eventchain_ros2 import validation
@@ -56,6 +58,12 @@ def generate(definition: Definition, message_class: type, nested: Callable[[str]
     functions = _filled(_Generator(message_class, nested, "<"), definition).compile(definition.name)
     big_endian = _BigEndianReader(definition, message_class, nested)
     return Codec(functions["initialize"], functions["write"], functions["read"], big_endian)
+
+
+@functools.lru_cache(maxsize=1000)
+def _compiled(source: str, name: str) -> CodeType:
+    """Compile generated source once: each scenario has classes of its own, and all have the same code."""
+    return compile(source, name, "exec")
 
 
 def _filled(generator: _Generator, definition: Definition) -> _Generator:
@@ -128,7 +136,7 @@ class _Generator:
             *self._indent(self._read),
             "  return m, p",
         ]
-        exec(compile("\n".join(source), f"<codec of {name}>", "exec"), self._names)
+        exec(_compiled("\n".join(source), f"<codec of {name}>"), self._names)
         return self._names
 
     @staticmethod

@@ -30,11 +30,10 @@ from eventchain_ros2.failures import HostError, StepTimeout, describe
 from eventchain_ros2.faults import NEVER
 from eventchain_ros2.messages import Messages
 from eventchain_ros2.node import Node
+from eventchain_ros2.node_sources import RUNTIME, NodeSources
 from eventchain_ros2.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 from eventchain_ros2.simulation import Process, Simulation
 from eventchain_ros2.value_latency import Answer
-
-SOURCES = str(Path(__file__).resolve().parents[1])
 
 OBSERVES = QoSProfile(history=HistoryPolicy.KEEP_ALL, reliability=ReliabilityPolicy.BEST_EFFORT)
 """Quality of service of a subscription that observes a topic: whatever is offered."""
@@ -79,7 +78,7 @@ class HostedNodes:
     def _make_components(self) -> Components:
         configuration = self.configuration
         environment = Environment(
-            path=[SOURCES, *self.folders],
+            path=[RUNTIME, *self.folders],
             sources=self.folders,
             messages=list(configuration.get("messages", [])),
             limits=Limits(self.step_limit or _UNLIMITED, float(configuration.get("wall_limit_s", _UNLIMITED))),
@@ -89,11 +88,11 @@ class HostedNodes:
         clock = (lambda: self.simulation.now) if configuration.get("answers") else None
         return Components(known, environment, self.simulation.spend, clock)
 
-    def prepare(self, foreign_path: list[str]) -> None:
-        """Make message types and components importable; `foreign_path` follows the user's folders in `sys.path`."""
+    def prepare(self, sources: NodeSources) -> None:
+        """Make message types, components and nodes importable."""
         self._messages.install()
         self._components.install()
-        sys.path[:] = [SOURCES, *self.folders, *foreign_path]
+        sources.serve(self.folders)
         context.enter(self.simulation)
 
     def message_type(self, name: str, topic: str) -> type:
@@ -169,14 +168,8 @@ class HostedNodes:
         return [warning._asdict() for warning in self.simulation.warnings]
 
     def end(self) -> None:
-        """End the components, and unload the user's modules, so that the next scenario imports them again."""
+        """End the components."""
         self._components.end()
-        folders = tuple(folder.rstrip("/") + "/" for folder in self.folders)
-        for name, module in list(sys.modules.items()):
-            places = [getattr(module, "__file__", None) or "", *getattr(module, "__path__", ())]
-            if any(place.startswith(folders) for place in places):
-                del sys.modules[name]
-        importlib.invalidate_caches()
 
 
 def _is_rclpy(node_class: Any) -> bool:
@@ -194,7 +187,8 @@ class Host(ABC):
 
     def __init__(self, channel: Channel) -> None:
         self.channel = channel
-        self._foreign_path = [path for path in sys.path if path not in ("", str(Path.cwd()), SOURCES)]
+        self._sources = NodeSources()
+        gc.freeze()  # all present objects live until the end: exclude them from garbage collection
         sys.dont_write_bytecode = True  # a changed file of the same second and size would go unnoticed
         signal.signal(signal.SIGPROF, self._interrupt)
 
@@ -227,13 +221,12 @@ class Host(ABC):
             return 1
         return 0
 
-    def start(self, start: Callable[[list[str]], None], ready: Callable[[], dict[str, Any]]) -> None:
-        """Start nodes, with the folders of the environment after the user's, and report that they are ready."""
+    def start(self, start: Callable[[NodeSources], None], ready: Callable[[], dict[str, Any]]) -> None:
+        """Start nodes, with modules that no scenario has executed before, and report that they are ready."""
         self.limit()
-        start(self._foreign_path)
-        gc.unfreeze()
+        self._sources.unload()
+        start(self._sources)
         gc.collect()
-        gc.freeze()  # all present objects live until the end: exclude them from garbage collection
         self.channel.write_json(Kind.READY, {"python": platform.python_version(), **ready()})
 
     def limit(self) -> None:

@@ -13,6 +13,7 @@ from eventchain_ros2.channel import Channel, Kind
 from eventchain_ros2.endpoints import Publisher, Subscription
 from eventchain_ros2.failures import HostError
 from eventchain_ros2.hosting import OBSERVES, Host, HostedNodes, parse, unexpected, world_profile
+from eventchain_ros2.node_sources import NodeSources
 from eventchain_ros2.qos import qos_profile_default
 from eventchain_ros2.simulation import LimitError, Process, Sample
 
@@ -47,9 +48,9 @@ class Scenario(HostedNodes):
         self._outbox: list[bytes | bytearray | memoryview] = []
         self._inlets: list[Publisher] = []
 
-    def start(self, foreign_path: list[str]) -> None:
+    def start(self, sources: NodeSources) -> None:
         """Connect the world and create the nodes."""
-        self.prepare(foreign_path)
+        self.prepare(sources)
         self._connect_world()
         self.start_nodes()
 

@@ -17,6 +17,7 @@ from eventchain_ros2.channel import Channel, Kind
 from eventchain_ros2.dds_entities import Participant, Reader
 from eventchain_ros2.failures import HostError
 from eventchain_ros2.hosting import Host, HostedNodes, parse, unexpected
+from eventchain_ros2.node_sources import NodeSources
 from eventchain_ros2.preparation import prepared
 from eventchain_ros2.qos import DurabilityPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 from eventchain_ros2.real_time import RealTime
@@ -46,9 +47,9 @@ class NodeOnWire(HostedNodes):
         """Return the simulation if it runs in wall time."""
         return self.simulation if isinstance(self.simulation, RealTime) else None
 
-    def start(self, foreign_path: list[str]) -> None:
+    def start(self, sources: NodeSources) -> None:
         """Create the node, and announce it in the ROS graph."""
-        self.prepare(foreign_path)
+        self.prepare(sources)
         self.start_nodes()
         for process in self.processes:
             writers = [outlet.writer for outlet in self.wire.outlets]

@@ -13,6 +13,7 @@ import socket
 import struct
 import time
 from array import array
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import component_values
@@ -32,6 +33,7 @@ _TOO_LATE_HINT = "Compute with loops that end, without waiting."
 _ENDED_HINT = "Do not end the process."
 _CRASHED_HINT = "It crashed in native code, or something ended it."
 _LONGEST_TEXT = 500
+_MOST_COMPILED = 100
 
 
 class ComponentError(BaseException):
@@ -123,6 +125,10 @@ def _inherited() -> socket.socket:
 _INHERITED = socket.socket(fileno=int(os.environ[CONTROL])) if CONTROL in os.environ else None
 
 
+# The code of each content of a component's file, from the oldest one, with the place of execute().
+_COMPILED: dict[tuple[str, str, bytes], list[Any]] = {}
+
+
 class ComponentProcess:
     """One component. The calls raise :class:`ComponentError`, after which the process has been ended.
 
@@ -139,6 +145,7 @@ class ComponentProcess:
     ) -> None:
         self._server = server
         self._file: str = description["file"]
+        self._class_name: str = description["class"]
         self._sources: list[str] = description["sources"]
         self._limits = limits
         self._objects = objects
@@ -151,7 +158,23 @@ class ComponentProcess:
 
     def load(self) -> None:
         """Import the file."""
-        self._expect_done(self._ask(["load"]))
+        self._expect_done(self._ask(["load", *self._compiled()]))
+
+    def _compiled(self) -> list[Any]:
+        """Return what the process that compiled this content first, before it ran any of it, made of the file."""
+        try:
+            content = Path(self._file).read_bytes()
+        except OSError as problem:
+            raise self._raised(type(problem).__name__, str(problem), self._file, 0, 0) from None
+        key = self._file, self._class_name, content
+        if key not in _COMPILED:
+            answer = self._ask(["compile", content])
+            if len(answer) != 4 or answer[0] != "code" or type(answer[1]) is not bytes:
+                raise self._strange()
+            while len(_COMPILED) >= _MOST_COMPILED:
+                del _COMPILED[next(iter(_COMPILED))]
+            _COMPILED[key] = [answer[1], _number(answer[2]), _number(answer[3])]
+        return _COMPILED[key]
 
     def make(self) -> None:
         """Create the object, or another one in its place."""

@@ -4,7 +4,10 @@ Everything else from this process is ignored, since untrusted code runs in it: s
 side. Frames in both directions are the length of the value (u32, little endian), the token of the question (4 bytes,
 which the answer has, too), and a value of :mod:`component_values`, question and answer in turn:
 
-- ``["load"]``, which imports the file, and ``["make"]``, which makes the object, are answered by ``["done"]``,
+- ``["compile", bytes]``, the content of the file, by ``["code", marshalled, line, column]``: its code, and the place of
+  `execute`; none of the component's code has run in a process that is asked this first,
+- ``["load", marshalled, line, column]``, which imports that code, and ``["make"]``, which makes the object, are
+  answered by ``["done"]``,
 - ``["call", [argument...], {name: argument...}]`` by ``["result", value, line, column]``, with the place where
   `execute` returned, or by ``["unfit", type, key, line, column]``: a value that cannot be sent; the key is null if it
   is the result itself,
@@ -18,6 +21,7 @@ import ast
 import faulthandler
 import importlib
 import inspect
+import marshal
 import os
 import random
 import struct
@@ -28,7 +32,7 @@ from types import ModuleType, TracebackType
 from typing import Any, NoReturn
 
 import component_values
-from component_rules import Component, Rules, read
+from component_rules import Component, Rules, decode
 
 SHOW_STACK = SIGUSR1
 """The signal at which the process writes where it is."""
@@ -93,8 +97,10 @@ class ComponentProcess:
             return self._call(*question[1:])
         if kind == "series":
             return ["series", [dict(self._component.execute(**inputs)) for inputs in question[1]]]
+        if kind == "compile":
+            return self._compile(question[1])
         if kind == "load":
-            self._load()
+            self._load(*question[1:])
         else:
             made = getattr(self._module, self._class_name)
             self._component = made(**self._offered(made))
@@ -102,18 +108,25 @@ class ComponentProcess:
 
     def _offered(self, made: Any) -> dict[str, Any]:
         """Return the arguments of the constructor: a source of random numbers, if it has a parameter for one."""
+        if type(made) is type and not any({"__init__", "__new__"} & vars(base).keys() for base in made.__mro__[:-1]):
+            return {}  # signature() would parse the text of object's, which takes longer than all the rest
         try:
             wanted = inspect.signature(made).parameters
         except (TypeError, ValueError):
             return {}
         return {RANDOM_SOURCE: random.Random(self._seed)} if RANDOM_SOURCE in wanted else {}
 
-    def _load(self) -> None:
-        """Import the file under its module name, with its `return` statements marked."""
-        source = read(self._file)
+    def _compile(self, content: bytes) -> list[Any]:
+        """Compile the content of the file, with the `return` statements of `execute` marked."""
+        source = decode(content)
         ast.parse(source, self._file)  # reports a file that is not valid Python
         rules = Rules(source, Component(self._class_name, [], []))
         rules.check()
+        code = compile(rules.marked_tree(_MARKER), self._file, "exec")
+        return ["code", marshal.dumps(code), *rules.execute_place()]
+
+    def _load(self, marshalled: bytes, line: int, column: int) -> None:
+        """Run the code of the file as its module."""
         package = self._module_name.rpartition(".")[0]
         if package:
             importlib.import_module(package)
@@ -121,9 +134,9 @@ class ComponentProcess:
         module.__file__ = self._file
         module.__package__ = package
         module.__dict__[_MARKER] = self._returning
-        self._execute_place = rules.execute_place()
+        self._execute_place = line, column
         sys.modules[self._module_name] = self._module = module
-        exec(compile(rules.marked_tree(_MARKER), self._file, "exec"), module.__dict__)
+        exec(marshal.loads(marshalled), module.__dict__)
 
     def _returning(self, line: int, column: int, value: Any) -> Any:
         self._place = line, column

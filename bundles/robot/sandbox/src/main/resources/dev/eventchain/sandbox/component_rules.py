@@ -6,7 +6,9 @@ Each finding has the id of its rule page, the place in the file, a message and a
 from __future__ import annotations
 
 import ast
+import functools
 from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
 from typing import NamedTuple
 
 import component_results
@@ -222,15 +224,20 @@ class Rules:
         return self._finding("component.execute.signature", node, message, f"Write it as: {expected}")
 
 
-def read(file: str) -> str:
+def decode(content: bytes) -> str:
     """Return the text of a component file, with its line ends."""
-    with open(file, encoding="utf-8-sig", newline="") as opened:  # noqa: PTH123
-        return opened.read()
+    return content.decode("utf-8-sig")
 
 
 def check_file(file: str, component: Component) -> list[Finding]:
     """Check one file without running its code."""
-    return Rules(read(file), component).check()
+    return list(_checked(Path(file).read_bytes(), component.class_name, *map(tuple, component[1:])))
+
+
+@functools.lru_cache
+def _checked(content: bytes, class_name: str, inputs: tuple[str, ...], outputs: tuple[str, ...]) -> tuple[Finding, ...]:
+    """Check the content of a file; scenario after scenario has the same files."""
+    return tuple(Rules(decode(content), Component(class_name, list(inputs), list(outputs))).check())
 
 
 class _ReturnMarks(ast.NodeTransformer):

@@ -14,12 +14,13 @@ import difflib
 import json
 import sys
 from collections.abc import Iterable, Iterator
+from pathlib import Path
 from typing import Any
 
 import component_repeatability
 from component_reach import MIDDLEWARE
 from component_results import Output, check_keys
-from component_rules import Component, Finding, Rules, names, read, required, returns
+from component_rules import Component, Finding, Rules, decode, names, required, returns
 
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 _PLAIN_BASES = frozenset({"object", "ABC", "Generic", "Protocol", "NamedTuple", "Enum"})
@@ -246,7 +247,7 @@ class SourceRules(Rules):
 
 def check_needs(file: str, component: Component) -> list[Finding]:
     """Check what the node of a component needs, without what makes its results differ from run to run."""
-    found = SourceRules(read(file), component).check()
+    found = SourceRules(decode(Path(file).read_bytes()), component).check()
     return [finding for finding in found if finding.id not in component_repeatability.RULES]
 
 

@@ -10,6 +10,7 @@ and ``settings`` for its function ``prepare``, which runs before the confinement
 
 from __future__ import annotations
 
+import contextlib
 import gc
 import json
 import os
@@ -36,6 +37,7 @@ def main(description: str) -> None:
     os.chdir(settings["work"])
     if not settings["enclosed"]:
         os.setsid()  # an interrupt at the terminal is handled by Eventchain, which then ends this process
+    settings["readable"] = _places([*settings["readable"], *settings["path"]])
     here, component = os.getpid(), None
     if settings["components"]:
         component = _serve(settings)
@@ -51,6 +53,16 @@ def main(description: str) -> None:
     _become(settings)
 
 
+def _places(readable: list[str]) -> list[str]:
+    """Return the real paths of all that may be read, without those inside others: each costs time in each process."""
+    every = (*SYSTEM, *DEVICES, sys.prefix, sys.base_prefix, sys.base_exec_prefix, *readable)
+    places: list[str] = []
+    for path in sorted(set(map(os.path.realpath, every)), key=lambda path: path.split("/")):
+        if not (places and path.startswith(places[-1].rstrip("/") + "/")):
+            places.append(path)
+    return places
+
+
 def _serve(settings: dict[str, Any]) -> NewProcess | None:
     """Run as the parent of the program and of the processes of its components.
 
@@ -62,8 +74,11 @@ def _serve(settings: dict[str, Any]) -> NewProcess | None:
 
     import fork_server
 
-    if settings["kernel"] and not settings["enclosed"]:
-        _die_with_parent(settings["parent"])
+    if settings["kernel"]:
+        with contextlib.suppress(ImportError):
+            import kernel  # noqa: F401  # once, for all processes that give up their rights
+        if not settings["enclosed"]:
+            _die_with_parent(settings["parent"])
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
     _take_turns(settings["parent"] + settings["turn"])
     gc.freeze()
@@ -104,12 +119,10 @@ def _take_turns(number: int) -> None:
 def _give_up_rights(settings: dict[str, Any], work: str, parent: int | None) -> None:
     """Keep the rights of a program with this writable folder; end with the parent, if the parent may end earlier."""
     _limit(settings["limits"])
-    readable = [*SYSTEM, *DEVICES, sys.prefix, sys.base_prefix, sys.base_exec_prefix, *settings["readable"]]
-    readable += settings["path"]
     if settings["kernel"]:
-        _ask_kernel(readable, work, parent)
+        _ask_kernel(settings["readable"], work, parent)
     if settings["hooks"]:
-        audit.install(readable, work)
+        audit.install(settings["readable"], work)
 
 
 def _limit(limits: dict[str, int]) -> None:

@@ -248,12 +248,20 @@ def filter_system_calls() -> bool:
 
 def _program() -> bytes:
     """Return the filter as Berkeley packet filter code; empty on a processor without listed system calls."""
-    machine = platform.machine()
-    if machine not in ARCHITECTURES:
+    if _INDEPENDENT is None:
         return b""
+    first, known, rest = _INDEPENDENT
+    process = [part for name in SIGNALLING for part in _for_call(known[name], *_unless(EQUAL, 0, os.getpid()))]
+    return b"".join([first, *process, rest])
+
+
+def _independent(machine: str) -> tuple[bytes, dict[str, int], bytes] | None:
+    """Return the code before and after that which depends on the process, and the numbers of the system calls."""
+    if machine not in ARCHITECTURES:
+        return None
     architecture, column = ARCHITECTURES[machine]
     known = {name: number for name, both in NUMBERS.items() if (number := both[column]) is not None}
-    code = [
+    first = [
         _instruction(LOAD, ARCHITECTURE),
         _instruction(EQUAL, architecture, 1, 0),
         _instruction(RETURN, KILL),
@@ -267,11 +275,9 @@ def _program() -> bytes:
         *_for_call(known["ioctl"], *_if_any(1, TERMINAL_COMMANDS.values())),
         *_for_call(known["prlimit64"], *_unless_own_limit_is_read()),
     ]
-    for name in SIGNALLING:
-        code += _for_call(known[name], *_unless(EQUAL, 0, os.getpid()))
-    for number in sorted(known[name] for group in DENIED.values() for name in group if name in known):
-        code += _for_call(number, _refuse(errno.EPERM))
-    return b"".join([*code, _instruction(RETURN, ALLOW)])
+    denied = sorted(known[name] for group in DENIED.values() for name in group if name in known)
+    rest = [part for number in denied for part in _for_call(number, _refuse(errno.EPERM))]
+    return b"".join(first), known, b"".join([*rest, _instruction(RETURN, ALLOW)])
 
 
 def _instruction(code: int, value: int, if_true: int = 0, if_false: int = 0) -> bytes:
@@ -352,3 +358,7 @@ def _allow(rules: int, path: str, rights: int) -> None:
         rights &= FILE_RIGHTS
     _library.syscall(ADD_RULE, rules, 1, struct.pack("<Qi", rights, place), 0)
     os.close(place)
+
+
+_INDEPENDENT = _independent(platform.machine())
+"""Made once, and inherited by the processes that are forked after the import."""
