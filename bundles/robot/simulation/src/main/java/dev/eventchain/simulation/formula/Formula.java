@@ -210,16 +210,18 @@ public final class Formula {
       String when = after(run, decision.sample());
       return new Outcome(
           passed,
-          format("'%s' %s %s", comparison.text(), holds ? "holds" : "is missed", when),
+          format(
+              "'%s' %s %s",
+              comparison.text(), holds ? "holds" : passed ? "is false" : "is missed", when),
           run.seconds(decision.sample()));
     }
     String unit = comparison.left().commonUnit(comparison.right());
     double margin = Robustness.margin(decision.truth());
     String text =
         format(
-            "'%s' %s by %s %s",
+            "'%s' %s %s %s",
             comparison.text(),
-            holds ? "holds" : "is missed",
+            holds ? "holds by" : passed ? "does not hold, by" : "is missed by",
             number(margin, unit),
             after(run, decision.sample()));
     double signed = inUnit(passed ? margin : -margin, unit);

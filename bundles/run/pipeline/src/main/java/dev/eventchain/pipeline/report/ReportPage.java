@@ -49,6 +49,9 @@ public final class ReportPage {
           "scenarios.js",
           "faults.js",
           "conversations.js",
+          "head.js",
+          "requirements.js",
+          "measurements.js",
           "report.js");
 
   /** The name of the report among the results of a run. */

@@ -138,8 +138,9 @@ function figures(className, pairs) {
 /**
  * A table. Columns: {name, number, row, width, plain}; a column with `row` heads its rows. With `stack` the rows become
  * blocks on a narrow screen, each cell under its column's name unless `plain`; roles are set because other display values may drop them.
+ * With `dense` many columns have room.
  */
-function table(caption, columns, rows, { stack = false } = {}) {
+function table(caption, columns, rows, { stack = false, dense = false } = {}) {
   const role = (name) => (stack ? { role: name } : {});
   const heads = columns.map((column) =>
     html("th", { scope: "col", class: column.number ? "number" : null, ...role("columnheader") }, column.name));
@@ -149,7 +150,7 @@ function table(caption, columns, rows, { stack = false } = {}) {
     html("thead", role("rowgroup"), html("tr", role("row"), heads)),
     html("tbody", role("rowgroup"), rows.map((row) => html("tr", { class: row.className, ...role("row") },
       row.cells.map((cell, index) => tableCell(columns[index], cell, stack))))));
-  return stack ? result : html("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": caption }, result);
+  return stack ? result : html("div", { class: dense ? "scroll dense" : "scroll", tabindex: 0, role: "region", "aria-label": caption }, result);
 }
 
 function tableCell(column, cell, stack) {

@@ -1,9 +1,12 @@
 // The plots of a scenario: one picture with a panel for each series over one time axis.
 
-const PLOT = { left: 40, right: 26, top: 16, title: 20, gap: 12, axis: 20, height: 70, fallback: 680 };
+const PLOT = { left: 40, right: 10, top: 16, title: 20, gap: 10, axis: 20, height: 64, fallback: 680, between: 14, narrowest: 340 };
 
 /** Values beyond so many times the usual one and all limits are cut off: they would hide all others. */
 const CUT = 4;
+
+/** The smallest range of a scale, as a part of the largest value. */
+const LEAST_RANGE = 0.05;
 
 /** The panels of a scenario, one for each signal, with the limits that its criteria set. */
 function panelsOf(scenario) {
@@ -25,10 +28,24 @@ function samplesOf(scenario) {
     const values = kept.map((index) => panel.values[index] ?? null);
     return { ...panel, values, ceiling: ceilingOf(values, panel.limits), digits: digitsOf(values) };
   });
-  // What never changes has no plot; it comes last, so that the plots stand together.
   const before = record(record(scenario.before).series).time;
-  const steady = panels.filter((panel) => isSteady(panel.values));
-  return { time: kept.map((index) => times[index]), before: Array.isArray(before) ? before.map((time) => number(time) ?? 0) : null, panels: [...panels.filter((panel) => !isSteady(panel.values)), ...steady] };
+  return { time: kept.map((index) => times[index]), before: Array.isArray(before) ? before.map((time) => number(time) ?? 0) : null,
+    panels: panels.filter((panel) => !isSteady(panel.values)), steady: panels.filter((panel) => isSteady(panel.values)) };
+}
+
+/** What never changes has no plot. */
+function steadyList(panels) {
+  const item = (panel) => {
+    const range = extent(panel.values);
+    return html("li", null, html("span", null, panel.name), html("span", { class: "muted" }, range ? reading(panel, range.low) : panel.absent || "no values"));
+  };
+  return panels.length === 0 ? null : html("details", null, html("summary", null, `${count(panels.length, "signal")} that did not change`),
+    html("ul", { class: "steady" }, panels.map(item)));
+}
+
+/** Whether a series is a truth value, which changes at once. */
+function isTruth(values) {
+  return values.every((value) => value === null || value === 0 || value === 1);
 }
 
 /** Whether a series has one value only, or none. */
@@ -75,12 +92,12 @@ function extent(values) {
   return low > high ? null : { low, high };
 }
 
-/** The scale of a panel: from 0, or below if values are, to a round value. */
+/** The scale of a panel: its values and limits; noise on something that hardly changes does not fill it. */
 function domain(panel, range) {
-  const high = panel.ceiling ?? (Math.max(range.high, 0) || (range.low < 0 ? 0 : 1));
-  const step = ticks(Math.min(0, range.low), high, 3).values;
-  const unit = step.length > 1 ? step[1] - step[0] : high || 1;
-  return { low: range.low < -0.001 * high ? Math.floor(range.low / unit) * unit : 0, high: Math.ceil(high / unit - 1e-9) * unit };
+  const low = Math.min(range.low, ...panel.limits);
+  const high = panel.ceiling ?? Math.max(range.high, ...panel.limits);
+  const missing = Math.max(0, LEAST_RANGE * Math.max(Math.abs(low), Math.abs(high)) - (high - low)) / 2;
+  return { low: low - missing, high: high + missing };
 }
 
 /** At most four points in a pixel column, its extremes among them: a long series costs no more than the screen is wide. */
@@ -117,9 +134,11 @@ function stretches(times, values, toX, toY) {
   return result.map(thin);
 }
 
-function pathOf(points) {
+/** A path through points, in steps where what it shows changes at once. */
+function pathOf(points, inSteps = false) {
   const at = (value) => value.toFixed(1);
-  return points.map((point, index) => `${index === 0 ? "M" : "L"}${at(point.x)} ${at(point.y)}`).join("") + (points.length === 1 ? "h0.5" : "");
+  return points.map((point, index) => (index === 0 ? `M${at(point.x)} ${at(point.y)}` : inSteps ? `H${at(point.x)}V${at(point.y)}` : `L${at(point.x)} ${at(point.y)}`)).join("")
+    + (points.length === 1 ? "h0.5" : "");
 }
 
 /** Where the cursor stands at first: where the first criterion is missed, else where one is decided, else at the end. */
@@ -165,14 +184,9 @@ function drawPanel(panel, samples, top, frame) {
   const value = svg("text", { class: "value", x: frame.right, y: top + 13 });
   const group = svg("g", { role: "img", "aria-label": spokenSeries(panel, values, range) },
     svg("text", { class: "title", x: frame.left, y: top + 13 }, panel.name + (panel.unit ? `, ${panel.unit}` : "")), value);
-  if (isSteady(values)) {
-    value.setAttribute("class", "absent");
-    value.append(range ? `always ${reading(panel, range.low)}` : panel.absent || "no values");
-    return { group, height: PLOT.title, update() {} };
-  }
   const scale = domain(panel, range);
   const base = top + PLOT.title + PLOT.height;
-  const toY = (amount) => base - ((Math.min(amount, scale.high * 20) - scale.low) / (scale.high - scale.low)) * PLOT.height;
+  const toY = (amount) => base - ((Math.min(amount, scale.high + 20 * (scale.high - scale.low)) - scale.low) / (scale.high - scale.low)) * PLOT.height;
   drawScale(group, scale, toY, frame, top);
   const point = svg("circle", { class: "point", r: 3.5 });
   const cursor = svg("line", { class: "cursor", y1: top + PLOT.title, y2: base });
@@ -180,7 +194,6 @@ function drawPanel(panel, samples, top, frame) {
     ...drawEvents(frame, top + PLOT.title, base), cursor, point);
   return {
     group,
-    height: PLOT.title + PLOT.height,
     update(index) {
       const current = values[index];
       value.textContent = reading(panel, current);
@@ -220,7 +233,7 @@ function drawCurve(samples, values, before, toY, frame, top) {
     }
   }
   for (const points of stretches(samples.time, values, frame.toX, toY)) {
-    cut.append(svg("path", { class: "curve", d: pathOf(points) }));
+    cut.append(svg("path", { class: "curve", d: pathOf(points, isTruth(values)) }));
   }
   return cut;
 }
@@ -231,9 +244,13 @@ function drawThresholds(panel, scale, toY, frame) {
     const y = Math.round(toY(limit)) + 0.5;
     return [
       svg("line", { class: "threshold", x1: frame.left, x2: frame.right, y1: y, y2: y }),
-      svg("text", { class: "threshold-label", x: frame.right + 5, y: y + 3.5 }, String(Number(limit.toPrecision(3)))),
+      svg("text", { class: "threshold-label", x: frame.right + 5, y: y + 3.5 }, limitText(limit)),
     ];
   });
+}
+
+function limitText(limit) {
+  return String(Number(limit.toPrecision(3)));
 }
 
 /** What happened once, such as an impact: a line at its moment. */
@@ -254,9 +271,16 @@ function drawTimeAxis(picture, frame, bottom) {
   });
 }
 
-function frameOf(samples, width) {
+/** The frames of the columns beside each other; their right margin has room for the longest limit. */
+function framesOf(samples, width) {
+  const columns = samples.panels.length > 1 && width >= 2 * PLOT.narrowest + PLOT.between ? 2 : 1;
+  const wide = (width - (columns - 1) * PLOT.between) / columns;
+  const margin = PLOT.right + 7 * Math.max(0, ...samples.panels.flatMap((panel) => panel.limits).map((limit) => limitText(limit).length));
+  return Array.from({ length: columns }, (_, index) => frameOf(samples, index * (wide + PLOT.between) + PLOT.left, index * (wide + PLOT.between) + wide - margin));
+}
+
+function frameOf(samples, left, right) {
   const [first, last] = [samples.time[0], samples.time[samples.time.length - 1]];
-  const [left, right] = [PLOT.left, width - PLOT.right];
   const seconds = last > first ? last - first : 1;
   return {
     left,
@@ -267,30 +291,32 @@ function frameOf(samples, width) {
   };
 }
 
-/** Draws all panels at a width and returns the picture and how to move its cursor. */
+/** Draws all panels at a width and returns the picture and how to move its cursors. */
 function drawPicture(samples, scenario, width) {
-  const frame = { ...frameOf(samples, width), events: eventsOf(scenario) };
+  const events = eventsOf(scenario);
+  const frames = framesOf(samples, width).map((frame) => ({ ...frame, events }));
   const picture = svg("svg", { role: "group", "aria-label": "Plots over time" });
-  const panels = [];
-  let top = PLOT.top;
-  for (const panel of samples.panels) {
-    const drawn = drawPanel(panel, samples, top, frame);
-    panels.push(drawn);
-    picture.append(drawn.group);
-    top += drawn.height + PLOT.gap;
-  }
-  const bottom = top - PLOT.gap;
-  drawTimeAxis(picture, frame, bottom);
-  const instant = svg("text", { class: "instant", y: PLOT.top - 4 });
-  picture.append(instant);
+  const rows = Math.ceil(samples.panels.length / frames.length);
+  const height = PLOT.title + PLOT.height + PLOT.gap;
+  const panels = samples.panels.map((panel, index) => drawPanel(panel, samples, PLOT.top + (index % rows) * height, frames[Math.floor(index / rows)]));
+  panels.forEach((panel) => picture.append(panel.group));
+  const bottom = PLOT.top + rows * height - PLOT.gap;
+  const instants = frames.map((frame) => {
+    drawTimeAxis(picture, frame, bottom);
+    const instant = svg("text", { class: "instant", y: PLOT.top - 4 });
+    picture.append(instant);
+    return instant;
+  });
   picture.setAttribute("viewBox", `0 0 ${width} ${bottom + PLOT.axis}`);
   const move = (index) => {
-    const x = frame.toX(samples.time[index]);
-    instant.setAttribute("x", Math.max(frame.left + 14, Math.min(frame.right - 14, x)));
-    instant.textContent = figure(samples.time[index], 2, "s");
+    frames.forEach((frame, column) => {
+      const x = frame.toX(samples.time[index]);
+      instants[column].setAttribute("x", Math.max(frame.left + 14, Math.min(frame.right - 14, x)));
+      instants[column].textContent = figure(samples.time[index], 2, "s");
+    });
     panels.forEach((panel) => panel.update(index));
   };
-  return { picture, move, toTime: (x) => frame.toTime(x) };
+  return { picture, move, toTime: (x) => (frames.findLast((frame) => x >= frame.left - PLOT.left) ?? frames[0]).toTime(x) };
 }
 
 /** The plots of a scenario with their time control; `draw()` fits them to the place they have. */
@@ -340,7 +366,7 @@ function plotsOf(scenario) {
   };
   new ResizeObserver(() => holder.clientWidth > 0 && draw()).observe(holder);
   const controls = html("div", { class: "controls" }, play.button, range);
-  const element = html("figure", { class: "plots" }, road, controls, holder, captionOf(samples, scenario));
+  const element = html("figure", { class: "plots" }, road, controls, holder, captionOf(samples, scenario), steadyList(samples.steady));
   return { element, draw };
 }
 

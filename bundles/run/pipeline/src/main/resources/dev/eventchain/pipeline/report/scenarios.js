@@ -51,6 +51,18 @@ function criterionItem(criterion, before) {
     html("span", { class: "measured" + (tone === "good" ? "" : " " + tone) }, measured, marginOf(record(criterion.margin)), beforeOf(criterion, before)));
 }
 
+/** The criteria; those that an impact left untested, since the run ended with it, are folded. */
+function criteriaLists(scenario) {
+  const all = records(scenario.criteria);
+  const hit = records(scenario.measurements).some((one) => text(one.name) === "impact.speed");
+  const left = hit ? all.filter((criterion) => outcomeOf(criterion).tone === "warn") : [];
+  const items = (some) => some.map((criterion) => criterionItem(criterion, scenario.before));
+  return [html("ul", { class: "criteria", "aria-label": "Criteria" }, items(all.filter((criterion) => !left.includes(criterion)))),
+    left.length === 0 ? null : html("details", { class: "observed" },
+      html("summary", null, `Not tested, since the impact ended the run: ${count(left.length, "criterion", "criteria")}`),
+      html("ul", { class: "criteria" }, items(left)))];
+}
+
 /** How far it is from the other verdict, in its own unit, and when. */
 function marginOf(margin) {
   if (number(margin.value) === null) {
@@ -84,15 +96,13 @@ function scenarioCard(scenario) {
   const id = scenarioId(scenario);
   const plots = plotsOf(scenario);
   const measured = record(scenario.latency);
-  const about = [code(text(scenario.name)), ...list(scenario.requirements).map((name) => requirementLink(text(name)))];
+  const about = [code(text(scenario.name)), ...list(scenario.requirements).map((name) => requirementLink(text(name))),
+    ...(number(measured.median) === null ? [] : [`latency of the chain: median ${latency(measured.median)}, at most ${latency(measured.maximum)}`])];
   const card = html("article", { class: "card", id, role: "tabpanel", "aria-labelledby": id + "-tab" },
     html("header", null, html("h3", null, titleOf(scenario)), status(tone, word[0].toUpperCase() + word.slice(1))),
     html("p", { class: "about" }, about.flatMap((part, index) => (index > 0 ? [" \u00b7 ", part] : [part]))),
-    html("ul", { class: "criteria", "aria-label": "Criteria" }, records(scenario.criteria).map((criterion) => criterionItem(criterion, scenario.before))),
+    criteriaLists(scenario),
     observedList(records(scenario.observed)),
-    figures("figures", [
-      ["Latency of the chain", number(measured.median) === null ? null : latency(measured.median), `median, at most ${latency(measured.maximum)}`],
-    ]),
     plots.element, measuredTable(scenario));
   return { card, draw: plots.draw };
 }
