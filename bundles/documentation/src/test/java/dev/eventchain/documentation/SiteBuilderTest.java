@@ -3,6 +3,12 @@ package dev.eventchain.documentation;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.bench.WorldReference;
+import dev.eventchain.simulation.fault.FaultPlan;
+import dev.eventchain.simulation.scenario.Scenario;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -128,6 +134,32 @@ class SiteBuilderTest {
     for (String text : List.of("Usage:", "--time-limit=SECONDS", "id=\"explain\"", "Exit codes")) {
       assertTrue(page.contains(text), text);
     }
+  }
+
+  @Test
+  void everythingThatBenchesScenariosAndFaultsMaySayIsDescribed() throws IOException {
+    String page = files.get("scenarios.html");
+    Set<String> names = new HashSet<>();
+    for (String schema : List.of(Bench.schema(), Scenario.schema(), FaultPlan.schema())) {
+      collectNames(new ObjectMapper().readTree(schema), names);
+    }
+    WorldReference.quantities().forEach(each -> names.add(each.name()));
+    WorldReference.actuators().forEach(each -> names.add(each.name()));
+    assertTrue(names.size() > 100, names::toString);
+    names.removeIf(
+        name -> Pattern.compile("[>.]" + Pattern.quote(name) + "[<.\\[]").matcher(page).find());
+    assertEquals(Set.of(), names);
+    for (WorldReference.OperatorEntry each : WorldReference.operators()) {
+      assertTrue(
+          page.contains(each.example().replace(">", "&gt;").replace("<", "&lt;")), each.example());
+    }
+  }
+
+  /** Collects the names of all properties and the values of all enumerations. */
+  private static void collectNames(JsonNode node, Set<String> names) {
+    node.path("properties").fieldNames().forEachRemaining(names::add);
+    node.path("enum").forEach(value -> names.add(value.asText()));
+    node.forEach(each -> collectNames(each, names));
   }
 
   @Test

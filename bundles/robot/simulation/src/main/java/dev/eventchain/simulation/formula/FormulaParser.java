@@ -8,8 +8,8 @@ import java.util.Optional;
 
 /**
  * Parses the conditions of a formula. From loose to tight: {@code implies} (right-associative),
- * {@code or}, {@code and}, {@code until}, prefix operators, comparisons; {@link TermParser} reads
- * the rest.
+ * {@code or}, {@code and}, {@code until} and {@code since}, prefix operators, comparisons; {@link
+ * TermParser} reads the rest.
  */
 public final class FormulaParser {
 
@@ -84,20 +84,37 @@ public final class FormulaParser {
     }
     if (rest.kind() != Kind.END) {
       String message = "Expected the end of the formula, but found " + FormulaTokens.shown(rest);
-      throw tokens.syntax(rest, message + ".", rest.text().equals("until") ? CHAINED_UNTIL : "");
+      throw tokens.syntax(
+          rest,
+          message + ".",
+          rest.text().matches("until|since") ? CHAINED.formatted(rest.text()) : "");
     }
     if (formula instanceof Condition condition) {
       intervals.requireReached(condition);
       ranges.ifPresent(known -> requireVarying(condition, known, first));
       if (ranges.isPresent()) {
         intervals.requireLong(condition);
+        requireSomethingBefore(condition, first);
       }
     }
     terms.requireResolved();
     return formula;
   }
 
-  private static final String CHAINED_UNTIL = "Put the first `until` into parentheses.";
+  /** Rejects operators about the past that are judged at the start, before which there is none. */
+  private void requireSomethingBefore(Condition condition, Token first) {
+    if (condition instanceof Past.Temporal || condition instanceof Past.Since) {
+      throw tokens.syntax(
+          first,
+          "Nothing comes before the start of the run, at which this is judged.",
+          "Say when it has to hold: `always (brake > 0 implies once[0,1] gap < 20 m)`.");
+    }
+    if (!(condition instanceof Condition.Temporal) && !(condition instanceof Condition.Until)) {
+      condition.parts().forEach(part -> requireSomethingBefore(part, first));
+    }
+  }
+
+  private static final String CHAINED = "Put what is before this `%s` into parentheses.";
 
   private Condition condition(Part part, Token first) {
     if (part instanceof Condition condition) {
@@ -176,14 +193,17 @@ public final class FormulaParser {
   private Part until() {
     Token first = tokens.peek();
     Part left = prefixed();
-    if (!tokens.nextIs("until")) {
+    if (!tokens.nextIs("until") && !tokens.nextIs("since")) {
       return left;
     }
     Condition kept = condition(left, first);
-    tokens.next();
+    boolean past = tokens.next().text().equals("since");
     Interval interval = intervals.parse();
     Token second = tokens.peek();
-    return new Condition.Until(kept, interval, condition(prefixed(), second));
+    Condition reached = condition(prefixed(), second);
+    return past
+        ? new Past.Since(kept, interval, reached)
+        : new Condition.Until(kept, interval, reached);
   }
 
   private Part prefixed() {
@@ -197,7 +217,7 @@ public final class FormulaParser {
         Token operand = tokens.peek();
         yield new Condition.Negation(condition(prefixed(), operand));
       }
-      case "always", "eventually" -> temporal(tokens.next());
+      case "always", "eventually", "historically", "once" -> temporal(tokens.next());
       case "rise" -> new Condition.Rise(edgeOf(tokens.next()));
       case "fall" -> new Condition.Rise(new Condition.Negation(edgeOf(tokens.next())));
       default -> comparison();
@@ -224,6 +244,7 @@ public final class FormulaParser {
     Condition operand = condition(prefixed(), first);
     boolean clear =
         operand instanceof Condition.Temporal
+            || operand instanceof Past.Temporal
             || operand instanceof Condition.Rise
             || tokens.enclosedSince(start);
     Token next = tokens.peek();
@@ -231,14 +252,20 @@ public final class FormulaParser {
         tokens.nextIs("and")
             || tokens.nextIs("or")
             || tokens.nextIs("implies")
-            || tokens.nextIs("until");
+            || tokens.nextIs("until")
+            || tokens.nextIs("since");
     if (goesOn && !clear) {
       throw tokens.syntax(
           next,
           "It is not clear whether '" + operator.text() + "' reaches beyond this.",
           "Put all that it reaches into parentheses.");
     }
-    return new Condition.Temporal(operator.text().equals("always"), interval, operand);
+    return switch (operator.text()) {
+      case "always" -> new Condition.Temporal(true, interval, operand);
+      case "eventually" -> new Condition.Temporal(false, interval, operand);
+      case "historically" -> new Past.Temporal(true, interval, operand);
+      default -> new Past.Temporal(false, interval, operand);
+    };
   }
 
   private Part comparison() {

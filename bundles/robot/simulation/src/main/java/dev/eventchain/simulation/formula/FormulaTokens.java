@@ -7,28 +7,11 @@ import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** Tokens of a formula, in sequence. */
 public final class FormulaTokens {
-
-  /** Reserved words, which no unit and no signal may use. */
-  static final Set<String> KEYWORDS =
-      Set.of(
-          "always",
-          "eventually",
-          "until",
-          "and",
-          "or",
-          "not",
-          "implies",
-          "rise",
-          "fall",
-          "abs",
-          "min",
-          "max");
 
   /** Limit on nested parentheses, which keeps the parser from a stack overflow. */
   private static final int MOST = 300;
@@ -134,7 +117,7 @@ public final class FormulaTokens {
 
   /** Returns whether a text is a valid name in formulas. */
   public static boolean isName(String text) {
-    return text.matches("[A-Za-z_]\\w*(?:\\.[A-Za-z_]\\w*)*") && !KEYWORDS.contains(text);
+    return text.matches("[A-Za-z_]\\w*(?:\\.[A-Za-z_]\\w*)*") && !Operator.KEYWORDS.contains(text);
   }
 
   private boolean afterOperand() {
@@ -142,12 +125,14 @@ public final class FormulaTokens {
       return false;
     }
     Token last = tokens.get(tokens.size() - 1);
-    return last.kind() == Kind.SIGN ? last.text().equals(")") : !KEYWORDS.contains(last.text());
+    return last.kind() == Kind.SIGN
+        ? last.text().equals(")")
+        : !Operator.KEYWORDS.contains(last.text());
   }
 
   private int unit(int at, int end) {
     Matcher unit = UNIT.matcher(source.text()).region(at, end);
-    if (!unit.lookingAt() || KEYWORDS.contains(unit.group(1))) {
+    if (!unit.lookingAt() || Operator.KEYWORDS.contains(unit.group(1))) {
       return at;
     }
     tokens.add(new Token(Kind.UNIT, unit.group(1), unit.start(1), unit.end()));

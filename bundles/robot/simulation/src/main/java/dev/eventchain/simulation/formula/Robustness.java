@@ -128,6 +128,61 @@ final class Robustness {
   }
 
   /**
+   * Returns whether the condition was true at some sample of the interval before each sample;
+   * nothing precedes the first sample.
+   */
+  static double[] once(double[] values, Interval interval) {
+    int size = values.length;
+    double[] result = new double[size];
+    // Indices of the window's samples by decreasing value, for a sliding maximum.
+    int[] candidates = new int[size];
+    int first = 0;
+    int end = 0;
+    for (int i = 0; i < size; i++) {
+      int entering = i - interval.from();
+      if (entering >= 0) {
+        while (end > first && values[candidates[end - 1]] <= values[entering]) {
+          end--;
+        }
+        candidates[end++] = entering;
+      }
+      while (interval.bounded() && end > first && candidates[first] < i - interval.to()) {
+        first++;
+      }
+      result[i] = end > first ? values[candidates[first]] : Double.NEGATIVE_INFINITY;
+    }
+    return result;
+  }
+
+  /**
+   * Returns whether the second was true at a sample of the interval before each sample, and the
+   * first at all samples after that one. See {@link #until}, whose mirror image it is.
+   */
+  static double[] since(double[] first, double[] second, Interval interval) {
+    int size = first.length;
+    double[] whenever = new double[size];
+    double before = Double.NEGATIVE_INFINITY;
+    for (int i = 0; i < size; i++) {
+      before = Math.max(second[i], Math.min(first[i], before));
+      whenever[i] = before;
+    }
+    if (!interval.bounded()) {
+      return whenever;
+    }
+    int from = interval.from();
+    double[] there = and(whenever, once(second, new Interval(0, interval.to() - from, true)));
+    if (from == 0) {
+      return there;
+    }
+    double[] kept = not(once(not(first), new Interval(0, from - 1, true)));
+    double[] result = new double[size];
+    for (int i = 0; i < size; i++) {
+      result[i] = i < from ? Double.NEGATIVE_INFINITY : Math.min(kept[i], there[i - from]);
+    }
+    return result;
+  }
+
+  /**
    * Returns whether it is true and was false one sample before; nothing precedes the first sample.
    */
   static double[] rise(double[] values) {

@@ -139,7 +139,7 @@ final class TermParser {
   }
 
   private Term signal(Token token) {
-    if (FormulaTokens.KEYWORDS.contains(token.text())) {
+    if (Operator.KEYWORDS.contains(token.text())) {
       String message = "Expected a quantity, but found '" + token.text() + "'.";
       throw tokens.syntax(token, message, "Put what follows into parentheses.");
     }

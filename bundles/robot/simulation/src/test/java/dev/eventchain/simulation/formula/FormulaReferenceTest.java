@@ -129,12 +129,15 @@ class FormulaReferenceTest {
       return comparison();
     }
     Case first = formula(depth - 1);
-    return switch (random.nextInt(8)) {
+    return switch (random.nextInt(11)) {
       case 0 -> new Case("(not " + first.text() + ")", i -> first.at(i, size).not());
       case 1 -> edge(first);
       case 2 -> temporal(first, true);
       case 3 -> temporal(first, false);
       case 4 -> until(first, formula(depth - 1));
+      case 5 -> past(first, true);
+      case 6 -> past(first, false);
+      case 7 -> since(first, formula(depth - 1));
       default -> junction(first, formula(random.nextInt(depth)));
     };
   }
@@ -220,6 +223,45 @@ class FormulaReferenceTest {
           for (int j = i + from; j <= i + from + length && (bounded || j < size); j++) {
             Value there = reached.at(j, size);
             for (int k = i; k < j; k++) {
+              there = there.and(kept.at(k, size));
+            }
+            value = value.or(there);
+          }
+          return value;
+        });
+  }
+
+  private Case past(Case operand, boolean always) {
+    boolean bounded = random.nextInt(4) > 0;
+    int from = bounded ? random.nextInt(5) : 0;
+    int length = bounded ? random.nextInt(7) : size;
+    return new Case(
+        "("
+            + (always ? "historically" : "once")
+            + interval(bounded, from, length)
+            + operand.text()
+            + ")",
+        i -> {
+          Value value = always ? Value.NEVER.not() : Value.NEVER;
+          for (int j = i - from; j >= Math.max(0, i - from - length); j--) {
+            Value there = operand.at(j, size);
+            value = always ? value.and(there) : value.or(there);
+          }
+          return value;
+        });
+  }
+
+  private Case since(Case kept, Case reached) {
+    boolean bounded = random.nextInt(4) > 0;
+    int from = bounded ? random.nextInt(5) : 0;
+    int length = bounded ? random.nextInt(7) : size;
+    return new Case(
+        "(" + kept.text() + " since" + interval(bounded, from, length) + reached.text() + ")",
+        i -> {
+          Value value = Value.NEVER;
+          for (int j = i - from; j >= Math.max(0, i - from - length); j--) {
+            Value there = reached.at(j, size);
+            for (int k = j + 1; k <= i; k++) {
               there = there.and(kept.at(k, size));
             }
             value = value.or(there);

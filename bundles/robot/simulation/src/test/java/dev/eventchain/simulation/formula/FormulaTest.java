@@ -18,10 +18,12 @@ import dev.eventchain.simulation.world.VehicleCommand;
 import dev.eventchain.simulation.world.World;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvFileSource;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
@@ -173,6 +175,38 @@ class FormulaTest {
     assertEquals(column, problem.location().column(), described);
     assertTrue(problem.message().contains(message), described);
     assertTrue(problem.hint().contains(hint == null ? "" : hint), described);
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void theExampleOfEachOperatorHolds(Operator operator) {
+    assertTrue(judge(operator.example(), run()).startsWith("passed"), operator.example());
+    boolean shown = operator.example().contains(operator.name().toLowerCase(Locale.ROOT));
+    assertTrue(shown || !Operator.KEYWORDS.contains(operator.name().toLowerCase(Locale.ROOT)));
+  }
+
+  /** A formula is judged at the start: what would look back from there says nothing. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "once brake > 0.5",
+        "not historically gap > 1 m",
+        "gap > 1 m since brake > 0.5",
+        "brake > 0.5 implies once gap > 1 m",
+      })
+  void nothingIsJudgedBeforeTheStart(String formula) {
+    DiagnosticException failure =
+        assertThrows(
+            DiagnosticException.class,
+            () ->
+                Formula.parse(
+                    SourceText.of("f", formula).whole(),
+                    new WorldSignals(),
+                    DURATION,
+                    signal -> Range.ALL));
+    Diagnostic problem = failure.diagnostics().get(0);
+    assertEquals("scenario.formula.syntax", problem.id());
+    assertTrue(problem.message().startsWith("Nothing comes before the start"), problem::message);
   }
 
   /** Deeply nested formulas are rejected before they overflow the stack. */

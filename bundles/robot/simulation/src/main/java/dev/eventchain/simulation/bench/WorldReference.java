@@ -1,0 +1,57 @@
+package dev.eventchain.simulation.bench;
+
+import dev.eventchain.simulation.formula.Operator;
+import dev.eventchain.simulation.formula.WorldSignals;
+import dev.eventchain.simulation.sensor.ObjectSensor;
+import dev.eventchain.simulation.world.Actuator;
+import java.util.Arrays;
+import java.util.List;
+
+/** What benches and scenarios can name of the world, for the documentation. */
+public final class WorldReference {
+
+  private WorldReference() {}
+
+  /**
+   * Something with a name.
+   *
+   * @param unit its unit; {@code 1} for a ratio, empty for a truth value
+   */
+  public record Entry(String name, String unit, String meaning) {}
+
+  /**
+   * An operator or a function of formulas.
+   *
+   * @param written how it is written, with operands
+   * @param example a formula with it
+   */
+  public record OperatorEntry(String written, String meaning, String example) {}
+
+  /** Returns the quantities and truth values of the world. */
+  public static List<Entry> quantities() {
+    return WorldSignals.all().stream()
+        .map(it -> new Entry(it.name(), it.truth() ? "" : it.unit(), it.meaning()))
+        .toList();
+  }
+
+  /** Returns what the object sensor knows of each object. */
+  public static List<Entry> objectProperties() {
+    return Arrays.stream(ObjectSensor.Property.values())
+        .map(it -> new Entry(it.id(), it.unitText(), it.meaning()))
+        .toList();
+  }
+
+  /** Returns what software can command of the vehicle. */
+  public static List<Entry> actuators() {
+    return Arrays.stream(Actuator.values())
+        .map(it -> new Entry(it.id(), it.truth() ? "" : it.unitText(), it.meaning()))
+        .toList();
+  }
+
+  /** Returns the operators and functions of formulas. */
+  public static List<OperatorEntry> operators() {
+    return Arrays.stream(Operator.values())
+        .map(it -> new OperatorEntry(it.written(), it.meaning(), it.example()))
+        .toList();
+  }
+}
