@@ -215,7 +215,7 @@ class MetamodelRulesTest {
 
   @Test
   void whatCannotBeParsedIsAnErrorOnTheMetamodel() {
-    annotate(type("Shop"), "Broken", "items?.name->size() > 0");
+    annotate(type("Shop"), "Broken", "items.nam->size() > 0");
     EStructuralFeature doubled = type("Item").getEStructuralFeature("doubled");
     annotate(doubled, "derivation", "price.nothing");
     EOperation total = type("Item").getEOperations().get(0);

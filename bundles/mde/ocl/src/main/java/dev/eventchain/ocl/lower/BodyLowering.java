@@ -12,6 +12,7 @@ import dev.eventchain.ocl.nodes.VirtualCall;
 import dev.eventchain.ocl.parse.Libraries;
 import dev.eventchain.ocl.tree.Asts;
 import dev.eventchain.ocl.tree.BigLiterals;
+import dev.eventchain.ocl.tree.SafeNavigation;
 import dev.eventchain.ocl.values.Unlimited;
 import dev.eventchain.ocl.values.Values;
 import java.util.ArrayList;
@@ -68,6 +69,9 @@ final class BodyLowering {
   private Map<String, Integer> visible = new LinkedHashMap<>();
 
   private final List<String> slots = new ArrayList<>();
+
+  /** The variables that hold the sources of calls that are being lowered. */
+  private final Map<OCLExpression<EClassifier>, Node> sources = new IdentityHashMap<>();
 
   /** The nodes of all expressions so far if tracing; otherwise null. */
   private final Map<OCLExpression<EClassifier>, Node> traced;
@@ -140,6 +144,10 @@ final class BodyLowering {
   }
 
   Node node(OCLExpression<EClassifier> expression) {
+    Node known = sources.get(expression);
+    if (known != null) {
+      return known;
+    }
     Node node = plain(expression);
     if (traced != null) {
       OCLExpression<EClassifier> subject = subjectOf(expression);
@@ -162,8 +170,27 @@ final class BodyLowering {
         : null;
   }
 
-  @SuppressWarnings("unchecked") // Eclipse OCL's types have the metamodel as type arguments
   private Node plain(OCLExpression<EClassifier> expression) {
+    return SafeNavigation.isSafe(expression) ? safe(expression) : unmarked(expression);
+  }
+
+  /** Lowers a call of which nothing is left if its source is null. */
+  @SuppressWarnings("unchecked") // Eclipse OCL's types have the metamodel as type arguments
+  private Node safe(OCLExpression<EClassifier> call) {
+    OCLExpression<EClassifier> source =
+        (OCLExpression<EClassifier>) ((CallExp<EClassifier>) call).getSource();
+    Node value = node(source);
+    int slot = newSlot();
+    sources.put(source, new ValueNodes.Slot(slot));
+    Node of = unmarked(call);
+    sources.remove(source);
+    return source.getType() instanceof CollectionType<?, ?>
+        ? new ValueNodes.Let(slot, new NavigationNodes.WithoutNull(value), of)
+        : new ValueNodes.Let(slot, value, new NavigationNodes.UnlessNull(slot, of));
+  }
+
+  @SuppressWarnings("unchecked") // Eclipse OCL's types have the metamodel as type arguments
+  private Node unmarked(OCLExpression<EClassifier> expression) {
     if (expression instanceof OperationCallExp<?, ?> call) {
       return operations.node((OperationCallExp<EClassifier, EOperation>) call);
     } else if (expression instanceof PropertyCallExp<?, ?> call) {

@@ -281,4 +281,37 @@ public final class NavigationNodes {
       return value == null || (value != INVALID && test.holds(value)) ? value : INVALID;
     }
   }
+
+  /** A value that is computed from a variable, and null where the variable is. */
+  public static final class UnlessNull extends Node {
+    private final int slot;
+    private final Node inner;
+
+    public UnlessNull(int slot, Node inner) {
+      this.slot = slot;
+      this.inner = inner;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      return frame.slots[slot] == null ? null : inner.evaluate(frame);
+    }
+  }
+
+  /** The elements of a collection that are not null. */
+  public static final class WithoutNull extends Node {
+    private final Node source;
+
+    public WithoutNull(Node source) {
+      this.source = source;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      Object value = source.evaluate(frame);
+      return Values.isCollection(value)
+          ? CollectionOperations.excluding((Collection<?>) value, null)
+          : value;
+    }
+  }
 }

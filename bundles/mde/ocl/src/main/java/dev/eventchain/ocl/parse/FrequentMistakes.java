@@ -39,10 +39,8 @@ public final class FrequentMistakes {
               "//", new Mistake("Comments start with two hyphens.", "Write -- instead of //.")),
           Map.entry(
               "^^",
-              new Mistake("'^^' is not part of this OCL.", "A model in a file sends no messages.")),
-          Map.entry(
-              "?.",
-              new Mistake("'?.' is not part of this OCL.", "Write x <> null implies x.y ...")));
+              new Mistake(
+                  "'^^' is not part of this OCL.", "A model in a file sends no messages.")));
 
   private static final Map<String, Mistake> CHARACTERS =
       Map.of(
@@ -114,12 +112,12 @@ public final class FrequentMistakes {
   private void look() {
     String token = tokens.text(at);
     String pair = tokens.touches(at) ? token + tokens.text(at + 1) : "";
-    if (OPERATORS.containsKey(pair) || pair.equals("?->")) {
-      add(at, OPERATORS.getOrDefault(pair, OPERATORS.get("?.")));
+    if (OPERATORS.containsKey(pair)) {
+      add(at, OPERATORS.get(pair));
       at += 2;
       skipRestOfLine(pair);
       return;
-    } else if (CHARACTERS.containsKey(token)) {
+    } else if (CHARACTERS.containsKey(token) && !SafeDots.SIGNS.contains(pair)) {
       add(at, CHARACTERS.get(token));
     } else if ("'\"".indexOf(token.charAt(0)) >= 0 && !tokens.isString(at)) {
       add(at, unclosed(token));

@@ -2,6 +2,7 @@ package dev.eventchain.ocl.parse;
 
 import dev.eventchain.ocl.text.ExpressionRules;
 import dev.eventchain.ocl.tree.BigLiterals;
+import dev.eventchain.ocl.tree.SafeNavigation;
 import java.util.List;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
@@ -13,7 +14,9 @@ import org.eclipse.emf.ecore.EParameter;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.ocl.Environment;
 import org.eclipse.ocl.cst.CSTNode;
+import org.eclipse.ocl.cst.CallExpCS;
 import org.eclipse.ocl.cst.ClassifierContextDeclCS;
+import org.eclipse.ocl.cst.FeatureCallExpCS;
 import org.eclipse.ocl.cst.IntegerLiteralExpCS;
 import org.eclipse.ocl.cst.LoopExpCS;
 import org.eclipse.ocl.cst.OperationCallExpCS;
@@ -40,10 +43,16 @@ public final class OclAnalyzer extends OCLAnalyzer {
       List<? extends TypedElement<EClassifier>> arguments,
       CSTNode node) {}
 
+  private final SafeDots safe;
   private MissingOperation missing;
 
   public OclAnalyzer(OclEnvironment environment, String input) {
-    super(new BigLiterals.Parser(new OCLLexer(environment, input.toCharArray())));
+    this(environment, new SafeDots(input));
+  }
+
+  private OclAnalyzer(OclEnvironment environment, SafeDots safe) {
+    super(new BigLiterals.Parser(new OCLLexer(environment, safe.plain().toCharArray())));
+    this.safe = safe;
     getLexer().lexer(getAbstractParser().getIPrsStream());
     KeywordNames.release(getAbstractParser().getIPrsStream(), environment.packages());
     NewerSyntax.spellOut(getAbstractParser().getIPrsStream());
@@ -101,6 +110,42 @@ public final class OclAnalyzer extends OCLAnalyzer {
             node, rule, environment, node.getName(), type, value, true, add, false);
     initStartEndPositions(variable, node);
     return variable;
+  }
+
+  /** Marks a call that is written with a question mark. */
+  @Override
+  protected OCLExpression<EClassifier> propertyCallExpCS(
+      CallExpCS node,
+      Environment<
+              EPackage,
+              EClassifier,
+              EOperation,
+              EStructuralFeature,
+              EEnumLiteral,
+              EParameter,
+              EObject,
+              CallOperationAction,
+              SendSignalAction,
+              Constraint,
+              EClass,
+              EObject>
+          environment) {
+    OCLExpression<EClassifier> call = super.propertyCallExpCS(node, environment);
+    if (call != null
+        && node.getSource() != null
+        && safe.between(node.getSource().getEndOffset(), startOf(node))) {
+      SafeNavigation.mark(call);
+    }
+    return call;
+  }
+
+  /** Returns where the name of what is called begins. */
+  private static int startOf(CallExpCS node) {
+    CSTNode name =
+        node.getSimpleNameCS() != null || !(node instanceof FeatureCallExpCS call)
+            ? node.getSimpleNameCS()
+            : call.getPathNameCS();
+    return name == null ? node.getEndOffset() : name.getStartOffset();
   }
 
   /** Refuses two variables of one name in a loop; an inner loop may hide an outer one's. */
