@@ -71,7 +71,7 @@ final class BodyLowering {
   private final List<String> slots = new ArrayList<>();
 
   /** The variables that hold the sources of calls that are being lowered. */
-  private final Map<OCLExpression<EClassifier>, Node> sources = new IdentityHashMap<>();
+  private final IdentityHashMap<OCLExpression<EClassifier>, Node> sources = new IdentityHashMap<>();
 
   /** The nodes of all expressions so far if tracing; otherwise null. */
   private final Map<OCLExpression<EClassifier>, Node> traced;
@@ -177,8 +177,7 @@ final class BodyLowering {
   /** Lowers a call of which nothing is left if its source is null. */
   @SuppressWarnings("unchecked") // Eclipse OCL's types have the metamodel as type arguments
   private Node safe(OCLExpression<EClassifier> call) {
-    OCLExpression<EClassifier> source =
-        (OCLExpression<EClassifier>) ((CallExp<EClassifier>) call).getSource();
+    OCLExpression<EClassifier> source = ((CallExp<EClassifier>) call).getSource();
     Node value = node(source);
     int slot = newSlot();
     sources.put(source, new ValueNodes.Slot(slot));
