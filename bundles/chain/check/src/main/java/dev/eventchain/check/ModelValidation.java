@@ -35,7 +35,7 @@ import org.eclipse.emf.ecore.EPackage;
 public final class ModelValidation {
 
   private final XmiStore store;
-  private final List<EPackage> packages = new ArrayList<>();
+  private final List<EPackage> packages;
   private final List<LoadedModel> models;
 
   /** The named models, and those that they refer to. */
@@ -47,12 +47,7 @@ public final class ModelValidation {
   private ModelValidation(
       List<Path> metamodels, Map<String, Path> map, List<Path> models, Duration timeLimit) {
     store = EventChainMetamodel.store(folders(metamodels, models), map);
-    load(metamodels);
-    // The given metamodel applies, even if it is the file of the shipped one.
-    EPackage shipped = EventchainPackage.eINSTANCE;
-    if (packages.stream().noneMatch(given -> shipped.getNsURI().equals(given.getNsURI()))) {
-      packages.add(shipped);
-    }
+    packages = load(store, metamodels);
     this.models = store.loadAll(models);
     all = XmiStore.withReferred(this.models);
     origins = all.get(0).origins();
@@ -60,7 +55,8 @@ public final class ModelValidation {
   }
 
   /** Loads metamodels in any order: one may refer to a later one by its namespace. */
-  private void load(List<Path> metamodels) {
+  private static List<EPackage> load(XmiStore store, List<Path> metamodels) {
+    List<EPackage> packages = new ArrayList<>();
     List<Path> open = metamodels;
     while (!open.isEmpty()) {
       List<Path> failed = new ArrayList<>();
@@ -79,6 +75,23 @@ public final class ModelValidation {
       }
       open = failed;
     }
+    // The given metamodel applies, even if it is the file of the shipped one.
+    EPackage shipped = EventchainPackage.eINSTANCE;
+    if (packages.stream().noneMatch(given -> shipped.getNsURI().equals(given.getNsURI()))) {
+      packages.add(shipped);
+    }
+    return packages;
+  }
+
+  /**
+   * Reads metamodels, for something that needs no model.
+   *
+   * @param map as in {@link #read}
+   * @return their packages, and the one of event chains
+   * @throws DiagnosticException INPUT if a file cannot be read
+   */
+  public static List<EPackage> metamodels(List<Path> metamodels, Map<String, Path> map) {
+    return load(EventChainMetamodel.store(folders(metamodels, List.of()), map), metamodels);
   }
 
   /**

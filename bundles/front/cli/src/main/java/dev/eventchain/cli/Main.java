@@ -41,6 +41,7 @@ public final class Main {
           StageCommands.Constrain.class,
           ValidateCommand.class,
           GenerateCommand.class,
+          CompileCommand.class,
           StageCommands.Simulate.class,
           AcceptCommand.class,
           MutateCommand.class,

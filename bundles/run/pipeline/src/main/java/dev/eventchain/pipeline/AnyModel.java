@@ -16,10 +16,12 @@ import dev.eventchain.output.OutputFolder.OnEdit;
 import dev.eventchain.pipeline.files.WrittenFiles;
 import dev.eventchain.pipeline.generate.MessageModel;
 import dev.eventchain.pipeline.generate.TraceFile;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.EnumSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -93,7 +95,7 @@ public final class AnyModel {
     try (JavaServices classes = JavaServices.of(template.services())) {
       TemplateModule module =
           TemplateModule.compile(
-              template.main(), template.sources(), templatePackages(any), classes.loader());
+              template.main(), template.sources(), withMessages(any.packages()), classes.loader());
       WrittenFiles files = new WrittenFiles(target.folder());
       files.found(lenient ? milder(any.ecore().diagnostics()) : any.ecore().diagnostics());
       if (!Diagnostic.anyError(suppressions.part(files.diagnostics()).remaining())) {
@@ -113,6 +115,34 @@ public final class AnyModel {
     }
   }
 
+  /**
+   * Compiles templates, without a model and without running them.
+   *
+   * @param metamodels the metamodels that the templates name; event chains need not be named
+   * @param map as in {@link #generate}
+   * @param templates each with its modules and services
+   * @return the findings, each once
+   * @throws DiagnosticException INPUT if a metamodel cannot be read, or a template is not there
+   */
+  public static List<Diagnostic> compile(
+      List<Path> metamodels, Map<String, Path> map, List<Template> templates) {
+    List<EPackage> packages = withMessages(ModelValidation.metamodels(metamodels, map));
+    Set<Diagnostic> found = new LinkedHashSet<>();
+    for (Template template : templates) {
+      try (JavaServices classes = JavaServices.of(template.services())) {
+        found.addAll(
+            TemplateModule.compile(template.main(), template.sources(), packages, classes.loader())
+                .warnings());
+      } catch (DiagnosticException e) {
+        if (!Files.isRegularFile(template.main())) {
+          throw e;
+        }
+        found.addAll(e.diagnostics());
+      }
+    }
+    return List.copyOf(found);
+  }
+
   /** Returns findings about a model that Acceleo does not look at, with warnings for errors. */
   private static List<Diagnostic> milder(List<Diagnostic> found) {
     return found.stream()
@@ -124,8 +154,8 @@ public final class AnyModel {
    * Returns the packages for templates, which may use message definitions: without a project there
    * are none.
    */
-  private static List<EPackage> templatePackages(ModelValidation any) {
-    List<EPackage> all = new ArrayList<>(any.packages());
+  private static List<EPackage> withMessages(List<EPackage> packages) {
+    List<EPackage> all = new ArrayList<>(packages);
     EPackage messages = MessageModel.metamodel();
     if (all.stream().noneMatch(given -> messages.getNsURI().equals(given.getNsURI()))) {
       all.add(messages);
