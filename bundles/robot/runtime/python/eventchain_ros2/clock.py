@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from enum import IntEnum
-from typing import Any
+from typing import Any, ClassVar
 
 NANOSECONDS_PER_SECOND = 1_000_000_000
 
@@ -125,12 +125,29 @@ class Time:
 
 
 class Clock:
-    """A clock of a node. Every kind shows the simulated time, so that runs are reproducible."""
+    """A clock. Every kind shows the simulated time, so that runs are reproducible.
 
-    def __init__(self, now: Callable[[], int], clock_type: ClockType = ClockType.ROS_TIME) -> None:
+    Args:
+        clock_type: what `now` says of its times.
+        now: returns the time of the clock's node, in ns; None: the clock is of no node.
+
+    """
+
+    of_no_node: ClassVar[Callable[[], int] | None] = None
+    """Returns the time of the running callback, in ns; None as long as nothing runs."""
+
+    def __init__(self, *, clock_type: ClockType = ClockType.SYSTEM_TIME, now: Callable[[], int] | None = None) -> None:
         self._now = now
         self.clock_type = clock_type
 
     def now(self) -> Time:
-        """Return the simulated time; within a callback it is that of the callback's start."""
-        return Time(nanoseconds=self._now(), clock_type=self.clock_type)
+        """Return the simulated time; within a callback it is that of the callback's start.
+
+        Raises:
+            RuntimeError: the clock is of no node, and nothing runs.
+
+        """
+        now = self._now or Clock.of_no_node
+        if now is None:
+            raise RuntimeError("a clock of no node shows the simulated time: call rclpy.init() first")
+        return Time(nanoseconds=now(), clock_type=self.clock_type)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from eventchain_ros2.clock import Clock
 from eventchain_ros2.simulation import Simulation
 
 NO_EXECUTOR = (
@@ -31,8 +32,13 @@ _context = _Context()
 
 def enter(simulation: Simulation) -> None:
     """Use this simulation for new nodes; user code may still call `init` once."""
-    _context.simulation = simulation
+    _use(simulation)
     _context.initialized = False
+
+
+def _use(simulation: Simulation) -> None:
+    _context.simulation = simulation
+    Clock.of_no_node = simulation.clock_of_callback
 
 
 def start_with(start: Callable[[int | None], Simulation]) -> None:
@@ -45,7 +51,7 @@ def init(domain_id: int | None = None) -> None:
     if _context.initialized and ok():
         raise RuntimeError("Context.init() must only be called once")
     if not ok():
-        _context.simulation = _context.start(domain_id)
+        _use(_context.start(domain_id))
     _context.initialized = True
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from eventchain_ros2 import context
-from eventchain_ros2.clock import NANOSECONDS_PER_SECOND, Clock
+from eventchain_ros2.clock import NANOSECONDS_PER_SECOND, Clock, ClockType
 from eventchain_ros2.endpoints import Publisher, Subscription, Timer
 from eventchain_ros2.logger import Logger
 from eventchain_ros2.parameters import Parameter, Parameters
@@ -57,7 +57,7 @@ class Node:
         self.__publishers: list[Publisher] = []
         self.__subscriptions: list[Subscription] = []
         self.__timers: list[Timer] = []
-        self.__clock = Clock(self.__now)
+        self.__clock = Clock(clock_type=ClockType.ROS_TIME, now=self.__now)
         self.__logger = Logger(self.get_fully_qualified_name().strip("/").replace("/", "."), self.__now)
 
     def __now(self) -> int:

@@ -105,6 +105,10 @@ class Simulation:
         """Return the time on the clock of a process, in ns."""
         return self.now if self.fault is None else self.fault.clock(process.name, self.now)
 
+    def clock_of_callback(self) -> int:
+        """Return the time on the clock of the process whose callback is running, in ns; else the simulated time."""
+        return self.now if self.current is None else self.clock(self.current)
+
     def stop(self) -> None:
         """Stop running callbacks."""
         self.running = False
