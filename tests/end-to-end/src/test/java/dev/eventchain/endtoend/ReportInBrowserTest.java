@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -153,6 +152,7 @@ class ReportInBrowserTest {
   }
 
   private String ended(String browser, String size, String address) throws Exception {
+    Path dom = folder.resolve("dom.html");
     Process process =
         new ProcessBuilder(
                 browser,
@@ -165,11 +165,16 @@ class ReportInBrowserTest {
                 size,
                 "--dump-dom",
                 address)
+            .redirectOutput(dom.toFile())
             .redirectError(ProcessBuilder.Redirect.DISCARD)
             .start();
-    String dom = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    assertTrue(process.waitFor(1, TimeUnit.MINUTES));
-    return dom;
+    try {
+      assertTrue(process.waitFor(5, TimeUnit.MINUTES), "the browser does not end");
+      return Files.readString(dom);
+    } finally {
+      process.descendants().forEach(ProcessHandle::destroyForcibly);
+      process.destroyForcibly();
+    }
   }
 
   private static boolean isThere(String command) {
