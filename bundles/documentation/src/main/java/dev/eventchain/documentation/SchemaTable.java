@@ -2,6 +2,7 @@ package dev.eventchain.documentation;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
@@ -71,7 +72,19 @@ final class SchemaTable {
       addProperty(prefix + "NAME", others, false);
     }
     for (String choice : List.of("oneOf", "anyOf")) {
-      node.path(choice).forEach(each -> add(prefix, each));
+      node.path(choice).forEach(each -> addAlternative(prefix, resolved(each)));
+    }
+  }
+
+  /**
+   * Adds what one of several forms has; nothing of it is required, since another may be written.
+   */
+  private void addAlternative(String prefix, JsonNode node) {
+    ObjectNode form = node.deepCopy();
+    form.remove("required");
+    add(prefix, form);
+    if (form.has("items") && !prefix.isEmpty()) {
+      add(prefix.substring(0, prefix.length() - 1) + "[].", form.path("items"));
     }
   }
 
@@ -121,7 +134,7 @@ final class SchemaTable {
     JsonNode type = node.path("type");
     if (type.isArray()) {
       return StreamSupport.stream(type.spliterator(), false)
-          .map(each -> each.asText().replace("string", "text"))
+          .map(each -> each.asText().replace("string", "text").replace("array", "list"))
           .collect(Collectors.joining(" or "));
     }
     return type.asText().equals("array")

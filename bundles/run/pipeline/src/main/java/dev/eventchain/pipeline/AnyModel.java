@@ -128,17 +128,19 @@ public final class AnyModel {
       List<Path> metamodels, Map<String, Path> map, List<Template> templates) {
     List<EPackage> packages = withMessages(ModelValidation.metamodels(metamodels, map));
     Set<Diagnostic> found = new LinkedHashSet<>();
+    boolean missing = false;
     for (Template template : templates) {
       try (JavaServices classes = JavaServices.of(template.services())) {
         found.addAll(
             TemplateModule.compile(template.main(), template.sources(), packages, classes.loader())
                 .warnings());
       } catch (DiagnosticException e) {
-        if (!Files.isRegularFile(template.main())) {
-          throw e;
-        }
+        missing |= !Files.isRegularFile(template.main());
         found.addAll(e.diagnostics());
       }
+    }
+    if (missing) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, List.copyOf(found));
     }
     return List.copyOf(found);
   }

@@ -309,9 +309,19 @@ public final class NavigationNodes {
     @Override
     Object evaluate(Frame frame) {
       Object value = source.evaluate(frame);
-      return Values.isCollection(value)
+      // The same collection, if it can be, since an index of its elements belongs to it.
+      return Values.isCollection(value) && hasNull((Collection<?>) value)
           ? CollectionOperations.excluding((Collection<?>) value, null)
           : value;
+    }
+
+    private static boolean hasNull(Collection<?> elements) {
+      for (Object element : elements) {
+        if (element == null) {
+          return true;
+        }
+      }
+      return false;
     }
   }
 }

@@ -36,8 +36,8 @@ final class Constancy {
     if (condition instanceof Condition.Comparison comparison) {
       return ofComparison(comparison, ranges);
     }
-    if (condition instanceof Condition.Temporal temporal) {
-      return of(temporal.operand(), ranges);
+    if (condition instanceof Condition.Temporal || condition instanceof Past.Temporal) {
+      return of(condition.parts().get(0), ranges);
     }
     Constancy constancy = new Constancy(ranges);
     return constancy.collect(condition) ? constancy.tried(condition) : Optional.empty();

@@ -221,7 +221,7 @@ public final class Formula {
         format(
             "'%s' %s %s %s",
             comparison.text(),
-            holds ? "holds by" : passed ? "does not hold, by" : "is missed by",
+            holds ? "holds by" : passed ? "is false by" : "is missed by",
             number(margin, unit),
             after(run, decision.sample()));
     double signed = inUnit(passed ? margin : -margin, unit);

@@ -127,7 +127,7 @@ final class FormulaEvaluation {
       List<double[]> inner = here.parts.stream().map(part -> part.truth).toList();
       Condition.Step step = here.condition.decisive(inner, sample, cut);
       if (step.part() < 0) {
-        return Decision.without(sample, Optional.empty());
+        return Decision.without(sample, Past.nothingBefore(here.condition));
       }
       here = here.parts.get(step.part());
       sample = step.sample();

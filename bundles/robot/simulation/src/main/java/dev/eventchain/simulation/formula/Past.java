@@ -1,6 +1,7 @@
 package dev.eventchain.simulation.formula;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Operators about the samples up to one. They are those of the future in a run that is read from
@@ -17,31 +18,11 @@ final class Past {
     return new Interval(farthest, -nearest, true);
   }
 
-  private static double[] reversed(double[] values) {
-    double[] result = new double[values.length];
-    for (int i = 0; i < values.length; i++) {
-      result[i] = values[values.length - 1 - i];
-    }
-    return result;
-  }
-
-  /** Returns the deciding step of an operator of the future, read from the end of the run. */
-  private static Condition.Step mirrored(
-      Condition future, List<double[]> parts, int sample, Interval interval) {
-    int last = parts.get(0).length - 1;
-    if (interval.from() > sample) {
-      return Condition.Step.OUTSIDE;
-    }
-    Condition.Step step =
-        future.decisive(parts.stream().map(Past::reversed).toList(), last - sample, false);
-    return step.part() < 0 ? step : new Condition.Step(step.part(), last - step.sample());
-  }
-
-  /** Returns the interval that reaches back to the start at most, so that none is open. */
-  private static Interval within(Interval interval, int sample) {
-    return interval.bounded() && interval.to() > sample
-        ? new Interval(interval.from(), Math.max(interval.from(), sample), true)
-        : interval;
+  /** Returns what to say of an operator about the past that sees nothing of the run. */
+  static Optional<String> nothingBefore(Condition condition) {
+    return condition instanceof Temporal || condition instanceof Since
+        ? Optional.of("all of its interval is before the start of the run, so ask for it later")
+        : Optional.empty();
   }
 
   /** {@code historically}, or {@code once}: true at all samples, or at one, of an interval. */
@@ -70,10 +51,17 @@ final class Past {
       return back(interval, interval.from());
     }
 
+    /** Returns the first sample of the window with the extreme value. */
     @Override
     public Step decisive(List<double[]> parts, int sample, boolean cut) {
-      Condition future = new Condition.Temporal(always, within(interval, sample), operand);
-      return mirrored(future, parts, sample, interval);
+      double[] truth = parts.get(0);
+      int found = interval.bounded() ? Math.max(0, sample - interval.to()) : 0;
+      for (int i = found; i <= sample - interval.from(); i++) {
+        if (always ? truth[i] < truth[found] : truth[i] > truth[found]) {
+          found = i;
+        }
+      }
+      return sample < interval.from() ? Step.OUTSIDE : new Step(0, found);
     }
   }
 
@@ -100,10 +88,27 @@ final class Past {
       return back(interval, part == 1 ? interval.from() : 0);
     }
 
+    /** Decides as {@code until} does in the run that is read from its end. */
     @Override
     public Step decisive(List<double[]> parts, int sample, boolean cut) {
-      Condition future = new Condition.Until(kept, within(interval, sample), reached);
-      return mirrored(future, parts, sample, interval);
+      if (sample < interval.from()) {
+        return Step.OUTSIDE;
+      }
+      int last = parts.get(0).length - 1;
+      boolean open = interval.bounded() && interval.to() > sample;
+      Interval within = open ? new Interval(interval.from(), sample, true) : interval;
+      List<double[]> reversed = parts.stream().map(Since::reversed).toList();
+      Step step =
+          new Condition.Until(kept, within, reached).decisive(reversed, last - sample, false);
+      return step.part() < 0 ? step : new Step(step.part(), last - step.sample());
+    }
+
+    private static double[] reversed(double[] values) {
+      double[] result = new double[values.length];
+      for (int i = 0; i < values.length; i++) {
+        result[i] = values[values.length - 1 - i];
+      }
+      return result;
     }
   }
 }

@@ -129,7 +129,7 @@ final class Robustness {
 
   /**
    * Returns whether the condition was true at some sample of the interval before each sample;
-   * nothing precedes the first sample.
+   * unknown where the whole interval is before the first sample.
    */
   static double[] once(double[] values, Interval interval) {
     int size = values.length;
@@ -149,14 +149,15 @@ final class Robustness {
       while (interval.bounded() && end > first && candidates[first] < i - interval.to()) {
         first++;
       }
-      result[i] = end > first ? values[candidates[first]] : Double.NEGATIVE_INFINITY;
+      result[i] = end > first ? values[candidates[first]] : UNKNOWN;
     }
     return result;
   }
 
   /**
    * Returns whether the second was true at a sample of the interval before each sample, and the
-   * first at all samples after that one. See {@link #until}, whose mirror image it is.
+   * first at all samples after that one; unknown where the whole interval is before the first
+   * sample. See {@link #until}, whose mirror image it is.
    */
   static double[] since(double[] first, double[] second, Interval interval) {
     int size = first.length;
@@ -177,7 +178,7 @@ final class Robustness {
     double[] kept = not(once(not(first), new Interval(0, from - 1, true)));
     double[] result = new double[size];
     for (int i = 0; i < size; i++) {
-      result[i] = i < from ? Double.NEGATIVE_INFINITY : Math.min(kept[i], there[i - from]);
+      result[i] = i < from ? UNKNOWN : Math.min(kept[i], there[i - from]);
     }
     return result;
   }

@@ -242,10 +242,10 @@ class FormulaReferenceTest {
             + operand.text()
             + ")",
         i -> {
-          Value value = always ? Value.NEVER.not() : Value.NEVER;
+          Value value = Value.UNKNOWN;
           for (int j = i - from; j >= Math.max(0, i - from - length); j--) {
             Value there = operand.at(j, size);
-            value = always ? value.and(there) : value.or(there);
+            value = j == i - from ? there : always ? value.and(there) : value.or(there);
           }
           return value;
         });
@@ -258,7 +258,7 @@ class FormulaReferenceTest {
     return new Case(
         "(" + kept.text() + " since" + interval(bounded, from, length) + reached.text() + ")",
         i -> {
-          Value value = Value.NEVER;
+          Value value = i < from ? Value.UNKNOWN : Value.NEVER;
           for (int j = i - from; j >= Math.max(0, i - from - length); j--) {
             Value there = reached.at(j, size);
             for (int k = j + 1; k <= i; k++) {

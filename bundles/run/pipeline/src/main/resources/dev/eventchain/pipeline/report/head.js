@@ -17,13 +17,13 @@ function causeOf(scenario) {
   const hit = (criterion) => text(criterion.measured).startsWith("impact");
   const rank = (criterion) => (outcomeOf(criterion).tone === "bad" ? (hit(criterion) ? 0 : 1) : 2);
   const first = [...missed].sort((one, other) => rank(one) - rank(other))[0];
-  return first ? [`${rank(first) < 2 ? "" : "not tested: "}${text(first.text)}: ${text(first.measured)}`, missed.length - 1] : [text(scenario.error), 0];
+  return first ? [`${rank(first) < 2 ? "" : "not tested: "}${text(first.text)}: ${text(first.measured)}`, missed.length - 1] : ["", 0];
 }
 
 function scenarioReason(scenario) {
   const [cause, others] = causeOf(scenario);
-  return { title: cause, parts: [html("a", { href: "#" + scenarioId(scenario) }, titleOf(scenario)), ": " + cause],
-    rest: others > 0 ? `and ${count(others, "criterion", "criteria")} more` : "" };
+  return { parts: [html("a", { href: "#" + scenarioId(scenario) }, titleOf(scenario)), cause ? ": " + cause : ""],
+    rest: others > 0 ? `and ${whole(others)} more ${others === 1 ? "criterion" : "criteria"}` : "" };
 }
 
 /** The stages that did not succeed, except one that only says that scenarios failed; the scenarios; and what else is wrong. */
@@ -37,7 +37,7 @@ function reasons() {
 }
 
 function reasonItem(reason) {
-  return html("li", null, sign("bad"), html("span", { class: "cause", title: reason.title }, reason.parts), reason.rest ? html("span", { class: "muted" }, reason.rest) : null);
+  return html("li", null, sign("bad"), html("span", null, reason.parts), reason.rest ? html("span", { class: "muted" }, reason.rest) : null);
 }
 
 function reasonList() {

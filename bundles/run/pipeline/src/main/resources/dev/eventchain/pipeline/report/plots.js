@@ -39,7 +39,7 @@ function steadyList(panels) {
     const range = extent(panel.values);
     return html("li", null, html("span", null, panel.name), html("span", { class: "muted" }, range ? reading(panel, range.low) : panel.absent || "no values"));
   };
-  return panels.length === 0 ? null : html("details", null, html("summary", null, `${count(panels.length, "signal")} that did not change`),
+  return panels.length === 0 ? null : html("details", null, html("summary", null, count(panels.length, "constant signal")),
     html("ul", { class: "steady" }, panels.map(item)));
 }
 

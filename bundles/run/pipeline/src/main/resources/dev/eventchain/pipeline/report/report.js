@@ -126,7 +126,7 @@ function diagnosticSection() {
   const folded = (words, all) => (all.length === 0 ? null : html("details", null, html("summary", null, words), html("ol", { class: "diagnostics" }, all.map(diagnosticItem))));
   return section("diagnostics", "Diagnostics", null,
     own.length > 0 ? html("ol", { class: "diagnostics first" }, own.slice(0, 10).map(diagnosticItem)) : told.length > 0 ? null : html("p", { class: "none" }, "None."),
-    folded(`${rest.length} more`, rest), folded(`${count(told.length, "criterion", "criteria")} of scenarios, as the scenarios say`, told));
+    folded(`${rest.length} more`, rest), folded(`${count(told.length, "finding")} already shown with their scenarios`, told));
 }
 
 function stageSection() {
@@ -167,7 +167,8 @@ const whenShown = [];
 /** Whether a section shows a part of what went wrong. */
 function isToldThere(id) {
   return (id === "chain" && silentNodes().length > 0) || (id === "validation" && validation.some((one) => one.violations !== 0 || !(one.evaluations > 0)))
-    || (id === "stages" && stages.some((stage) => text(stage.status) === "failed" && text(stage.name) !== "simulate"));
+    || (id === "measurements" && document.querySelector("#measurements .bad") !== null)
+    || (id === "stages" && stages.some((stage) => ["failed", "waiting"].includes(text(stage.status)) && text(stage.name) !== "simulate"));
 }
 
 /** Folds a section to its heading: whoever looks for a failure scrolls past it. */
@@ -210,7 +211,7 @@ function page() {
     ["chain", "validation", "measurements", "stages", "conversations", "provenance"].filter((id) => !isToldThere(id)).forEach(foldSection);
   }
   addEventListener("hashchange", unfold);
-  addEventListener("beforeprint", () => document.querySelectorAll("details.printed").forEach((one) => (one.open = true)));
+  addEventListener("beforeprint", () => document.querySelectorAll("details.printed, details.folded").forEach((one) => (one.open = true)));
   unfold();
   whenShown.forEach((action) => action());
 }

@@ -71,13 +71,14 @@ function proofItem(proof) {
     html("span", { class: "small muted" }, kind ? " " + kind : ""), passed ? null : html("strong", { class: tone }, " " + word)));
 }
 
-/** What proves a requirement: all that does not pass, and a few of what passes, or all of it if it is little. */
+/** What proves a requirement: a few, first of what does not pass, and how much is left of both. */
 function proofList(proofs) {
   const bad = proofs.filter((proof) => proof.passed !== true);
   const good = proofs.filter((proof) => proof.passed === true);
   const shown = bad.length + good.length <= MOST_PROOFS ? [...bad, ...good] : bad.slice(0, MOST_PROOFS);
   const rest = [...bad, ...good].filter((proof) => !shown.includes(proof));
-  const words = rest.every((proof) => proof.passed === true) ? `${whole(rest.length)} passed` : `${whole(rest.length)} more`;
+  const failed = rest.filter((proof) => proof.passed !== true).length;
+  const words = [failed > 0 ? `${whole(failed)} more not passed` : "", rest.length > failed ? `${whole(rest.length - failed)} passed` : ""].filter(Boolean).join(", ");
   return [html("ul", null, shown.map(proofItem)),
     rest.length === 0 ? null : html("details", { class: "small" }, html("summary", null, words), html("ul", null, rest.map(proofItem)))];
 }

@@ -55,7 +55,7 @@ function criterionItem(criterion, before) {
 function criteriaLists(scenario) {
   const all = records(scenario.criteria);
   const hit = records(scenario.measurements).some((one) => text(one.name) === "impact.speed");
-  const left = hit ? all.filter((criterion) => outcomeOf(criterion).tone === "warn") : [];
+  const left = hit ? all.filter((criterion) => outcomeOf(criterion).tone === "warn" && text(criterion.measured).includes("by an impact")) : [];
   const items = (some) => some.map((criterion) => criterionItem(criterion, scenario.before));
   return [html("ul", { class: "criteria", "aria-label": "Criteria" }, items(all.filter((criterion) => !left.includes(criterion)))),
     left.length === 0 ? null : html("details", { class: "observed" },
