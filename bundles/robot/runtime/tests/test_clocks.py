@@ -1,4 +1,4 @@
-"""Clocks of no node: `rclpy.clock.Clock()`."""
+"""Clocks without a node: `rclpy.clock.Clock()`."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Watch(Node):
         self.read.append((self.own.now().nanoseconds, self.get_clock().now().nanoseconds))
 
 
-def test_a_clock_of_no_node_shows_the_time_of_the_callback(simulation: Simulation) -> None:
+def test_a_clock_without_node_shows_the_time_of_the_callback(simulation: Simulation) -> None:
     watch = Watch()
     simulation.advance(25 * MILLISECOND)
     assert watch.read == [(10 * MILLISECOND, 10 * MILLISECOND), (20 * MILLISECOND, 20 * MILLISECOND)]
@@ -39,6 +39,6 @@ def test_it_is_a_clock_of_the_system_unless_it_is_said(simulation: Simulation) -
 
 
 def test_without_anything_that_runs_it_says_what_to_do(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(Clock, "of_no_node", None)
+    monkeypatch.setattr(Clock, "without_node", None)
     with pytest.raises(RuntimeError, match=r"call rclpy\.init\(\) first"):
         Clock().now()

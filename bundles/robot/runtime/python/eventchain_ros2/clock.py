@@ -129,11 +129,11 @@ class Clock:
 
     Args:
         clock_type: what `now` says of its times.
-        now: returns the time of the clock's node, in ns; None: the clock is of no node.
+        now: returns the time of the clock's node, in ns; None: the clock is without a node.
 
     """
 
-    of_no_node: ClassVar[Callable[[], int] | None] = None
+    without_node: ClassVar[Callable[[], int] | None] = None
     """Returns the time of the running callback, in ns; None as long as nothing runs."""
 
     def __init__(self, *, clock_type: ClockType = ClockType.SYSTEM_TIME, now: Callable[[], int] | None = None) -> None:
@@ -144,10 +144,10 @@ class Clock:
         """Return the simulated time; within a callback it is that of the callback's start.
 
         Raises:
-            RuntimeError: the clock is of no node, and nothing runs.
+            RuntimeError: the clock is without a node, and nothing runs.
 
         """
-        now = self._now or Clock.of_no_node
+        now = self._now or Clock.without_node
         if now is None:
-            raise RuntimeError("a clock of no node shows the simulated time: call rclpy.init() first")
+            raise RuntimeError("a clock without a node shows the simulated time: call rclpy.init() first")
         return Time(nanoseconds=now(), clock_type=self.clock_type)

@@ -38,7 +38,7 @@ def enter(simulation: Simulation) -> None:
 
 def _use(simulation: Simulation) -> None:
     _context.simulation = simulation
-    Clock.of_no_node = simulation.clock_of_callback
+    Clock.without_node = simulation.clock_of_callback
 
 
 def start_with(start: Callable[[int | None], Simulation]) -> None:

@@ -56,6 +56,30 @@ class CompileTest {
   }
 
   @Test
+  void aTemplateOfAProjectMayImportTheShippedOnes() throws IOException {
+    Files.writeString(folder.resolve("eventchain.yaml"), "name: own\n");
+    Path own = folder.resolve("mine.mtl");
+    Files.writeString(
+        own,
+        """
+        [module mine('http://eventchain.dev/eventchain/1.0')]
+        [import ros2_python::main /]
+        [template public mine(chain : EventChain)]
+        [comment @main /]
+        [chain.main()/]
+        [/template]
+        """);
+    new Program().run("compile", own).expect(0).says("0 errors");
+    Path missing = folder.resolve("missing.mtl");
+    template("bad.mtl", "label");
+    new Program()
+        .run("compile", folder.resolve("bad.mtl"), missing)
+        .expect(2)
+        .says("m2t.metamodel")
+        .says("missing.mtl: error: There is no such file.");
+  }
+
+  @Test
   void nothingToCompileIsNoSuccess() throws IOException {
     Path empty = Files.createDirectory(folder.resolve("empty"));
     new Program().run("compile", empty).expect(2).says("there is no template (*.mtl)");

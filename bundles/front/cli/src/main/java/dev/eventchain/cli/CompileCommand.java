@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** {@code compile}: checks templates without a model. */
@@ -37,18 +36,7 @@ final class CompileCommand extends ProjectCommand {
 
   @Mixin private MetamodelOptions given;
 
-  @Option(
-      names = "--services",
-      paramLabel = "JAR|FOLDER",
-      description = "Java classes that the templates may call with invoke(...); may be repeated.")
-  private List<Path> services = List.of();
-
-  @Option(
-      names = "--source",
-      paramLabel = "FOLDER",
-      description =
-          "A source root of the templates: [import a::b] is a/b.mtl below it; may be repeated.")
-  private List<Path> sources = List.of();
+  @Mixin private TemplateOptions with;
 
   CompileCommand(Console console) {
     super(console);
@@ -74,7 +62,7 @@ final class CompileCommand extends ProjectCommand {
             given.metamodels,
             given.map,
             templates.stream()
-                .map(each -> new AnyModel.Template(each, sources, services, List.of()))
+                .map(each -> new AnyModel.Template(each, with.sources, with.services, List.of()))
                 .toList()),
         suppressions());
   }

@@ -60,19 +60,7 @@ final class GenerateCommand extends ProjectCommand {
               + " Acceleo. The last such block wins.")
   private boolean lenient;
 
-  @Option(
-      names = "--services",
-      paramLabel = "JAR|FOLDER",
-      description = "Java classes that the template may call with invoke(...); may be repeated.")
-  private List<Path> services = List.of();
-
-  @Option(
-      names = "--source",
-      paramLabel = "FOLDER",
-      description =
-          "A source root of the template: [import a::b] is a/b.mtl below it; may be repeated."
-              + " The template's own root is found if the template is in folder a.")
-  private List<Path> sources = List.of();
+  @Mixin private TemplateOptions with;
 
   @Option(
       names = "--properties",
@@ -107,7 +95,7 @@ final class GenerateCommand extends ProjectCommand {
     if (lenient) {
       throw wrongUsage("undefined values are errors in a project: --lenient is only for templates");
     }
-    if (!services.isEmpty() || !sources.isEmpty() || !properties.isEmpty()) {
+    if (!with.services.isEmpty() || !with.sources.isEmpty() || !properties.isEmpty()) {
       throw wrongUsage("--services, --source and --properties need a template: --template FILE");
     }
     if (inputs.size() > 1) {
@@ -134,7 +122,7 @@ final class GenerateCommand extends ProjectCommand {
         AnyModel.generate(
             given.metamodels,
             given.map,
-            new AnyModel.Template(template, sources, services, properties),
+            new AnyModel.Template(template, with.sources, with.services, properties),
             inputs,
             new AnyModel.Target(
                 printsResult() ? Optional.empty() : Optional.of(output()),

@@ -125,7 +125,7 @@ def _inherited() -> socket.socket:
 _INHERITED = socket.socket(fileno=int(os.environ[CONTROL])) if CONTROL in os.environ else None
 
 
-# The code of each content of a component's file, from the oldest one, with the place of execute().
+# Compiled code by file content, oldest first, with the place of execute().
 _COMPILED: dict[tuple[str, str, bytes], list[Any]] = {}
 
 

@@ -16,6 +16,8 @@ import dev.eventchain.output.OutputFolder.OnEdit;
 import dev.eventchain.pipeline.files.WrittenFiles;
 import dev.eventchain.pipeline.generate.MessageModel;
 import dev.eventchain.pipeline.generate.TraceFile;
+import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.templates.ShippedTemplates;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -131,9 +133,7 @@ public final class AnyModel {
     boolean missing = false;
     for (Template template : templates) {
       try (JavaServices classes = JavaServices.of(template.services())) {
-        found.addAll(
-            TemplateModule.compile(template.main(), template.sources(), packages, classes.loader())
-                .warnings());
+        found.addAll(compiled(template, packages, classes.loader()).warnings());
       } catch (DiagnosticException e) {
         missing |= !Files.isRegularFile(template.main());
         found.addAll(e.diagnostics());
@@ -143,6 +143,16 @@ public final class AnyModel {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, List.copyOf(found));
     }
     return List.copyOf(found);
+  }
+
+  /** Compiles a template; one of a project may import the shipped modules, as in its stages. */
+  private static TemplateModule compiled(
+      Template template, List<EPackage> packages, Optional<ClassLoader> services) {
+    boolean alone = template.sources().isEmpty() && template.services().isEmpty();
+    return alone && ProjectFolder.around(template.main()).isPresent()
+        ? TemplateModule.compile(
+            template.main(), ShippedTemplates.modules(ShippedTemplates.DEFAULT), packages)
+        : TemplateModule.compile(template.main(), template.sources(), packages, services);
   }
 
   /** Returns findings about a model that Acceleo does not look at, with warnings for errors. */

@@ -1,0 +1,23 @@
+package dev.eventchain.cli;
+
+import java.nio.file.Path;
+import java.util.List;
+import picocli.CommandLine.Option;
+
+/** What templates outside of projects need besides their own files. */
+final class TemplateOptions {
+
+  @Option(
+      names = "--services",
+      paramLabel = "JAR|FOLDER",
+      description = "Java classes that a template may call with invoke(...); may be repeated.")
+  List<Path> services = List.of();
+
+  @Option(
+      names = "--source",
+      paramLabel = "FOLDER",
+      description =
+          "A source root of a template: [import a::b] is a/b.mtl below it; may be repeated."
+              + " A template's own root is found if the template is in folder a.")
+  List<Path> sources = List.of();
+}
