@@ -2,6 +2,7 @@ package dev.eventchain.ocl.explain;
 
 import dev.eventchain.ocl.evaluation.Invalid;
 import dev.eventchain.ocl.metamodel.ValueTexts;
+import dev.eventchain.ocl.tree.SafeNavigation;
 import dev.eventchain.ocl.tree.SourceTexts;
 import dev.eventchain.ocl.values.Values;
 import java.util.ArrayList;
@@ -9,6 +10,7 @@ import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EParameter;
 import org.eclipse.ocl.expressions.IteratorExp;
@@ -41,8 +43,14 @@ final class Witnesses {
 
   /** Reports the first elements for which the body has a value; false if there are none. */
   boolean tellFirst(boolean wanted) {
-    search(probe.elements(loop.getSource()), new ArrayList<>(), wanted);
+    search(elements(), new ArrayList<>(), wanted);
     return found;
+  }
+
+  /** Returns the elements that the loop sees. */
+  private Collection<?> elements() {
+    Collection<?> all = probe.elements(loop.getSource());
+    return SafeNavigation.isSafe(loop) ? all.stream().filter(Objects::nonNull).toList() : all;
   }
 
   /** Binds the iterator variables from the first on, as the evaluation does. */
@@ -95,7 +103,7 @@ final class Witnesses {
   /** Reports the first two elements for which the body has the same value. */
   boolean tellEqual() {
     Map<Object, Object> first = new HashMap<>();
-    for (Object element : probe.elements(loop.getSource())) {
+    for (Object element : elements()) {
       if (probe.outOfTime()) {
         return false;
       }
@@ -128,7 +136,7 @@ final class Witnesses {
   /** Reports the elements that satisfy the body of a {@code one}; false if none does. */
   boolean tellAll() {
     List<Object> all = new ArrayList<>();
-    for (Object element : probe.elements(loop.getSource())) {
+    for (Object element : elements()) {
       if (probe.outOfTime()) {
         return false;
       }

@@ -4,9 +4,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Operators about the samples up to one. They are those of the future in a run that is read from
- * its end, but for one thing: before the start there is nothing, while what comes after the end of
- * a run may be unknown.
+ * Operators about the samples up to one. An interval counts as far as it is in the run; where all
+ * of it is before the start, they are unknown.
  */
 final class Past {
 
