@@ -8,12 +8,12 @@ import dev.eventchain.documentation.examples.ModelFromJson;
 import dev.eventchain.documentation.examples.RunSimulation;
 import dev.eventchain.documentation.examples.RunTemplate;
 import dev.eventchain.documentation.examples.ValidateModel;
+import dev.eventchain.fixtures.Projects;
 import dev.eventchain.pipeline.run.RunResult;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -70,16 +70,6 @@ class JavaExamplesTest {
   private Path project() throws IOException {
     Path example = Path.of("../../examples/radar-aeb");
     Path project = folder.resolve("project");
-    try (Stream<Path> files = Files.walk(example)) {
-      for (Path file : files.filter(Files::isRegularFile).toList()) {
-        Path copy = project.resolve(example.relativize(file).toString());
-        Files.createDirectories(copy.getParent());
-        Files.copy(file, copy);
-      }
-    }
-    Path settings = project.resolve("eventchain.yaml");
-    String text = Files.readString(settings);
-    Files.writeString(settings, text.replaceAll("(?m)^strength:\\R(?: .*\\R)*", "strength: off\n"));
-    return project;
+    return Projects.withoutStrength(Projects.copy(example, project));
   }
 }

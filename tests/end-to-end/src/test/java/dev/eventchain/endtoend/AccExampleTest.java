@@ -23,6 +23,7 @@ class AccExampleTest {
     project = ProjectCopy.of("acc", folder);
   }
 
+  @InTurn
   @Test
   void everyRequirementIsProvedFromTheRecordings() {
     project
@@ -107,6 +108,7 @@ class AccExampleTest {
     project.requireNotPassed();
   }
 
+  @InTurn
   @Test
   void criterionThatIsAboutNothing() throws IOException {
     project.onlyScenario(SCENARIO);

@@ -52,6 +52,7 @@ class AcceptTest {
     copy.run().expect(0).says("PASSED");
   }
 
+  @InTurn
   @Test
   void aNewRequirementIsNotAcceptedByTheOthers() throws IOException {
     accept("RAD-1", "RAD-2", "RAD-3").expect(0);
@@ -60,6 +61,7 @@ class AcceptTest {
     copy.run().expect(0);
   }
 
+  @InTurn
   @Test
   void theVerdictNamesTheTextsThatItIsAbout() throws IOException {
     copy.run().expect(0);

@@ -64,6 +64,7 @@ class AttachedTest {
     return new Program().with("ROS_DOMAIN_ID", DOMAIN).with("CYCLONEDDS_URI", LOOPBACK);
   }
 
+  @InTurn
   @Test
   void nodesThatOthersStartedAreJudgedByWhatTheVehicleDid() throws Exception {
     ProjectCopy copy = ProjectCopy.of("lane-departure", folder);

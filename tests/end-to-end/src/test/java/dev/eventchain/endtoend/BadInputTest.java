@@ -4,10 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -18,7 +20,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Tests that input errors are reported with location and the right exit code, and that earlier
@@ -233,6 +237,7 @@ class BadInputTest {
     ended.expect(3).says("python").says("EVENTCHAIN_PYTHON");
   }
 
+  @InTurn
   @Test
   void unknownConfinementIsWrongUsage() {
     ended = new Program().with("EVENTCHAIN_CONFINEMENT", "none").run("run", project, "--again");
@@ -241,6 +246,7 @@ class BadInputTest {
     ended.expect(2).says("python.confinement.unknown");
   }
 
+  @InTurn
   @Test
   void whatRanUnderAnotherConfinementRunsAgain() {
     new Program().run("run", project).expect(0);
@@ -317,8 +323,14 @@ class BadInputTest {
     assertEquals(0, first.waitFor(), Files.readString(err));
   }
 
+  static Stream<Arguments> signals() {
+    return Thorough.allOrOne(
+        List.of(arguments("INT", 130), arguments("TERM", 143), arguments("HUP", 129)))
+        .stream();
+  }
+
   @ParameterizedTest
-  @CsvSource({"INT, 130", "TERM, 143", "HUP, 129"})
+  @MethodSource("signals")
   void anInterruptedRunLeavesWholeFilesAndNoVerdict(String signal, int code) throws Exception {
     byte[] verdict = Files.readAllBytes(project.resolve("out/verdict.json"));
     Path err = folder.resolve("err");

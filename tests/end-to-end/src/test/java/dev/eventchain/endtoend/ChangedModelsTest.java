@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -364,7 +365,7 @@ class ChangedModelsTest {
   @Test
   void theRealProgramFindsNothingInASoundProject() throws Exception {
     environment.put("EVENTCHAIN", program("real", new Program().script()).toString());
-    Program.copy(Program.ROOT.resolve("examples/radar-aeb"), repository.resolve("brake"));
+    Projects.copy(Program.ROOT.resolve("examples/radar-aeb"), repository.resolve("brake"));
     git("rm", "-q", "-r", "a.xmi", "refers.xmi", "with blanks");
     commit("two");
     run("validate-models").expect(0).says("0 errors, 0 warnings");

@@ -152,6 +152,7 @@ class ComponentTestsTest {
   }
 
   /** Whatever an earlier run found in its own version, the tests run on the current one. */
+  @InTurn
   @Test
   void editedComponentsAreTestedAsTheyStand() throws IOException {
     implement().expect(0).says("54 component tests passed");
@@ -181,6 +182,7 @@ class ComponentTestsTest {
         .says("39 component tests passed"); // those of the other component
   }
 
+  @InTurn
   @Test
   void editedTestsAreRunAndCounted() throws IOException {
     implement().expect(0).says("54 component tests passed");

@@ -93,6 +93,7 @@ class DdsDriverTest {
     return all.without("host").toPrettyString();
   }
 
+  @InTurn
   @Test
   void noNetworkIsNeededButLoopback() throws Exception {
     String[] alone = {"unshare", "--map-root-user", "--net", "python3", "-c", LOOPBACK_UP};

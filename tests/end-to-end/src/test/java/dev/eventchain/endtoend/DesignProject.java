@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -38,11 +39,11 @@ final class DesignProject {
     Files.createDirectories(made.base.resolve("components"));
     for (String part : List.of("requirements.md", "bench.yaml", "scenarios")) {
       if (Files.exists(example.resolve(part))) {
-        Program.copy(example.resolve(part), folder.resolve(part));
+        Projects.copy(example.resolve(part), folder.resolve(part));
       }
     }
     for (String part : List.of("msg", "signals.json")) {
-      Program.copy(example.resolve("software-base").resolve(part), made.base.resolve(part));
+      Projects.copy(example.resolve("software-base").resolve(part), made.base.resolve(part));
     }
     made.write(new Yaml(new SafeConstructor(new LoaderOptions())).load(Files.readString(design)));
     new Program().run("init", folder).expect(0);
@@ -64,7 +65,7 @@ final class DesignProject {
   private ObjectNode given(ObjectNode component) throws IOException {
     String name = component.path("given").asText();
     Path software = example.resolve("software-base");
-    Program.copy(
+    Projects.copy(
         software.resolve("components/" + name + ".py"), base.resolve("components/" + name + ".py"));
     for (JsonNode known : JSON.readTree(software.resolve("components.json").toFile())) {
       if (known.path("name").asText().equals(name)) {

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -54,9 +55,9 @@ class DistributionTest {
   @Test
   void theExampleRunsWithoutCompilerAndMaven() throws IOException {
     Path example = folder.resolve("my example");
-    Program.copy(installation.home().resolve("examples/aeb"), example);
+    Projects.copy(installation.home().resolve("examples/aeb"), example);
     makeWritable(example);
-    Program.withoutStrength(example);
+    Projects.withoutStrength(example);
     Map<String, String> python = python();
     run(python, "run", example, "--no-strength")
         .expect(0)

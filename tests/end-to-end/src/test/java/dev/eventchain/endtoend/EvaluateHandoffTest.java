@@ -93,6 +93,7 @@ class EvaluateHandoffTest {
     assertFalse(table.contains("authored"), table);
   }
 
+  @InTurn
   @Test
   void answersThatPeopleSayTheyWroteAreNoMeasurement() throws IOException {
     evaluate().expect(4);

@@ -26,6 +26,7 @@ class EvaluateLlamaTest {
 
   @TempDir Path folder;
 
+  @InTurn
   @Test
   void randomAnswersScoreNothingByFailureClass() throws IOException, InterruptedException {
     try (LlamaServer server = LlamaServer.start(KEY, CONTEXT)) {

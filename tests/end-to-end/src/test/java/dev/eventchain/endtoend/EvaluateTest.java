@@ -327,6 +327,7 @@ class EvaluateTest {
     evaluate("--llm", "answers:" + folder.resolve("nowhere")).expect(2).says("no such folder");
   }
 
+  @InTurn
   @Test
   void aSessionThatEndsBeforeADiagnosisHasWrittenItsCode() throws IOException {
     Path session = Files.createDirectories(folder.resolve("sessions/one"));

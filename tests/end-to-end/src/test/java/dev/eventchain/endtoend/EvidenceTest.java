@@ -1,5 +1,6 @@
 package dev.eventchain.endtoend;
 
+import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
@@ -20,9 +21,9 @@ class EvidenceTest {
 
   private ProjectCopy project(String fixture) throws IOException {
     Path copy = folder.resolve(fixture);
-    Program.copy(
+    Projects.copy(
         Program.ROOT.resolve("tests/end-to-end/src/test/resources").resolve(fixture), copy);
-    return new ProjectCopy(Program.withoutStrength(copy));
+    return new ProjectCopy(Projects.withoutStrength(copy));
   }
 
   private ProjectCopy laneKeeping() throws IOException {

@@ -131,6 +131,7 @@ class ExistingComponentsTest {
   }
 
   /** The order of a set of texts, which no rule finds; the twin is sorted. */
+  @InTurn
   @Test
   void orderOfSets() throws IOException {
     String ordered =
@@ -166,6 +167,7 @@ class ExistingComponentsTest {
         .says("component.source.unchecked");
   }
 
+  @InTurn
   @Test
   void moduleBesideComponents() throws IOException {
     project.replace(WARNING, "WARNING_TTC = 2.6", "from limits import WARNING_TTC");

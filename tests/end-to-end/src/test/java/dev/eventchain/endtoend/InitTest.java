@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -34,7 +35,7 @@ class InitTest {
     Path project = folder.resolve("my project");
     new Program().run("init", project).expect(0).says("bench.yaml").says("Next: eventchain bench");
     assertEquals(files(Program.ROOT.resolve("examples/radar-aeb")), files(project));
-    Program.withoutStrength(project);
+    Projects.withoutStrength(project);
     new Program().run("run", project).expect(0).says("PASSED: 2 of 2 scenarios passed");
     new Program().run("init", project).expect(2).says("[project.exists]");
   }
@@ -42,7 +43,7 @@ class InitTest {
   @Test
   void benchIsFilledInFromTheSignalsAndNothingIsReplaced() throws IOException {
     Path project = folder.resolve("radar");
-    Program.copy(
+    Projects.copy(
         Program.ROOT.resolve("examples/radar-aeb/software-base"), project.resolve("software-base"));
     Files.writeString(project.resolve("requirements.md"), "- OWN-1: The system shall brake.\n");
     new Program().run("init", project).expect(0);
@@ -76,7 +77,7 @@ class InitTest {
   void chainOfTheComponentsIsDrawnFromTheirDescriptions() throws IOException {
     Path project = folder.resolve("My Radar-2");
     Path example = Program.ROOT.resolve("examples/radar-aeb");
-    Program.copy(example.resolve("software-base"), project.resolve("software-base"));
+    Projects.copy(example.resolve("software-base"), project.resolve("software-base"));
     Path components = project.resolve("software-base/components.json");
     String described = Files.readString(components);
     Files.writeString(
@@ -100,7 +101,7 @@ class InitTest {
   void componentsThatNameOtherRequirementsAreRefusedBeforeAnythingIsWritten() throws IOException {
     Path project = folder.resolve("other");
     Path example = Program.ROOT.resolve("examples/radar-aeb");
-    Program.copy(example.resolve("software-base"), project.resolve("software-base"));
+    Projects.copy(example.resolve("software-base"), project.resolve("software-base"));
     Path components = project.resolve("software-base/components.json");
     String described = Files.readString(components);
     Files.writeString(
@@ -130,7 +131,7 @@ class InitTest {
   void signalsAreEnoughToBeginWith() throws IOException {
     Path project = folder.resolve("only signals");
     Path base = Program.ROOT.resolve("examples/radar-aeb/software-base");
-    Program.copy(base.resolve("msg"), project.resolve("software-base/msg"));
+    Projects.copy(base.resolve("msg"), project.resolve("software-base/msg"));
     Files.copy(base.resolve("signals.json"), project.resolve("software-base/signals.json"));
     new Program().run("init", project).expect(0).says("eventchain run '" + project + "'");
     assertEquals("[]\n", Files.readString(project.resolve("software-base/components.json")));
@@ -140,7 +141,7 @@ class InitTest {
   @Test
   void exampleOfCarlaIsConnectedAsCarlaIs() throws IOException {
     Path project = folder.resolve("carla");
-    Program.copy(
+    Projects.copy(
         Program.ROOT.resolve("examples/aeb/software-base"), project.resolve("software-base"));
     new Program()
         .run("init", project)

@@ -18,6 +18,7 @@ class LaneDepartureTest {
     project = ProjectCopy.of("lane-departure", folder);
   }
 
+  @InTurn
   @Test
   void everyRequirementIsProvedFromTheRecordings() {
     project.run().expect(0).says("PASSED: 15 of 15 scenarios passed, 7 requirements proved");
@@ -81,6 +82,7 @@ class LaneDepartureTest {
         .says("warned before the wheel is");
   }
 
+  @InTurn
   @Test
   void criterionThatIsAboutNothingIsNotTested() throws IOException {
     project.replace(

@@ -1,5 +1,6 @@
 package dev.eventchain.endtoend;
 
+import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
@@ -17,11 +18,12 @@ class LatencyEvidenceTest {
   @TempDir private Path folder;
 
   private ProjectCopy pedestrianBrake() throws IOException {
-    Program.copy(
+    Projects.copy(
         Program.ROOT.resolve("tests/end-to-end/src/test/resources/pedestrian-brake"), folder);
-    return new ProjectCopy(Program.withoutStrength(folder));
+    return new ProjectCopy(Projects.withoutStrength(folder));
   }
 
+  @InTurn
   @Test
   void delayOfInputsWithinAComponentCountsForTheLatency() throws IOException {
     ProjectCopy project = pedestrianBrake();
@@ -49,6 +51,7 @@ class LatencyEvidenceTest {
     project.requireNotPassed();
   }
 
+  @InTurn
   @Test
   void constraintWithoutAnExecutionTimeOnItsPathIsNotTested() throws IOException {
     ProjectCopy project = pedestrianBrake();

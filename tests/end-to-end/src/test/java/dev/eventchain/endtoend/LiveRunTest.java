@@ -14,7 +14,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** Tests the example with answers of a service, in the format of each kind of service. */
 class LiveRunTest {
@@ -46,8 +46,14 @@ class LiveRunTest {
     return new RecordedService(wire, Program.ROOT.resolve("examples/aeb/recordings"));
   }
 
+  static Stream<String> wires() {
+    return Thorough.allOrOne(
+        List.of("openai", "openai-compatible", "gemini", "anthropic", "ollama"))
+        .stream();
+  }
+
   @ParameterizedTest
-  @ValueSource(strings = {"openai", "openai-compatible", "gemini", "anthropic", "ollama"})
+  @MethodSource("wires")
   void requirementsGetToTheirConstraintsByAnswersOfAService(String wire) throws IOException {
     try (RecordedService service = service(wire)) {
       Path project = project(wire, service.url());

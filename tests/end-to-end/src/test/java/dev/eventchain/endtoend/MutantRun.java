@@ -2,6 +2,7 @@ package dev.eventchain.endtoend;
 
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.fixtures.Projects;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.model.eventchain.ComponentOrigin;
@@ -75,7 +76,7 @@ final class MutantRun {
   /** Generates an example in a folder. */
   static MutantRun of(String example, Path folder) throws IOException {
     Path project = folder.resolve(example);
-    Program.copy(Program.ROOT.resolve("examples").resolve(example), project);
+    Projects.copy(Program.ROOT.resolve("examples").resolve(example), project);
     new Program().run("run", project, "--to", "generate").expect(0);
     return new MutantRun(folder, project);
   }
@@ -107,7 +108,7 @@ final class MutantRun {
               .mapToObj(trials::get)
               .toList();
       Path copy = Files.createTempDirectory(folder, "package");
-      Program.copy(generated, copy);
+      Projects.copy(generated, copy);
       parts.add(CompletableFuture.supplyAsync(() -> simulate(part, copy)));
     }
     List<List<ScenarioVerdict>> verdicts = parts.stream().map(CompletableFuture::join).toList();

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -38,6 +39,8 @@ class MutateTest {
 
   private static final String ENTRY =
       "- {component: Collision_Warning, mutant: '%s', reason: a measurement, expires: %s}\n";
+
+  private static final String SIGN = "sign in execute, -1000000000000 -> 1000000000000";
 
   @TempDir Path folder;
   private ProjectCopy copy;
@@ -99,18 +102,20 @@ class MutateTest {
   }
 
   /** All examples are tried in the profile {@code thorough}, the smallest one in each build. */
+  @InTurn
   @ParameterizedTest
   @MethodSource("examples")
   void noDefectOfAnExampleStaysUnexplained(String example) throws IOException {
     Path project = folder.resolve("own").resolve(example);
-    Program.copy(Program.ROOT.resolve("examples").resolve(example), project);
-    new Program().run("mutate", Program.withoutStrength(project)).expect(0);
+    Projects.copy(Program.ROOT.resolve("examples").resolve(example), project);
+    new Program().run("mutate", Projects.withoutStrength(project)).expect(0);
   }
 
   static Stream<String> examples() {
     return Thorough.allOrFirst(List.of("radar-aeb", "lane-departure", "acc", "aeb")).stream();
   }
 
+  @InTurn
   @Test
   void acceptedMutantsAreExplainedForATime() throws IOException {
     copy.write("tests/" + NAME + ".yaml", TESTS.replaceFirst("(?m)^.*at the limit.*\n", ""));
@@ -170,18 +175,17 @@ class MutateTest {
         """
         class Collision_Warning:
             def execute(self, ttc):
-                count = 0
-                while count < 3:
-                    count += 2
+                for _ in range(-1):
+                    pass
                 return {"warns": ttc < 2.6}
         """);
     copy.write("tests/" + NAME + ".yaml", TESTS);
     commit();
-    copy.replace(COMPONENT, "count += 2", "count += 1");
+    copy.replace(COMPONENT, "range(-1)", "range(-1000000000000)");
     mutate("--since", "HEAD").says("by test");
     JsonNode loops = null;
     for (JsonNode mutant : results()) {
-      loops = mutant.path("mutant").asText().equals("sign in execute, 1 -> -1") ? mutant : loops;
+      loops = mutant.path("mutant").asText().equals(SIGN) ? mutant : loops;
     }
     assertEquals("TEST", loops.path("outcome").asText());
     assertTrue(loops.path("words").asText().contains("processor time"), loops::toString);

@@ -96,6 +96,7 @@ class OwnFunctionTest {
     project.requireNotPassed();
   }
 
+  @InTurn
   @Test
   void latencyBoundOfAMillisecond() throws IOException {
     project.replace(CHAIN, "maximum=\"100.0\"", "maximum=\"1.0\"");
@@ -132,6 +133,7 @@ class OwnFunctionTest {
     project.requireNotPassed();
   }
 
+  @InTurn
   @Test
   void signalThatLeavesTheChainIsProvedByACriterionOnItsValueOnly() throws IOException {
     project.replace(
@@ -152,6 +154,7 @@ class OwnFunctionTest {
     project.requireNotPassed();
   }
 
+  @InTurn
   @Test
   void requirementThatNoCriterionCanShowToBeMet() throws IOException {
     project.replace(SCENARIO, "/cluster/collision_warning.data", "gap < 80 m");
@@ -276,6 +279,7 @@ class OwnFunctionTest {
         .says("[modeler.requirements.unread]");
   }
 
+  @InTurn
   @Test
   void copyOfAComponentThatSomebodyChangedIsNotSimulatedForIt() throws IOException {
     project.run().expect(0);
@@ -324,6 +328,7 @@ class OwnFunctionTest {
     project.requireNotPassed();
   }
 
+  @InTurn
   @Test
   void whatPeopleDecidedToLiveWithIsAcceptedByConsoleAndFileAlike() throws IOException {
     project.replace(SCENARIO, "ttc < 2.5 s implies", "ttc < 2.5 s and ego.speed > 60 km/h implies");

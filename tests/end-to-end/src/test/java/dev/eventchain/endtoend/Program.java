@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -35,8 +36,6 @@ final class Program {
   static final long LONGEST_SECONDS = 1800;
 
   private static final int TRIES = 20;
-
-  private static final String NO_STRENGTH = "\nstrength: off\n";
 
   private final Map<String, String> environment = new TreeMap<>();
   private final List<String> prefix = new ArrayList<>();
@@ -223,7 +222,7 @@ final class Program {
    */
   static Path copyOf(String example, Path folder) throws IOException {
     Path copy = folder.resolve(example);
-    copy(ROOT.resolve("examples").resolve(example), copy);
+    Projects.copy(ROOT.resolve("examples").resolve(example), copy);
     Files.deleteIfExists(copy.resolve("mutants.yaml"));
     Path tests = copy.resolve("tests");
     if (Files.isDirectory(tests)) {
@@ -234,37 +233,6 @@ final class Program {
       }
       Files.delete(tests);
     }
-    return withoutStrength(copy);
-  }
-
-  /**
-   * Lets a project do without the strength of requirements: few tests are about it, and it takes
-   * longer than all the rest.
-   */
-  static Path withoutStrength(Path project) throws IOException {
-    Path settings = project.resolve("eventchain.yaml");
-    String others = Files.readString(settings).replaceAll("(?m)^strength:.*\\R(?: .*\\R)*", "");
-    Files.writeString(settings, others + NO_STRENGTH);
-    return project;
-  }
-
-  /** Lets the strength of requirements be measured again, as it is by default. */
-  static void measureStrength(Path project) throws IOException {
-    Path settings = project.resolve("eventchain.yaml");
-    Files.writeString(settings, Files.readString(settings).replace(NO_STRENGTH, ""));
-  }
-
-  /** Copies a project without its results. */
-  static void copy(Path source, Path copy) throws IOException {
-    try (Stream<Path> files = Files.walk(source)) {
-      for (Path file : files.filter(f -> !f.startsWith(source.resolve("out"))).toList()) {
-        Path target = copy.resolve(source.relativize(file).toString());
-        if (Files.isDirectory(file)) {
-          Files.createDirectories(target);
-        } else {
-          Files.copy(file, target);
-        }
-      }
-    }
+    return Projects.withoutStrength(copy);
   }
 }

@@ -46,6 +46,7 @@ class RecordedRunTest {
   }
 
   /** Unchanged scenarios are simulated again, and only the recordings are new. */
+  @InTurn
   @Test
   void aRunRecordsEachScenarioAndStaysWhatItWas() throws IOException {
     byte[] verdict = Files.readAllBytes(project.resolve("out/verdict.json"));

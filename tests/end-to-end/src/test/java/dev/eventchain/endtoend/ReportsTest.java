@@ -208,6 +208,7 @@ class ReportsTest {
     return xmi.append("</eventchain:EventChain>\n").toString();
   }
 
+  @InTurn
   @Test
   void suppressedFindingsDoNotFailARunAndStayVisible() throws IOException {
     Path suppressing = copyOfProject();

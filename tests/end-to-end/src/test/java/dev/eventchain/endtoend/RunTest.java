@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -35,8 +36,8 @@ class RunTest {
   @BeforeAll
   static void runOnce() throws IOException {
     project = Program.wholeExampleIn(folder);
-    Program.copy(Program.ROOT.resolve("examples/aeb/tests"), project.resolve("tests"));
-    Program.measureStrength(project);
+    Projects.copy(Program.ROOT.resolve("examples/aeb/tests"), project.resolve("tests"));
+    Projects.measureStrength(project);
     first = new Program().run("run", project);
   }
 
@@ -219,6 +220,7 @@ class RunTest {
     assertTrue(verdict.contains("EventChain::BrakeCommandWithin250Milliseconds"), verdict);
   }
 
+  @InTurn
   @Test
   void noNetworkIsNeeded() throws IOException {
     Path alone = Program.exampleIn(folder.resolve("offline"));

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
@@ -102,8 +103,12 @@ class StaleResultsTest {
     assertNothingPasses();
   }
 
+  static Stream<String> stages() {
+    return Thorough.allOrOne(List.of("Design", "Generate")).stream();
+  }
+
   @ParameterizedTest
-  @ValueSource(strings = {"Design", "Generate"})
+  @MethodSource("stages")
   void noVerdictOutlivesARunThatIsKilled(String stage) throws Exception {
     byte[] passed = Files.readAllBytes(out("verdict.json"));
     Path err = folder.resolve("err");
@@ -229,6 +234,7 @@ class StaleResultsTest {
     run("run").expect(0).says("✓ Generate");
   }
 
+  @InTurn
   @Test
   void constraintsThatOthersImportAreASourceToo() throws IOException {
     Files.writeString(project.resolve("fast.ocl"), "context SoftwareNode inv Fast: frequency > 1");
@@ -240,6 +246,7 @@ class StaleResultsTest {
     assertNothingPasses();
   }
 
+  @InTurn
   @Test
   void aStageThatFailedLeavesNothingToGoOnFrom() throws IOException {
     Path components = project.resolve("software-base/components.json");
@@ -281,6 +288,7 @@ class StaleResultsTest {
     assertNothingPasses();
   }
 
+  @InTurn
   @Test
   void aRequirementThatNoScenarioTestsIsNotProvedByAllThatPass() throws IOException {
     try (Stream<Path> scenarios = Files.list(project.resolve("scenarios"))) {
@@ -301,6 +309,7 @@ class StaleResultsTest {
     run("run --date 2027-04-01").expect(1).says("project.requirement.untested");
   }
 
+  @InTurn
   @Test
   void withoutMemoryNobodyTestsAPackageOfUnknownSources() throws IOException {
     delete(out(".stages"));
@@ -362,6 +371,7 @@ class StaleResultsTest {
     assertFalse(Files.exists(out("generated.ocl")));
   }
 
+  @InTurn
   @Test
   void lostRecordsOfFilesAreSaidOnce() throws IOException {
     delete(out(".eventchain"));

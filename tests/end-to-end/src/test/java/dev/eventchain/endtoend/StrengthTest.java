@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -67,6 +68,7 @@ class StrengthTest {
   }
 
   /** A criterion that cannot notice what the warning does, beside others that can. */
+  @InTurn
   @Test
   void requirementWhoseOnlyCriterionNoticesNothing() throws IOException {
     project.replace(SCENARIO, WARNED, FOUND);
@@ -118,9 +120,10 @@ class StrengthTest {
   }
 
   /** A budget too small for anything: only what would fail because of it is driven as a whole. */
+  @InTurn
   @Test
   void strengthBelowWhatTheProjectAsksFor() throws IOException {
-    Program.measureStrength(project.path());
+    Projects.measureStrength(project.path());
     Path settings = project.path().resolve("eventchain.yaml");
     Files.writeString(
         settings,
@@ -147,7 +150,7 @@ class StrengthTest {
     run().expect(0).says("strength not measured");
     assertEquals("not measured: the project does not want it", verdict().path("strength").asText());
     assertFalse(requirement("RAD-1").has("strength"));
-    Program.measureStrength(project.path());
+    Projects.measureStrength(project.path());
     run("--no-strength").expect(0).says("strength not measured");
     assertEquals("not measured: switched off", verdict().path("strength").asText());
   }

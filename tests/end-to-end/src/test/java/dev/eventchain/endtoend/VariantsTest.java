@@ -43,6 +43,7 @@ class VariantsTest {
     return Thorough.allOrOne(List.of("aeb", "acc", "lane-departure", "radar-aeb")).stream();
   }
 
+  @InTurn
   @ParameterizedTest
   @MethodSource("examples")
   void scenariosPassSoftwareOfOthers(String example) throws Exception {

@@ -208,6 +208,7 @@ class VerdictCorrectionTest {
         .says("FAILED: 1 of 3 scenarios passed");
   }
 
+  @InTurn
   @Test
   void testsOfPeopleAreNotChanged() throws IOException {
     failOnce();
@@ -306,6 +307,7 @@ class VerdictCorrectionTest {
   }
 
   /** With recordings only, nothing is corrected, and the verdict names the failures. */
+  @InTurn
   @Test
   void verdictStandsWhereNobodyAnswers() throws IOException {
     run().expect(4);

@@ -150,6 +150,7 @@ class VerdictTest {
     assertFalse(Files.exists(folder.resolve("handoff")));
   }
 
+  @InTurn
   @Test
   void latencyConstraintBetweenAnyTwoComponentsIsMeasured() throws IOException {
     editModel(
@@ -170,6 +171,7 @@ class VerdictTest {
         Program.slowestPaths(project));
   }
 
+  @InTurn
   @Test
   void componentThatIsNotSimulatedLeavesWhatDependsOnItUntested() throws IOException {
     editModel("name=\"Braking_Decision\"", "name=\"Braking_Decision\" implementation=\"NODE\"");

@@ -2,6 +2,7 @@ package dev.eventchain.pipeline;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import dev.eventchain.fixtures.Projects;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.RunOptions;
@@ -14,7 +15,6 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -33,19 +33,7 @@ class ReadOnceTest {
   void copyTheExample() throws IOException {
     Path example = Path.of("../../../examples/aeb").toAbsolutePath().normalize();
     project = folder.resolve("aeb");
-    try (Stream<Path> files = Files.walk(example)) {
-      for (Path file : files.filter(each -> !each.startsWith(example.resolve("out"))).toList()) {
-        Path copy = project.resolve(example.relativize(file).toString());
-        if (Files.isDirectory(file)) {
-          Files.createDirectories(copy);
-        } else {
-          Files.copy(file, copy);
-        }
-      }
-    }
-    Path settings = project.resolve("eventchain.yaml");
-    String text = Files.readString(settings);
-    Files.writeString(settings, text.replaceAll("(?m)^strength:\n(?: .*\n)*", "strength: off\n"));
+    Projects.withoutStrength(Projects.copy(example, project));
   }
 
   @Test
