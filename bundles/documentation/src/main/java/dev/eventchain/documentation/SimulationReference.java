@@ -39,6 +39,7 @@ final class SimulationReference {
   private static String table(String name) {
     return switch (name) {
       case "quantities" -> entries(WorldReference.quantities());
+      case "actor" -> entries(WorldReference.actorQuantities());
       case "objects" -> entries(WorldReference.objectProperties());
       case "actuators" -> entries(WorldReference.actuators());
       case "operators" -> operators();

@@ -1,5 +1,6 @@
 package dev.eventchain.simulation.bench;
 
+import dev.eventchain.simulation.formula.ActorSignals;
 import dev.eventchain.simulation.formula.Operator;
 import dev.eventchain.simulation.formula.WorldSignals;
 import dev.eventchain.simulation.sensor.ObjectSensor;
@@ -31,6 +32,13 @@ public final class WorldReference {
   public static List<Entry> quantities() {
     return WorldSignals.all().stream()
         .map(it -> new Entry(it.name(), it.truth() ? "" : it.unit(), it.meaning()))
+        .toList();
+  }
+
+  /** Returns the quantities of an actor, in formulas of scenarios. */
+  public static List<Entry> actorQuantities() {
+    return ActorSignals.quantities().stream()
+        .map(it -> new Entry(it.name(), it.unit(), it.meaning()))
         .toList();
   }
 

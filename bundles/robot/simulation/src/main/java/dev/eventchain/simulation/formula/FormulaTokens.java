@@ -29,6 +29,11 @@ public final class FormulaTokens {
   static final Pattern OUTPUT =
       Pattern.compile("output\\s*\\(\\s*(?<id>[^(),\\s]+)\\s*(?:,\\s*(?<kind>[^(),\\s]+)\\s*)?\\)");
 
+  /** A quantity of an actor, such as {@code actor('walker').gap}. */
+  static final Pattern ACTOR =
+      Pattern.compile(
+          "actor\\s*\\(\\s*(?:'(?<name>[^']*)'|\"(?<other>[^\"]*)\")\\s*\\)\\s*\\.\\s*(?<part>\\w+)");
+
   /** A unit, without blanks in its division; blanks may separate it from its number. */
   private static final Pattern UNIT =
       Pattern.compile("\\s*(%|\u00b0|[A-Za-z]\\w*(?:\\^[0-9]+)?(?:/[A-Za-z]\\w*(?:\\^[0-9]+)?)*)");
@@ -96,10 +101,12 @@ public final class FormulaTokens {
       tokens.add(new Token(Kind.WORD, topic.group(), at, topic.end()));
       return topic.end();
     }
-    Matcher output = OUTPUT.matcher(source.text()).region(at, end);
-    if (!afterOperand() && output.lookingAt()) {
-      tokens.add(new Token(Kind.WORD, output.group(), at, output.end()));
-      return output.end();
+    for (Pattern call : List.of(OUTPUT, ACTOR)) {
+      Matcher named = call.matcher(source.text()).region(at, end);
+      if (!afterOperand() && named.lookingAt()) {
+        tokens.add(new Token(Kind.WORD, named.group(), at, named.end()));
+        return named.end();
+      }
     }
     token.region(at, end);
     if (!token.lookingAt()) {

@@ -1,5 +1,6 @@
 package dev.eventchain.simulation.formula;
 
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.messages.Unit;
 import dev.eventchain.simulation.formula.FormulaParser.Part;
@@ -147,17 +148,26 @@ final class TermParser {
     if (output.matches()) {
       return Term.of(output(output.group("id"), Optional.ofNullable(output.group("kind")), token));
     }
-    Optional<Signal> signal = signals.find(token.text());
+    String name = ActorSignals.named(token.text());
+    Optional<Signal> signal = signals.find(name);
     if (signal.isEmpty()) {
-      String message = "There is no signal '" + token.text() + "'.";
-      String described =
-          token.text().startsWith("/")
-              ? " Topics are known if signals.json or bench.yaml describes them."
-              : "";
-      String hint = NearestName.hint(token.text(), signals.names()) + described;
-      throw tokens.unknownSignal(token, message, hint);
+      throw unknown(name, token);
     }
     return Term.of(signal.get());
+  }
+
+  private DiagnosticException unknown(String name, Token token) {
+    if (FormulaTokens.ACTOR.matcher(name).matches()) {
+      boolean known = signals.names().stream().anyMatch(ActorSignals::isOne);
+      String hint = known ? NearestName.hint(name, signals.names()) : ActorSignals.NONE_KNOWN;
+      return tokens.unknownSignal(token, "There is no " + name + " here.", hint);
+    }
+    String described =
+        name.startsWith("/")
+            ? " Topics are known if signals.json or bench.yaml describes them."
+            : "";
+    String hint = NearestName.hint(name, signals.names()) + described;
+    return tokens.unknownSignal(token, "There is no signal '" + name + "'.", hint);
   }
 
   /** Returns the only output that satisfies a requirement. */

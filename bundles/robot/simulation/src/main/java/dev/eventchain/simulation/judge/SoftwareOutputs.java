@@ -59,7 +59,10 @@ final class SoftwareOutputs {
       case "lane.width", "lane.curvature" -> false;
       case "steering", "ego.offset", "ego.heading", "ego.yaw_rate", "lane.left", "lane.right" ->
           chain.drives(STEERING);
-      default -> WorldSignals.isKnown(signal.name()) && chain.drives(Actuator.values());
+      default ->
+          signal.basis().isEmpty()
+              ? WorldSignals.isKnown(signal.name()) && chain.drives(Actuator.values())
+              : signal.basis().stream().anyMatch(this::dependsOnSoftware);
     };
   }
 

@@ -10,6 +10,7 @@ import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.formula.ActorSignals;
 import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.Body;
 import dev.eventchain.simulation.world.Chassis;
@@ -77,7 +78,7 @@ final class ScenarioReader {
     FormulasReader formulas =
         new FormulasReader(
             text,
-            bench.signals(),
+            new ActorSignals(bench.signals(), situation),
             longest(section),
             requirements,
             Optional.of(new SignalRanges(situation, inputs, bench, longest(section))));

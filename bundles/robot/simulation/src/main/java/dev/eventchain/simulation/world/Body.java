@@ -37,6 +37,41 @@ public record Body(
     return Math.max(lengthwise, sideways);
   }
 
+  /** Returns the distance of two boxes seen from above, in m; 0 if they touch or overlap. */
+  public double distance(Body other) {
+    return separation(other) <= 0.0 ? 0.0 : Math.min(toCorners(other), other.toCorners(this));
+  }
+
+  /** Returns the distance of the nearest corner of another box that this one does not hold. */
+  private double toCorners(Body other) {
+    double nearest = Double.POSITIVE_INFINITY;
+    for (int end = -1; end <= 1; end += 2) {
+      for (int side = -1; side <= 1; side += 2) {
+        Road.Place corner = other.corner(end, side);
+        double cos = StrictMath.cos(place.heading());
+        double sin = StrictMath.sin(place.heading());
+        double x = corner.x() - place.x();
+        double y = corner.y() - place.y();
+        double ahead = Math.max(0.0, Math.abs(x * cos + y * sin) - length / 2);
+        double aside = Math.max(0.0, Math.abs(y * cos - x * sin) - width / 2);
+        nearest = Math.min(nearest, StrictMath.hypot(ahead, aside));
+      }
+    }
+    return nearest;
+  }
+
+  /** Returns a corner: at the front or the rear (1, -1), on the left or the right (1, -1). */
+  private Road.Place corner(int end, int side) {
+    double cos = StrictMath.cos(place.heading());
+    double sin = StrictMath.sin(place.heading());
+    double ahead = end * length / 2;
+    double left = side * width / 2;
+    return new Road.Place(
+        place.x() + ahead * cos - left * sin,
+        place.y() + ahead * sin + left * cos,
+        place.heading());
+  }
+
   /**
    * Returns the distance from its middle to its farthest point in a direction relative to its own,
    * in m.

@@ -91,8 +91,13 @@ public final class EgoMotion {
 
   /** Returns the body. */
   public Body body() {
+    return body(front());
+  }
+
+  /** Returns the body of an ego whose front bumper has its middle at a place. */
+  public static Body body(Road.Place front) {
     return new Body(
-        front().ahead(-EgoVehicle.LENGTH / 2),
+        front.ahead(-EgoVehicle.LENGTH / 2),
         EgoVehicle.LENGTH,
         EgoVehicle.WIDTH,
         0.0,

@@ -1,0 +1,188 @@
+package dev.eventchain.simulation.formula;
+
+import dev.eventchain.simulation.world.Actor;
+import dev.eventchain.simulation.world.Body;
+import dev.eventchain.simulation.world.Contact;
+import dev.eventchain.simulation.world.EgoMotion;
+import dev.eventchain.simulation.world.Road;
+import dev.eventchain.simulation.world.Situation;
+import dev.eventchain.simulation.world.Trace;
+import dev.eventchain.simulation.world.World;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Matcher;
+
+/**
+ * Signals of the actors of one scenario, such as {@code actor('walker').gap}, besides those of
+ * another source. An actor that drove into the ego's rear has no values from then on.
+ */
+public final class ActorSignals implements Signal.Source {
+
+  /** Hint where no actor can be read. */
+  static final String NONE_KNOWN =
+      "Actors are known in the formulas of a scenario, by the names that it gives them.";
+
+  /** A quantity of an actor. */
+  private enum Part {
+    GAP("gap", "m", "from the ego's front bumper along the road to its nearest end") {
+      @Override
+      double of(Actor actor, Trace.State state, Road road) {
+        return actor.rear(seconds(state)) - state.position();
+      }
+    },
+    DISTANCE("distance", "m", "from the ego's body to its body, in any direction") {
+      @Override
+      double of(Actor actor, Trace.State state, Road road) {
+        Road.Place front = road.place(state.position(), state.pose().offset());
+        double heading = front.heading() + state.pose().heading();
+        Body ego = EgoMotion.body(new Road.Place(front.x(), front.y(), heading));
+        return ego.distance(actor.body(road, seconds(state)));
+      }
+    },
+    TTC("ttc", "s", "gap by the closing speed, wherever it is across the road") {
+      @Override
+      double of(Actor actor, Trace.State state, Road road) {
+        double gap = GAP.of(actor, state, road);
+        double closing = state.speed() - actor.speedAlong(seconds(state));
+        boolean approaches = closing > 0.0 && gap > -2 * actor.reach(seconds(state));
+        return approaches ? Math.max(0.0, gap) / closing : Double.POSITIVE_INFINITY;
+      }
+    },
+    SPEED("speed", "m/s", "along the road, negative towards the ego") {
+      @Override
+      double of(Actor actor, Trace.State state, Road road) {
+        return actor.speedAlong(seconds(state));
+      }
+    },
+    OFFSET("offset", "m", "its middle left of the centre of the ego's lane") {
+      @Override
+      double of(Actor actor, Trace.State state, Road road) {
+        return actor.across(seconds(state));
+      }
+    };
+
+    private final String word;
+    private final String unit;
+    private final String meaning;
+
+    Part(String word, String unit, String meaning) {
+      this.word = word;
+      this.unit = unit;
+      this.meaning = meaning;
+    }
+
+    /** Returns its value in a state of the world. */
+    abstract double of(Actor actor, Trace.State state, Road road);
+
+    /** Returns the signals of the ego that it depends on. */
+    Set<Signal> basis(WorldSignals world) {
+      List<String> names =
+          switch (this) {
+            case GAP -> List.of("ego.position");
+            case TTC -> List.of("ego.position", "ego.speed");
+            case DISTANCE -> List.of("ego.position", "ego.offset", "ego.heading");
+            case SPEED, OFFSET -> List.of();
+          };
+      return Set.copyOf(names.stream().map(name -> world.find(name).orElseThrow()).toList());
+    }
+
+    Range range() {
+      return this == DISTANCE || this == TTC ? Range.upTo(Double.POSITIVE_INFINITY) : Range.ALL;
+    }
+
+    static double seconds(Trace.State state) {
+      return World.seconds(state.time());
+    }
+  }
+
+  private final Signal.Source others;
+  private final Map<String, Signal> signals = new LinkedHashMap<>();
+
+  /** Adds the signals of a scenario's actors to others. */
+  public ActorSignals(Signal.Source others, Situation situation) {
+    this.others = others;
+    WorldSignals world = new WorldSignals();
+    for (Actor actor : situation.actors()) {
+      for (Part part : Part.values()) {
+        Signal signal = signal(actor, part, situation.road(), world);
+        signals.put(signal.name(), signal);
+      }
+    }
+  }
+
+  private static Signal signal(Actor actor, Part part, Road road, WorldSignals world) {
+    return new Signal(
+        name(actor.name(), part.word),
+        part.unit,
+        false,
+        part.meaning,
+        trace -> samples(actor, part, road, trace),
+        trace -> Optional.empty(),
+        part.basis(world),
+        ranges -> part.range());
+  }
+
+  private static double[] samples(Actor actor, Part part, Road road, Trace trace) {
+    long gone =
+        trace.fromBehind().stream()
+            .filter(contact -> contact.other().name().equals(actor.name()))
+            .mapToLong(Contact::time)
+            .min()
+            .orElse(Long.MAX_VALUE);
+    return trace.states().stream()
+        .mapToDouble(state -> state.time() < gone ? part.of(actor, state, road) : Double.NaN)
+        .toArray();
+  }
+
+  private static String name(String actor, String part) {
+    String quote = actor.contains("'") ? "\"" : "'";
+    return "actor(" + quote + actor + quote + ")." + part;
+  }
+
+  /** Returns the name of a signal as this source knows it, whatever its blanks and quotes. */
+  static String named(String text) {
+    Matcher actor = FormulaTokens.ACTOR.matcher(text);
+    if (!actor.matches()) {
+      return text;
+    }
+    String name = actor.group("name") != null ? actor.group("name") : actor.group("other");
+    return name(name, actor.group("part"));
+  }
+
+  /** Returns whether a signal is one of an actor. */
+  static boolean isOne(String name) {
+    return FormulaTokens.ACTOR.matcher(name).matches();
+  }
+
+  /** A quantity of every actor, for documentation. */
+  public record Quantity(String name, String unit, String meaning) {}
+
+  /** Returns the quantities of an actor, in the order for display. */
+  public static List<Quantity> quantities() {
+    return List.of(Part.values()).stream()
+        .map(part -> new Quantity(name("NAME", part.word), part.unit, part.meaning))
+        .toList();
+  }
+
+  @Override
+  public Optional<Signal> find(String name) {
+    return Optional.ofNullable(signals.get(name)).or(() -> others.find(name));
+  }
+
+  @Override
+  public Collection<String> names() {
+    List<String> names = new ArrayList<>(others.names());
+    names.addAll(signals.keySet());
+    return names;
+  }
+
+  @Override
+  public Optional<List<Signal>> outputs(String requirement, Optional<String> kind) {
+    return others.outputs(requirement, kind);
+  }
+}
