@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import faulthandler
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -19,6 +20,17 @@ from eventchain_ros2.messages import Messages  # noqa: E402
 from eventchain_ros2.simulation import Simulation  # noqa: E402
 from node_processes import World  # noqa: E402
 from wire import DEFINITIONS, DOMAIN, fresh_tag, loopback_configuration  # noqa: E402
+
+LONGEST_SECONDS = 600
+"""No test takes a tenth of this. One that waits for something that never comes would stop a build without a word."""
+
+
+@pytest.fixture(autouse=True)
+def watchdog() -> Iterator[None]:
+    """End the tests, with the lines at which they wait, when one does not end."""
+    faulthandler.dump_traceback_later(LONGEST_SECONDS, exit=True, file=sys.__stderr__)
+    yield
+    faulthandler.cancel_dump_traceback_later()
 
 
 @pytest.fixture

@@ -13,6 +13,7 @@ import pytest
 from eventchain_ros2.dds_entities import Participant, Reader, Writer
 from eventchain_ros2.qos import QoSProfile
 from protocol import (
+    CONFIGURE,
     CONNECT,
     CONNECTED,
     FINISH,
@@ -45,8 +46,24 @@ class NodeProcess(HostProcess):
         self.preparation = {"module": "eventchain_ros2.preparation", "settings": settings}
         super().__init__()
 
-    def connect(self, turns: list[list[int]], *, sinks: int = 1, timeout: float = 60.0) -> list[Any]:
-        wanted = {"writers": [sinks], "turns": turns, "readers": [1], "timeout_s": timeout}
+    def join(self, world: World, configuration: dict[str, Any], kind: int = CONFIGURE, **more: Any) -> list[Any]:
+        """Configure it, and wait until it and the world have found each other; return what is missing."""
+        ready = self.configure(configuration, kind=kind)
+        missing = self.connect(world, **more)
+        (writer,), (reader,) = ready["writers"], ready["readers"]
+        for end, peer in (
+            (world.number, reader["guid"]),
+            (world.doubled, writer["guid"]),
+            (world.clock, ready["clock"]),
+        ):
+            wait_until(lambda end=end, peer=peer: peer in {each.guid.hex() for each in end.peers()}, end.topic)
+        return missing
+
+    def connect(
+        self, world: World, *, turn: tuple[int, int] = (0, 1), others: tuple[str, ...] = (), timeout: float = 60.0
+    ) -> list[Any]:
+        sinks, sources = [world.doubled.guid.hex(), *others], [world.number.guid.hex()]
+        wanted = {"writers": [sinks], "turns": [turn], "readers": [sources], "timeout_s": timeout}
         self.send(CONNECT, json.dumps(wanted).encode())
         missing: list[Any] = json.loads(self.receive(CONNECTED))["missing"]
         return missing
@@ -73,11 +90,9 @@ class World:
         self.clock: Writer = participant.writer("/clock", "rosgraph_msgs/msg/Clock", QoSProfile(depth=1))
 
     def send(self, data: bytes, time: int) -> None:
-        wait_until(self.number.matched, "the node reads")  # what is written before is lost
         self.number.write(data, time)
 
     def show(self, time: int) -> None:
-        wait_until(self.clock.matched, "the clock is read")
         self.clock.write(b"\0\1\0\0" + struct.pack("<iI", *divmod(time, 1_000_000_000)))
 
 
@@ -113,8 +128,7 @@ def test_a_node_says_what_it_reads_and_writes(host: NodeProcess) -> None:
 
 
 def test_samples_come_and_go_at_their_simulated_times(host: NodeProcess, world: World) -> None:
-    host.configure(configuration(execution_time_ms=5.0))
-    assert host.connect([[2, 3]]) == []
+    assert host.join(world, configuration(execution_time_ms=5.0), turn=(2, 3)) == []
     world.show(0)
     assert host.let(PUBLISH, 0)["next"] == [PERIOD, True], "its timer"
     world.send(float32(3.0), 7)
@@ -126,7 +140,6 @@ def test_samples_come_and_go_at_their_simulated_times(host: NodeProcess, world: 
     world.show(55 * MILLISECOND)
     assert host.let(PUBLISH, 55 * MILLISECOND)["wrote"] == [1]
     stamp = 55 * MILLISECOND + 1
-    wait_until(world.doubled.matched, "the reader knows the writer")
     received = []
     wait_until(lambda: received.extend(world.doubled.take()) or received, "a sample arrives")
     assert [(sample.source_timestamp, sample.data) for sample in received] == [(stamp, float32(6.0))]
@@ -139,8 +152,7 @@ def test_samples_come_and_go_at_their_simulated_times(host: NodeProcess, world: 
 
 
 def test_time_stands_still_until_the_clock_shows_it(host: NodeProcess, world: World) -> None:
-    host.configure(configuration())
-    host.connect([[0, 1]])
+    host.join(world, configuration())
     host.send(PUBLISH, struct.pack("<q", PERIOD))
     world.show(0)
     world.show(PERIOD - 1)
@@ -148,18 +160,16 @@ def test_time_stands_still_until_the_clock_shows_it(host: NodeProcess, world: Wo
     assert host.idle()["answered"] == 1
 
 
-def test_ends_that_are_not_there_are_named(host: NodeProcess) -> None:
-    host.configure(configuration())
-    assert host.connect([[0, 1]], sinks=2, timeout=1.0) == [["writer", "/doubled", 1, 2]]
+def test_ends_that_are_not_there_are_named(host: NodeProcess, world: World) -> None:
+    missing = [["writer", "/doubled", 1, 2]]
+    assert host.join(world, configuration(), others=("00" * 16,), timeout=1.0) == missing
 
 
 def test_reset_starts_anew_on_the_same_wire(host: NodeProcess, world: World) -> None:
-    host.configure(configuration())
-    host.connect([[0, 1]])
+    host.join(world, configuration())
     world.send(float32(3.0), 7)
     assert host.idle()["read"] == [1]
-    host.configure(configuration(), kind=RESET)
-    assert host.connect([[0, 1]]) == []
+    assert host.join(world, configuration(), RESET) == []
     world.show(0)
     assert host.let(PUBLISH, 0) == {
         "answered": 1,
@@ -172,9 +182,7 @@ def test_reset_starts_anew_on_the_same_wire(host: NodeProcess, world: World) -> 
 
 
 def test_in_real_time_nothing_happens_after_its_end_but_what_comes_is_counted(host: NodeProcess, world: World) -> None:
-    host.configure({**configuration(), "real_time": True})
-    host.connect([[0, 1]])
-    wait_until(world.doubled.matched, "the node writes")
+    host.join(world, {**configuration(), "real_time": True})
     world.send(float32(3.0), 7)
     host.send(START, struct.pack("<q", monotonic_ns()))
     received: list[Any] = []
@@ -220,9 +228,7 @@ def echo(folder: Path, statement: str) -> dict[str, Any]:
 def test_samples_that_came_before_the_start_are_received_at_the_start(
     host: NodeProcess, world: World, tmp_path: Path
 ) -> None:
-    host.configure({**echo(tmp_path, "pass"), "real_time": True})
-    host.connect([[0, 1]])
-    wait_until(world.doubled.matched, "the node writes")
+    host.join(world, {**echo(tmp_path, "pass"), "real_time": True})
     world.send(float32(3.0), 7)
     world.number.wait_for_acknowledgments(60_000_000_000)
     host.send(START, struct.pack("<q", monotonic_ns() + PERIOD))
@@ -243,8 +249,7 @@ def test_samples_that_came_before_the_start_are_received_at_the_start(
 def test_ends_that_come_or_go_later_are_refused_at_their_line(
     host: NodeProcess, world: World, tmp_path: Path, statement: str, words: str
 ) -> None:
-    host.configure(echo(tmp_path, statement))
-    host.connect([[0, 1]])
+    host.join(world, echo(tmp_path, statement))
     world.show(0)
     host.let(PUBLISH, 0)
     world.send(float32(3.0), 7)
@@ -256,9 +261,7 @@ def test_ends_that_come_or_go_later_are_refused_at_their_line(
 
 
 def test_a_node_that_has_finished_has_left_the_wire(host: NodeProcess, world: World) -> None:
-    host.configure(configuration())
-    host.connect([[0, 1]])
-    wait_until(world.number.matched, "the node reads")
+    host.join(world, configuration())
     host.finish()
     wait_until(lambda: world.number.matched() == 0, "the reader is gone")
     wait_until(lambda: world.doubled.matched() == 0, "the writer is gone")

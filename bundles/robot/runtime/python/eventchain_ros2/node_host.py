@@ -14,7 +14,7 @@ import time
 from typing import Any
 
 from eventchain_ros2.channel import Channel, Kind
-from eventchain_ros2.dds_entities import Participant, Reader
+from eventchain_ros2.dds_entities import Participant, Reader, Writer
 from eventchain_ros2.failures import HostError
 from eventchain_ros2.hosting import Host, HostedNodes, parse, unexpected
 from eventchain_ros2.node_sources import NodeSources
@@ -60,35 +60,37 @@ class NodeOnWire(HostedNodes):
         """Return the content of the READY frame."""
         self.wire.seal()
         return {
-            "writers": [_described(outlet) for outlet in self.wire.outlets],
-            "readers": [_described(inlet) for inlet in self.wire.inlets],
+            "writers": [_described(outlet, outlet.writer) for outlet in self.wire.outlets],
+            "readers": [_described(inlet, inlet.reader) for inlet in self.wire.inlets],
             "warnings": self.warnings(),
         }
 
     def connect(self, wanted: dict[str, Any]) -> dict[str, Any]:
-        """Wait until each endpoint has its expected number of matches; return the content of the CONNECTED frame."""
+        """Wait until each endpoint has matched those that it is to find; return the content of the CONNECTED frame.
+
+        Those are named by their GUIDs, since those of the previous scenario are known for a while.
+        """
         self.wire.take_turns(wanted["turns"])
         ends = [
             *(
-                ("writer", end.topic.name, end.writer, n)
-                for end, n in self._paired(self.wire.outlets, wanted["writers"])
+                ("writer", end.topic.name, end.writer, frozenset(peers))
+                for end, peers in self._paired(self.wire.outlets, wanted["writers"])
             ),
             *(
-                ("reader", end.topic.name, end.reader, n)
-                for end, n in self._paired(self.wire.inlets, wanted["readers"])
+                ("reader", end.topic.name, end.reader, frozenset(peers))
+                for end, peers in self._paired(self.wire.inlets, wanted["readers"])
             ),
         ]
         until = time.monotonic() + wanted["timeout_s"]
-        while any(end.matched() != count for _, _, end, count in ends) and time.monotonic() < until:
+        while (missing := _missing(ends)) and time.monotonic() < until:
             time.sleep(0.002)
         self._is_connected = True
-        missing = [[kind, topic, end.matched(), count] for kind, topic, end, count in ends if end.matched() != count]
         return {"missing": missing}
 
-    def _paired(self, ends: list[Any], counts: list[int]) -> list[tuple[Any, int]]:
-        if len(ends) != len(counts):
-            raise HostError("protocol.frame", f"a CONNECT frame for {len(counts)} ends instead of {len(ends)}")
-        return list(zip(ends, counts, strict=True))
+    def _paired(self, ends: list[Any], peers: list[list[str]]) -> list[tuple[Any, list[str]]]:
+        if len(ends) != len(peers):
+            raise HostError("protocol.frame", f"a CONNECT frame for {len(peers)} ends instead of {len(ends)}")
+        return list(zip(ends, peers, strict=True))
 
     def idle(self, answered: int) -> dict[str, Any]:
         """Return the content of the IDLE frame."""
@@ -123,9 +125,20 @@ class NodeOnWire(HostedNodes):
         super().end()
 
 
-def _described(end: Any) -> dict[str, Any]:
+def _missing(ends: list[tuple[str, str, Writer | Reader, frozenset[str]]]) -> list[list[Any]]:
+    """Return the ends that have not matched all of their peers: kind, topic, and how many of how many they have."""
+    missing = []
+    for kind, topic, end, guids in ends:
+        found = len(guids & {peer.guid.hex() for peer in end.peers()}) if guids else 0
+        if found < len(guids):
+            missing.append([kind, topic, found, len(guids)])
+    return missing
+
+
+def _described(end: Any, endpoint: Writer | Reader) -> dict[str, Any]:
     profile = end.qos_profile
     return {
+        "guid": endpoint.guid.hex(),
         "topic": end.topic.name,
         "type": end.type_name,
         "best_effort": profile.reliability == ReliabilityPolicy.BEST_EFFORT,
@@ -228,8 +241,9 @@ class NodeHost(Host):
         self._clock, self._shown = self._participant.reader(CLOCK_TOPIC, CLOCK_TYPE, QoSProfile(depth=1)), -1
         self._doorbell.wait_set.attach(self._clock)
         self._answered = 0
-        self._node = NodeOnWire(configuration, self._participant, self._doorbell)
-        self.start(self._node.start, self._node.ready)
+        clock = {"clock": self._clock.guid.hex()}
+        self._node = node = NodeOnWire(configuration, self._participant, self._doorbell)
+        self.start(node.start, lambda: {**node.ready(), **clock})
 
     def _finish(self, node: NodeOnWire) -> None:
         """Close the endpoints before answering: those of this scenario must not match those of the next."""

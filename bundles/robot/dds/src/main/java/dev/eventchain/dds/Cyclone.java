@@ -54,6 +54,12 @@ interface Cyclone extends Library {
 
   int getMatchedPublications(int reader, Pointer handles, long count);
 
+  Pointer getMatchedSubscriptionData(int writer, long handle);
+
+  Pointer getMatchedPublicationData(int reader, long handle);
+
+  void builtintopicFreeEndpoint(Pointer endpoint);
+
   int getOfferedIncompatibleQosStatus(int writer, Pointer status);
 
   int getRequestedIncompatibleQosStatus(int reader, Pointer status);

@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 
 /** A reader of messages of one topic. Thread-safe. */
@@ -56,6 +57,11 @@ public final class DdsReader implements AutoCloseable {
 
   byte[] gid() {
     return gid.clone();
+  }
+
+  /** Returns its GUID, as hexadecimal digits: no other endpoint ever has the same. */
+  public String guid() {
+    return Endpoint.hex(gid);
   }
 
   /** Passes samples to a listener in a separate thread from now on. */
@@ -165,8 +171,7 @@ public final class DdsReader implements AutoCloseable {
   /** Returns the number of matched writers. */
   public synchronized int matched() {
     requireOpen();
-    return endpoint.check(
-        endpoint.cyclone().getMatchedPublications(handle, null, 0), "count the writers");
+    return endpoint.matched(handle, false, null, 0);
   }
 
   /**
@@ -176,7 +181,23 @@ public final class DdsReader implements AutoCloseable {
    * @throws IllegalStateException if the reader is, or gets, closed
    */
   public boolean waitForMatches(int count, Duration timeout) {
-    return Matches.await(this::matched, count, timeout);
+    return Matches.await(() -> matched() >= count, timeout);
+  }
+
+  /**
+   * Waits until certain writers are matched.
+   *
+   * @param guids their GUIDs, as {@link #guid}
+   * @return false if one is not after the timeout
+   * @throws IllegalStateException if this is, or gets, closed
+   */
+  public boolean waitForPeers(Set<String> guids, Duration timeout) {
+    return Matches.await(() -> peers().containsAll(guids), timeout);
+  }
+
+  private synchronized Set<String> peers() {
+    requireOpen();
+    return endpoint.peers(handle, false);
   }
 
   /** Returns the events since the last call. */

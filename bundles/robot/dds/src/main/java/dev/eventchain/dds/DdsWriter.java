@@ -7,6 +7,7 @@ import dev.eventchain.messages.CdrCodec;
 import dev.eventchain.messages.QosSettings;
 import java.time.Duration;
 import java.util.List;
+import java.util.Set;
 
 /** A writer of messages of one topic. Thread-safe: calls are serialized. */
 public final class DdsWriter implements AutoCloseable {
@@ -43,6 +44,11 @@ public final class DdsWriter implements AutoCloseable {
 
   byte[] gid() {
     return gid.clone();
+  }
+
+  /** Returns its GUID, as hexadecimal digits: no other endpoint ever has the same. */
+  public String guid() {
+    return Endpoint.hex(gid);
   }
 
   /**
@@ -107,8 +113,7 @@ public final class DdsWriter implements AutoCloseable {
   /** Returns the number of matched readers. */
   public synchronized int matched() {
     requireOpen();
-    return endpoint.check(
-        endpoint.cyclone().getMatchedSubscriptions(handle, null, 0), "count the readers");
+    return endpoint.matched(handle, true, null, 0);
   }
 
   /**
@@ -118,7 +123,23 @@ public final class DdsWriter implements AutoCloseable {
    * @throws IllegalStateException if the writer is, or gets, closed
    */
   public boolean waitForMatches(int count, Duration timeout) {
-    return Matches.await(this::matched, count, timeout);
+    return Matches.await(() -> matched() >= count, timeout);
+  }
+
+  /**
+   * Waits until certain readers are matched.
+   *
+   * @param guids their GUIDs, as {@link #guid}
+   * @return false if one is not after the timeout
+   * @throws IllegalStateException if this is, or gets, closed
+   */
+  public boolean waitForPeers(Set<String> guids, Duration timeout) {
+    return Matches.await(() -> peers().containsAll(guids), timeout);
+  }
+
+  private synchronized Set<String> peers() {
+    requireOpen();
+    return endpoint.peers(handle, true);
   }
 
   /** Returns the events since the last call. */

@@ -16,7 +16,6 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -80,7 +79,7 @@ final class Discovery {
   }
 
   private boolean isGraph(Pointer pointer) {
-    return hex(pointer.getByteArray(0, GUID_SIZE)).equals(hex(graph.gid()))
+    return Endpoint.hex(pointer.getByteArray(0, GUID_SIZE)).equals(Endpoint.hex(graph.gid()))
         && text(pointer, TOPIC).equals(graph.topic());
   }
 
@@ -89,10 +88,6 @@ final class Discovery {
         cyclone,
         cyclone.createReader(participant.handle(), topic, null, null),
         "discover other endpoints");
-  }
-
-  private static String hex(byte[] gid) {
-    return HexFormat.of().formatHex(gid);
   }
 
   private static String text(Pointer pointer, long offset) {
@@ -143,16 +138,24 @@ final class Discovery {
   private List<Peer> peer(boolean writes, Pointer endpoint, long handle) {
     byte[] owner = endpoint.getByteArray(OWNER, GUID_SIZE);
     Optional<String> topic = DdsNames.rosTopic(text(endpoint, TOPIC));
-    if (hex(owner).equals(hex(own)) || topic.isEmpty()) {
+    if (Endpoint.hex(owner).equals(Endpoint.hex(own)) || topic.isEmpty()) {
       return List.of();
     }
-    String id = hex(endpoint.getByteArray(0, GUID_SIZE));
+    String id = Endpoint.hex(endpoint.getByteArray(0, GUID_SIZE));
     Pointer qos = endpoint.getPointer(POLICIES);
-    String node = nodes.getOrDefault(hex(owner), Map.of()).getOrDefault(id, "");
+    String node = nodes.getOrDefault(Endpoint.hex(owner), Map.of()).getOrDefault(id, "");
     String type = DdsNames.rosType(text(endpoint, TYPE));
     return List.of(
         new Peer(
-            writes, topic.get(), type, settings(qos), hash(qos), node, hex(owner), id, handle));
+            writes,
+            topic.get(),
+            type,
+            settings(qos),
+            hash(qos),
+            node,
+            Endpoint.hex(owner),
+            id,
+            handle));
   }
 
   /** Returns the policies that decide whether endpoints match. */
@@ -215,9 +218,10 @@ final class Discovery {
       String namespace = node.get("node_namespace").toString();
       String name = (namespace.endsWith("/") ? namespace : namespace + "/") + node.get("node_name");
       for (String ends : List.of("reader_gid_seq", "writer_gid_seq")) {
-        ((List<?>) node.get(ends)).forEach(gid -> byEndpoint.put(hex(GraphFormat.guid(gid)), name));
+        ((List<?>) node.get(ends))
+            .forEach(gid -> byEndpoint.put(Endpoint.hex(GraphFormat.guid(gid)), name));
       }
     }
-    return Map.of(hex(GraphFormat.guid(said.get("gid"))), byEndpoint);
+    return Map.of(Endpoint.hex(GraphFormat.guid(said.get("gid"))), byEndpoint);
   }
 }

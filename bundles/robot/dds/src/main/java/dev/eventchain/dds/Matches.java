@@ -1,7 +1,7 @@
 package dev.eventchain.dds;
 
 import java.time.Duration;
-import java.util.function.IntSupplier;
+import java.util.function.BooleanSupplier;
 
 /** Waits for matching endpoints. */
 final class Matches {
@@ -10,9 +10,9 @@ final class Matches {
 
   private Matches() {}
 
-  static boolean await(IntSupplier matched, int count, Duration timeout) {
+  static boolean await(BooleanSupplier matched, Duration timeout) {
     long start = System.nanoTime();
-    while (matched.getAsInt() < count) {
+    while (!matched.getAsBoolean()) {
       if (System.nanoTime() - start >= timeout.toNanos()) {
         return false;
       }
@@ -20,7 +20,7 @@ final class Matches {
         Thread.sleep(PAUSE_MS);
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
-        return matched.getAsInt() >= count;
+        return matched.getAsBoolean();
       }
     }
     return true;

@@ -79,7 +79,7 @@ final class AttachedWorld implements AutoCloseable {
   List<String> unconnected(WireGraph now) {
     List<String> missing = new ArrayList<>();
     for (WireEnd writer : now.writersOf(WireEnd.WORLD)) {
-      if (writers.get(writer.index()).matched() < now.sinks(writer)) {
+      if (writers.get(writer.index()).matched() < now.sinks(writer).size()) {
         missing.add("not all readers of " + writer.topic() + " are connected");
       }
     }

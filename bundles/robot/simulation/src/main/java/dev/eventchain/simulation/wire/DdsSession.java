@@ -21,7 +21,9 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Collectors;
 
 /** Nodes on DDS, each in its own process; subclasses define the passage of time. */
 abstract class DdsSession implements NodeSession {
@@ -47,6 +49,9 @@ abstract class DdsSession implements NodeSession {
   private final List<Outbound> commands = new ArrayList<>();
   private JsonNode configuration;
   private WireGraph graph;
+
+  /** GUIDs of the nodes' readers of the clock. */
+  private Set<String> clocks = Set.of();
 
   /**
    * Creates a session over running processes.
@@ -85,6 +90,8 @@ abstract class DdsSession implements NodeSession {
     List<JsonNode> ready = answers();
     try {
       graph = WireGraph.of(ready, configuration);
+      clocks =
+          ready.stream().map(each -> each.required("clock").asText()).collect(Collectors.toSet());
     } catch (IllegalArgumentException e) {
       throw nodes.get(0).failures().garbage("an invalid READY frame: " + e.getMessage());
     }
@@ -111,13 +118,13 @@ abstract class DdsSession implements NodeSession {
     deliveries = new Deliveries(graph, this::written, this::received);
     long latest = System.nanoTime() + connecting.toNanos();
     for (int node = 0; node < nodes.size(); node++) {
-      JsonNode wanted = graph.connect(node, connecting);
+      JsonNode wanted = graph.connect(node, connecting, world::guid);
       nodes.get(node).ask(HostChannel.CONNECT, wanted, HostChannel.CONNECTED);
     }
     List<JsonNode> answers = answers(); // first, since connecting processes new output
     List<String> missing = new ArrayList<>();
     world
-        .connect(nodes.size(), Duration.ofNanos(Math.max(1, latest - System.nanoTime())))
+        .connect(clocks, Duration.ofNanos(Math.max(1, latest - System.nanoTime())))
         .forEach(what -> missing.add("the vehicle with " + what));
     for (int node = 0; node < nodes.size(); node++) {
       for (JsonNode each : answers.get(node).path("missing")) {

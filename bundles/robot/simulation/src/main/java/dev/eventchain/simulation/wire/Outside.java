@@ -44,7 +44,7 @@ record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, Wi
     List<WireEnd> readers = new ArrayList<>();
     for (int owner = 0; owner < peers.size(); owner++) {
       Peer peer = peers.get(owner);
-      WireEnd end = new WireEnd(owner, 0, peer.topic(), peer.type(), peer.qos());
+      WireEnd end = new WireEnd(owner, 0, peer.topic(), peer.type(), peer.qos(), "");
       (peer.writes() ? writers : readers).add(end);
     }
     NavigableSet<String> nodes = new TreeSet<>();
@@ -65,7 +65,7 @@ record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, Wi
     for (WireEnd writer : graph.writersOf(WireEnd.WORLD)) {
       if (!writer.topic().equals(CLOCK)) {
         missing.addAll(
-            graph.sinks(writer) == 0 ? List.of(why(writer, false)) : deaf(writer, chain));
+            graph.sinks(writer).isEmpty() ? List.of(why(writer, false)) : deaf(writer, chain));
       }
     }
     for (WireEnd reader : graph.readersOf(WireEnd.WORLD)) {

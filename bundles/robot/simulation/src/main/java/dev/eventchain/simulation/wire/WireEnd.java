@@ -17,8 +17,9 @@ import java.util.Optional;
  * @param topic full name in ROS 2
  * @param type full name of the message type, {@code std_msgs/msg/Float32}
  * @param qos offered by a writer, requested by a reader
+ * @param guid that of DDS, as hexadecimal digits; empty for the world's and for those of others
  */
-record WireEnd(int owner, int index, String topic, String type, QosSettings qos) {
+record WireEnd(int owner, int index, String topic, String type, QosSettings qos, String guid) {
 
   /** Owner of the world's writers and readers. */
   static final int WORLD = -1;
@@ -30,7 +31,8 @@ record WireEnd(int owner, int index, String topic, String type, QosSettings qos)
    */
   static WireEnd of(int owner, int index, JsonNode json) {
     String topic = json.required("topic").asText();
-    return new WireEnd(owner, index, topic, json.required("type").asText(), quality(json));
+    String type = json.required("type").asText();
+    return new WireEnd(owner, index, topic, type, quality(json), json.required("guid").asText());
   }
 
   /**

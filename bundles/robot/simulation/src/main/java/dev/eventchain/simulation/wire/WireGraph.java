@@ -15,6 +15,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
@@ -85,7 +86,8 @@ record WireGraph(List<WireEnd> writers, List<WireEnd> readers) {
         index,
         topic.path("topic").asText(),
         topic.path("type").asText(),
-        stated.isMissingNode() ? unstated : WireEnd.quality(stated));
+        stated.isMissingNode() ? unstated : WireEnd.quality(stated),
+        "");
   }
 
   /** Returns the QoS of a reader that observes a topic, which requests what all writers offer. */
@@ -103,9 +105,9 @@ record WireGraph(List<WireEnd> writers, List<WireEnd> readers) {
     return writers.stream().filter(writer -> writer.feeds(reader)).toList();
   }
 
-  /** Returns the number of readers that match a writer. */
-  int sinks(WireEnd writer) {
-    return (int) readers.stream().filter(writer::feeds).count();
+  /** Returns the readers that match a writer. */
+  List<WireEnd> sinks(WireEnd writer) {
+    return readers.stream().filter(writer::feeds).toList();
   }
 
   /** Returns the writers of an owner. */
@@ -133,17 +135,25 @@ record WireGraph(List<WireEnd> writers, List<WireEnd> readers) {
         .toList();
   }
 
-  /** Returns the content of the CONNECT frame for a node. */
-  ObjectNode connect(int node, Duration timeout) {
+  /**
+   * Returns the content of the CONNECT frame for a node.
+   *
+   * @param guid returns the GUID of an end
+   */
+  ObjectNode connect(int node, Duration timeout, Function<WireEnd, String> guid) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
-    ArrayNode counts = json.putArray("writers");
+    ArrayNode sinks = json.putArray("writers");
     ArrayNode turns = json.putArray("turns");
     for (WireEnd writer : writersOf(node)) {
-      counts.add(sinks(writer));
+      ArrayNode of = sinks.addArray();
+      sinks(writer).forEach(reader -> of.add(guid.apply(reader)));
       turns.addArray().add(turn(writer)).add(owners(writer.topic()).size());
     }
     ArrayNode sources = json.putArray("readers");
-    readersOf(node).forEach(reader -> sources.add(sources(reader).size()));
+    for (WireEnd reader : readersOf(node)) {
+      ArrayNode of = sources.addArray();
+      sources(reader).forEach(writer -> of.add(guid.apply(writer)));
+    }
     json.put("timeout_s", timeout.toMillis() / 1e3);
     return json;
   }

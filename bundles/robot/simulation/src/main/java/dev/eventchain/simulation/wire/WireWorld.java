@@ -11,10 +11,13 @@ import dev.eventchain.messages.MessageValue;
 import dev.eventchain.simulation.host.NodeSession.Inbound;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 
 /** The world's writers and readers in one scenario, and the clock. */
 final class WireWorld implements AutoCloseable {
@@ -96,28 +99,44 @@ final class WireWorld implements AutoCloseable {
         .orElseThrow(() -> new IllegalArgumentException("no message type " + name));
   }
 
+  /** Returns the GUID of an end of the graph. */
+  String guid(WireEnd end) {
+    if (end.owner() != WireEnd.WORLD) {
+      return end.guid();
+    }
+    return graph.writers().contains(end)
+        ? outputs.get(end.index()).writer.guid()
+        : readers.get(end.index()).guid();
+  }
+
   /**
-   * Waits until all writers and readers have matched.
+   * Waits until all writers and readers have matched. Numbers would not do: ends of the previous
+   * scenario are known for a while, and what is written to them is lost.
    *
-   * @param hosts the number of additional readers of the clock
+   * @param clocks GUIDs of additional readers of the clock
    * @return the topics of writers and readers with missing matches, in words
    */
-  List<String> connect(int hosts, Duration timeout) {
+  List<String> connect(Set<String> clocks, Duration timeout) {
     long end = System.nanoTime() + timeout.toNanos();
     List<String> missing = new ArrayList<>();
     for (WireEnd writer : graph.writersOf(WireEnd.WORLD)) {
-      int count = graph.sinks(writer) + (writer.topic().equals(CLOCK) ? hosts : 0);
-      if (!outputs.get(writer.index()).writer.waitForMatches(count, left(end))) {
+      Set<String> wanted = guids(graph.sinks(writer));
+      wanted.addAll(writer.topic().equals(CLOCK) ? clocks : Set.of());
+      if (!outputs.get(writer.index()).writer.waitForPeers(wanted, left(end))) {
         missing.add("its writer on " + writer.topic());
       }
     }
     for (WireEnd reader : graph.readersOf(WireEnd.WORLD)) {
-      int count = graph.sources(reader).size();
-      if (!readers.get(reader.index()).waitForMatches(count, left(end))) {
+      Set<String> wanted = guids(graph.sources(reader));
+      if (!readers.get(reader.index()).waitForPeers(wanted, left(end))) {
         missing.add("its reader on " + reader.topic());
       }
     }
     return missing;
+  }
+
+  private Set<String> guids(List<WireEnd> ends) {
+    return ends.stream().map(this::guid).collect(Collectors.toCollection(HashSet::new));
   }
 
   private static Duration left(long end) {

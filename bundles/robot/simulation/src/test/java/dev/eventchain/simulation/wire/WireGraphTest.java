@@ -37,14 +37,16 @@ class WireGraphTest {
   private static String end(String topic, String type, String policies) {
     return """
     {"topic": "%s", "type": "%s", "best_effort": %s, "transient": %s, "manual": false,
-     "deadline": %s, "lease": 0}
+     "deadline": %s, "lease": 0, "guid": "%s of %s"}
     """
         .formatted(
             topic,
             type,
             policies.contains("best effort"),
             policies.contains("transient"),
-            policies.contains("deadline") ? 50_000_000 : 0);
+            policies.contains("deadline") ? 50_000_000 : 0,
+            topic,
+            type);
   }
 
   private static JsonNode ready(String writers, String readers) {
@@ -69,6 +71,13 @@ class WireGraphTest {
     return WireGraph.of(List.of(ready), json(WORLD));
   }
 
+  private static JsonNode connect(WireGraph graph, int node, int seconds) {
+    return graph.connect(
+        node,
+        Duration.ofSeconds(seconds),
+        end -> end.owner() == WireEnd.WORLD ? "world's " + end.topic() : end.guid());
+  }
+
   @Test
   void theWorldOffersWhatItStatesWhateverIsRequested() {
     JsonNode ready = ready("", end("/scan", "a/msg/S", "transient, deadline"));
@@ -76,10 +85,10 @@ class WireGraphTest {
     WireEnd world = graph.writersOf(WireEnd.WORLD).get(0);
     assertEquals(Durability.TRANSIENT_LOCAL, world.qos().durability());
     assertEquals(Optional.of(Duration.ofMillis(50)), world.qos().deadline());
-    assertEquals(2, graph.sinks(world));
+    assertEquals(2, graph.sinks(world).size());
     assertEquals(0, graph.warnings().size());
     WireGraph weaker = WireGraph.of(List.of(ready), worldOf("best effort", ""));
-    assertEquals(0, weaker.sinks(weaker.writersOf(WireEnd.WORLD).get(0)));
+    assertEquals(0, weaker.sinks(weaker.writersOf(WireEnd.WORLD).get(0)).size());
     assertTrue(
         weaker
             .warnings()
@@ -94,11 +103,11 @@ class WireGraphTest {
   void aWorldThatStatesNothingOffersTheDefault() {
     for (String request : List.of("transient", "deadline")) {
       WireGraph graph = graph(ready("", end("/scan", "a/msg/S", request)));
-      assertEquals(0, graph.sinks(graph.writersOf(WireEnd.WORLD).get(0)), request);
+      assertEquals(0, graph.sinks(graph.writersOf(WireEnd.WORLD).get(0)).size(), request);
     }
     for (String request : List.of("", "best effort")) {
       WireGraph graph = graph(ready("", end("/scan", "a/msg/S", request)));
-      assertEquals(1, graph.sinks(graph.writersOf(WireEnd.WORLD).get(0)), request);
+      assertEquals(1, graph.sinks(graph.writersOf(WireEnd.WORLD).get(0)).size(), request);
     }
   }
 
@@ -117,9 +126,10 @@ class WireGraphTest {
     WireEnd world = graph.readersOf(WireEnd.WORLD).get(0);
     assertEquals(Reliability.BEST_EFFORT, world.qos().reliability());
     assertEquals(1, graph.sources(world).size());
-    JsonNode connect = graph.connect(0, Duration.ofSeconds(3));
+    JsonNode connect = connect(graph, 0, 3);
     assertEquals(
-        json("{\"writers\": [1], \"turns\": [[0, 1]], \"readers\": [], \"timeout_s\": 3.0}"),
+        json(
+            "{\"writers\": [[\"world's /brake\"]], \"turns\": [[0, 1]], \"readers\": [], \"timeout_s\": 3.0}"),
         connect);
   }
 
@@ -129,8 +139,8 @@ class WireGraphTest {
         graph(
             ready(end("/gap", "a/msg/G", "best effort") + "," + end("/x", "a/msg/X", ""), ""),
             ready("", end("/gap", "a/msg/G", "") + "," + end("/x", "a/msg/Y", "")));
-    assertEquals(json("[0, 0]"), graph.connect(0, Duration.ofSeconds(1)).get("writers"));
-    assertEquals(json("[0, 0]"), graph.connect(1, Duration.ofSeconds(1)).get("readers"));
+    assertEquals(json("[[], []]"), connect(graph, 0, 1).get("writers"));
+    assertEquals(json("[[], []]"), connect(graph, 1, 1).get("readers"));
     JsonNode warnings = graph.warnings();
     assertEquals(2, warnings.size());
     assertEquals("qos.incompatible", warnings.get(0).path("id").asText());
@@ -144,11 +154,11 @@ class WireGraphTest {
         graph(
             ready(end("/scan", "a/msg/S", ""), ""),
             ready(end("/scan", "a/msg/S", ""), end("/scan", "a/msg/S", "")));
-    assertEquals(json("[[1, 3]]"), graph.connect(0, Duration.ofSeconds(1)).get("turns"));
-    assertEquals(json("[[2, 3]]"), graph.connect(1, Duration.ofSeconds(1)).get("turns"));
+    assertEquals(json("[[1, 3]]"), connect(graph, 0, 1).get("turns"));
+    assertEquals(json("[[2, 3]]"), connect(graph, 1, 1).get("turns"));
     assertEquals(
-        json("[2]"),
-        graph.connect(1, Duration.ofSeconds(1)).get("readers"),
+        json("[[\"/scan of a/msg/S\", \"world's /scan\"]]"),
+        connect(graph, 1, 1).get("readers"),
         "what a node tells itself stays in its process");
   }
 
