@@ -5,7 +5,6 @@ import dev.eventchain.simulation.world.Body;
 import dev.eventchain.simulation.world.Contact;
 import dev.eventchain.simulation.world.EgoMotion;
 import dev.eventchain.simulation.world.Road;
-import dev.eventchain.simulation.world.Situation;
 import dev.eventchain.simulation.world.Trace;
 import dev.eventchain.simulation.world.World;
 import java.util.ArrayList;
@@ -103,39 +102,41 @@ public final class ActorSignals implements Signal.Source {
   private final Signal.Source others;
   private final Map<String, Signal> signals = new LinkedHashMap<>();
 
-  /** Adds the signals of a scenario's actors to others. */
-  public ActorSignals(Signal.Source others, Situation situation) {
+  /** Adds the signals of a scenario's actors, by their names, to others. */
+  public ActorSignals(Signal.Source others, Collection<String> actors) {
     this.others = others;
     WorldSignals world = new WorldSignals();
-    for (Actor actor : situation.actors()) {
+    for (String actor : actors) {
       for (Part part : Part.values()) {
-        Signal signal = signal(actor, part, situation.road(), world);
+        Signal signal = signal(actor, part, world);
         signals.put(signal.name(), signal);
       }
     }
   }
 
-  private static Signal signal(Actor actor, Part part, Road road, WorldSignals world) {
+  private static Signal signal(String actor, Part part, WorldSignals world) {
     return new Signal(
-        name(actor.name(), part.word),
+        name(actor, part.word),
         part.unit,
         false,
         part.meaning,
-        trace -> samples(actor, part, road, trace),
+        trace -> samples(actor, part, trace),
         trace -> Optional.empty(),
         part.basis(world),
         ranges -> part.range());
   }
 
-  private static double[] samples(Actor actor, Part part, Road road, Trace trace) {
+  private static double[] samples(String name, Part part, Trace trace) {
+    Actor actor = trace.actor(name).orElseThrow();
     long gone =
         trace.fromBehind().stream()
-            .filter(contact -> contact.other().name().equals(actor.name()))
+            .filter(contact -> contact.other().name().equals(name))
             .mapToLong(Contact::time)
             .min()
             .orElse(Long.MAX_VALUE);
     return trace.states().stream()
-        .mapToDouble(state -> state.time() < gone ? part.of(actor, state, road) : Double.NaN)
+        .mapToDouble(
+            state -> state.time() < gone ? part.of(actor, state, trace.road()) : Double.NaN)
         .toArray();
   }
 
@@ -179,6 +180,11 @@ public final class ActorSignals implements Signal.Source {
     List<String> names = new ArrayList<>(others.names());
     names.addAll(signals.keySet());
     return names;
+  }
+
+  @Override
+  public String aboutTopics() {
+    return others.aboutTopics();
   }
 
   @Override

@@ -67,6 +67,17 @@ public final class Formula {
     return parse(range, signals, duration, Optional.of(ranges));
   }
 
+  /**
+   * Reads a condition of a scenario that is true or false at each moment.
+   *
+   * @throws dev.eventchain.diagnostics.DiagnosticException (INPUT) as for {@link
+   *     #parse(SourceRange, Signal.Source, double)}
+   */
+  public static Formula parseCircumstance(SourceRange range, Signal.Source signals) {
+    Condition condition = FormulaParser.parseCircumstance(range, signals);
+    return new Formula(condition, FormulaParser.plain(range.text()));
+  }
+
   private static Formula parse(
       SourceRange range, Signal.Source signals, double duration, Optional<Range.Source> ranges) {
     Condition condition = FormulaParser.parse(range, signals, duration, ranges);

@@ -52,15 +52,22 @@ public final class FormulaParser {
 
   /** Parses a quantity or a condition of the bench, which has no temporal operators. */
   public static Part parseMoment(SourceRange range, Signal.Source signals) {
-    FormulaParser parser =
-        new FormulaParser(range, FormulaTokens.Place.BENCH, signals, 0, Optional.empty());
-    Token first = parser.tokens.peek();
-    Part part = parser.formula(false);
+    return new FormulaParser(range, FormulaTokens.Place.BENCH, signals, 0, Optional.empty())
+        .moment(false, "Only what holds at one moment can be sent.");
+  }
+
+  /** Parses a condition of a scenario that is true or false at each moment. */
+  static Condition parseCircumstance(SourceRange range, Signal.Source signals) {
+    return (Condition)
+        new FormulaParser(range, FormulaTokens.Place.SCENARIO, signals, 0, Optional.empty())
+            .moment(true, "Only what holds at one moment can be waited for.");
+  }
+
+  private Part moment(boolean isCondition, String refusal) {
+    Token first = tokens.peek();
+    Part part = formula(isCondition);
     if (part instanceof Condition condition && !condition.ofOneMoment()) {
-      throw parser.tokens.syntax(
-          first,
-          "Only what holds at one moment can be sent.",
-          "Leave out operators such as `always`.");
+      throw tokens.syntax(first, refusal, "Leave out operators such as `always`.");
     }
     return part;
   }

@@ -42,6 +42,11 @@ public record Signal(
     /** Returns the known names, for hints. */
     Collection<String> names();
 
+    /** Returns what to say of a topic that is not known, with a blank before it. */
+    default String aboutTopics() {
+      return " Topics are known if signals.json or bench.yaml describes them.";
+    }
+
     /**
      * Returns the outputs of the software that satisfy a requirement.
      *

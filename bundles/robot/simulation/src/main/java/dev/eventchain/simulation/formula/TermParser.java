@@ -162,10 +162,7 @@ final class TermParser {
       String hint = known ? NearestName.hint(name, signals.names()) : ActorSignals.NONE_KNOWN;
       return tokens.unknownSignal(token, "There is no " + name + " here.", hint);
     }
-    String described =
-        name.startsWith("/")
-            ? " Topics are known if signals.json or bench.yaml describes them."
-            : "";
+    String described = name.startsWith("/") ? signals.aboutTopics() : "";
     String hint = NearestName.hint(name, signals.names()) + described;
     return tokens.unknownSignal(token, "There is no signal '" + name + "'.", hint);
   }

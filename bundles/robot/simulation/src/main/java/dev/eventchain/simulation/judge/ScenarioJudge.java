@@ -187,12 +187,16 @@ public final class ScenarioJudge {
     return outcome.passed() ? unlessItEndedEarly(criterion, run).orElse(outcome) : outcome;
   }
 
-  /** Returns untested if too little was driven for a criterion that was not violated. */
+  /** Returns untested if too little happened for a criterion that was not violated. */
   private static Optional<Outcome> unlessItEndedEarly(Expectation criterion, ScenarioRun run) {
     Trace trace = run.trace();
     double end = World.seconds(trace.end().time());
     if (criterion.isOfEveryScenario()) {
       return Optional.empty();
+    }
+    if (!trace.neverBegun().isEmpty()) {
+      return Optional.of(
+          Outcome.untested("a maneuver never began: " + String.join(", ", trace.neverBegun())));
     }
     if (criterion instanceof Criterion && trace.isCut()) {
       return Optional.of(

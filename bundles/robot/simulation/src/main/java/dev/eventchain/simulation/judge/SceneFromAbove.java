@@ -40,7 +40,7 @@ final class SceneFromAbove {
         situation.road().laneWidth(),
         Road.WALL_DISTANCE,
         above.ego(),
-        situation.actors().stream()
+        trace.actors().stream()
             .filter(actor -> actor.size().bottom() < EgoVehicle.HEIGHT)
             .map(above::mover)
             .toList(),
@@ -61,7 +61,7 @@ final class SceneFromAbove {
   private Mover mover(Actor actor) {
     Optional<Long> gone =
         trace.fromBehind().stream()
-            .filter(contact -> contact.other() == actor)
+            .filter(contact -> contact.other().name().equals(actor.name()))
             .map(Contact::time)
             .findFirst();
     List<Road.Place> places = new ArrayList<>();

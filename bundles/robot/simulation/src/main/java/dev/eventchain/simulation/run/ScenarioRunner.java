@@ -198,8 +198,9 @@ public final class ScenarioRunner {
   }
 
   /**
-   * Advances time to the end, or to an impact, or until the ego and all others have come to rest
-   * and no criterion needs more, or to an early end; returns the wall time that this took, in ns.
+   * Advances time to the end, or to an impact, or to where the scenario ends, or until the ego and
+   * all others have come to rest and no criterion needs more, or to an early end; returns the wall
+   * time that this took, in ns.
    */
   private long drive(
       World world,
@@ -212,7 +213,7 @@ public final class ScenarioRunner {
     long started = System.nanoTime();
     long horizon = Math.min(end, least);
     while (world.now() < end
-        && !world.impacted()
+        && !world.isOver()
         && !early.isNow(world, driver)
         && (world.now() < horizon || world.now() - AFTER_STOP < stoppedAt || !othersRest(world))) {
       List<Inbound> sensed = driver.sense(world);

@@ -1,13 +1,11 @@
 package dev.eventchain.simulation.scenario;
 
-import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
-import dev.eventchain.simulation.formula.RootLocale;
 import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.ActorKind;
 import dev.eventchain.simulation.world.HumanDriver;
@@ -31,22 +29,18 @@ final class ActorsReader {
   /** Factor from km/h to m/s. */
   static final double KMH = 1.0 / 3.6;
 
-  static final NumberRange SPEED_KMH = NumberRange.of(0, 250);
-
   private static final Rule RANGE_FINDING = ScenarioRules.VALUE_RANGE;
   private static final NumberRange GAP = NumberRange.of(-2000, 2000);
-  private static final NumberRange ASIDE = NumberRange.of(-50, 50);
   private static final NumberRange SIZE = NumberRange.of(0.01, 200);
   private static final NumberRange HEIGHT = NumberRange.of(0, 20);
   private static final NumberRange ANGLE = NumberRange.of(-180, 180);
   private static final NumberRange COUNT = NumberRange.of(1, 200);
-  private static final NumberRange ACCELERATION = NumberRange.of(0.01, 20);
-  private static final NumberRange LATERAL_SPEED = NumberRange.of(0.01, 5);
 
   private final double duration;
   private final Set<String> names = new HashSet<>();
   private final Map<String, Integer> unnamed = new HashMap<>();
   private final Map<String, SourceLocation> places = new HashMap<>();
+  private final Map<String, ManeuversReader> scripts = new HashMap<>();
 
   /**
    * Creates a reader.
@@ -68,16 +62,35 @@ final class ActorsReader {
   private Optional<Actor> actor(ObjectReader section) {
     Optional<ActorKind> kind = kind(section, true, ActorKind.CAR.id());
     double gap = section.requiredNumber("gap_m", GAP);
-    double speed = section.requiredNumber("speed_kmh", SPEED_KMH) * KMH;
-    double offset = section.number("lateral_offset_m", ASIDE).orElse(0);
+    double speed = section.requiredNumber("speed_kmh", ManeuversReader.SPEED_KMH) * KMH;
+    double offset = section.number("lateral_offset_m", ManeuversReader.ASIDE).orElse(0);
     double heading = heading(section);
     Optional<Actor.Size> size = kind.map(each -> size(section, each));
     String name = name(section, kind.orElse(ActorKind.CAR));
-    SpeedProfile profile = new SpeedProfile(speed, speeds(section));
-    LateralProfile line = new LateralProfile(offset, line(section, offset, profile));
+    ManeuversReader maneuvers = new ManeuversReader(section, duration);
+    SpeedProfile profile = maneuvers.speed(speed);
+    LateralProfile line = maneuvers.line(offset, profile);
     section.refuseOthers();
     places.put(name, section.at("gap_m"));
+    scripts.put(name, maneuvers);
     return kind.map(each -> new Actor(name, each, size.orElseThrow(), gap, heading, profile, line));
+  }
+
+  /** Adds the maneuvers that begin by themselves, which may be about any actor. */
+  List<Actor> completed(List<Actor> actors, CircumstancesReader circumstances) {
+    return actors.stream()
+        .map(
+            actor ->
+                Optional.ofNullable(scripts.get(actor.name()))
+                    .map(it -> actor.then(it.begun(), it.waiting(circumstances)))
+                    .orElse(actor))
+        .toList();
+  }
+
+  /** Adds the maneuvers of the driver that begin by themselves. */
+  HumanDriver completed(HumanDriver driver, ObjectReader ego, CircumstancesReader circumstances) {
+    ManeuversReader maneuvers = new ManeuversReader(ego, duration);
+    return driver.then(maneuvers.begun(), maneuvers.waiting(circumstances));
   }
 
   /** Returns the location of an actor's distance. */
@@ -91,7 +104,7 @@ final class ActorsReader {
     }
     Optional<ActorKind> kind = kind(section, false, ActorKind.PARKED_CAR.id());
     double gap = section.requiredNumber("gap_m", GAP);
-    double offset = section.number("lateral_offset_m", ASIDE).orElse(0);
+    double offset = section.number("lateral_offset_m", ManeuversReader.ASIDE).orElse(0);
     double heading = heading(section);
     Optional<Actor.Size> size = kind.map(each -> size(section, each));
     long count = section.wholeNumber("count", COUNT).orElse(1);
@@ -182,60 +195,11 @@ final class ActorsReader {
 
   /** Reads the driver of the ego, whose script is among the ego's keys. */
   HumanDriver driver(ObjectReader ego, double speed, double offset) {
-    SpeedProfile profile = new SpeedProfile(speed, speeds(ego));
-    List<LateralProfile.Change> changes = line(ego, offset, profile);
-    boolean steers = ego.has("driver_steers");
+    ManeuversReader maneuvers = new ManeuversReader(ego, duration);
+    SpeedProfile profile = maneuvers.speed(speed);
+    LateralProfile line = maneuvers.line(offset, profile);
+    boolean steers = ego.has("driver_steers") || maneuvers.steer();
     ego.requireTrue("driver_steers");
-    return new HumanDriver(
-        profile, new LateralProfile(offset, changes), steers || !changes.isEmpty());
-  }
-
-  private List<ObjectReader> maneuvers(ObjectReader section, String key, String other) {
-    return section.objects("maneuvers").stream()
-        .filter(each -> each.has(key) || !each.has(other))
-        .toList();
-  }
-
-  private List<SpeedProfile.Change> speeds(ObjectReader section) {
-    List<SpeedProfile.Change> changes = new ArrayList<>();
-    double earliest = 0;
-    for (ObjectReader each : maneuvers(section, "speed_kmh", "lateral_offset_m")) {
-      double time = time(each, earliest);
-      earliest = time;
-      double speed = each.requiredNumber("speed_kmh", SPEED_KMH) * KMH;
-      double rate = each.requiredNumber("acceleration_mps2", ACCELERATION);
-      each.refuseOthers();
-      changes.add(new SpeedProfile.Change(time, speed, Math.max(rate, ACCELERATION.least())));
-    }
-    return changes;
-  }
-
-  private List<LateralProfile.Change> line(ObjectReader section, double start, SpeedProfile speed) {
-    List<LateralProfile.Change> changes = new ArrayList<>();
-    for (ObjectReader each : maneuvers(section, "lateral_offset_m", "speed_kmh")) {
-      if (!each.has("lateral_offset_m")) {
-        continue; // already reported: it is read as a change of the speed
-      }
-      double time = time(each, new LateralProfile(start, changes).end());
-      double offset = each.requiredNumber("lateral_offset_m", ASIDE);
-      double rate = each.number("lateral_speed_mps", LATERAL_SPEED).orElse(1.5);
-      each.refuseOthers();
-      if (speed.speed(time) == 0.0) {
-        each.find(
-            RANGE_FINDING, "It is standing still then, and cannot change lanes.", each.at("at_s"));
-      }
-      changes.add(new LateralProfile.Change(time, offset, rate));
-    }
-    return changes;
-  }
-
-  private double time(ObjectReader maneuver, double earliest) {
-    double time = maneuver.requiredNumber("at_s", NumberRange.of(0, duration));
-    boolean isNumber = maneuver.value("at_s").map(JsonNode::isNumber).orElse(false);
-    if (isNumber && time < earliest) {
-      String message = RootLocale.format("The previous one does not end until %.2f s.", earliest);
-      maneuver.find(RANGE_FINDING, message, maneuver.at("at_s"));
-    }
-    return time;
+    return new HumanDriver(profile, line, steers);
   }
 }

@@ -22,10 +22,13 @@ import dev.eventchain.simulation.world.Road;
 import dev.eventchain.simulation.world.Script;
 import dev.eventchain.simulation.world.Situation;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
 
 /** Reads scenario files, with units in the names of the keys, into SI units. */
@@ -72,19 +75,22 @@ final class ScenarioReader {
     NamedRequirements requirements = NamedRequirements.ofScenario(section);
     long seed = section.wholeNumber("seed", SEED).orElse(1);
     double duration = section.requiredNumber("duration_s", DURATION);
-    Situation situation = situation(section, longest(section));
+    Set<String> awaited = new HashSet<>();
+    Situation situation = situation(section, text, bench, awaited);
     Map<String, Script> inputs =
         section.object("inputs").map(part -> InputsReader.read(part, bench)).orElse(Map.of());
     FormulasReader formulas =
         new FormulasReader(
             text,
-            new ActorSignals(bench.signals(), situation),
+            new ActorSignals(bench.signals(), names(situation.actors())),
             longest(section),
             requirements,
             Optional.of(new SignalRanges(situation, inputs, bench, longest(section))));
     Scenario.Asked asked = asked(section, formulas);
     if (sound.getAsBoolean()) { // A criterion with an error may be the one that needs an input.
-      InputsReader.requireUse(section, inputs.keySet(), asked, bench);
+      Set<String> unread = new TreeSet<>(inputs.keySet());
+      unread.removeAll(awaited);
+      InputsReader.requireUse(section, unread, asked, bench);
     }
     section.refuseOthers();
     Scenario.Heading heading =
@@ -116,8 +122,13 @@ final class ScenarioReader {
     return name;
   }
 
-  private static Situation situation(ObjectReader section, double longest) {
-    ActorsReader reader = new ActorsReader(longest);
+  private static List<String> names(List<Actor> actors) {
+    return actors.stream().map(Actor::name).distinct().toList();
+  }
+
+  private static Situation situation(
+      ObjectReader section, SourceText text, Bench bench, Set<String> awaited) {
+    ActorsReader reader = new ActorsReader(longest(section));
     Optional<ObjectReader> part = section.requiredObject("ego");
     EgoVehicle ego = part.map(ScenarioReader::ego).orElse(EgoVehicle.withSpeed(0));
     double offset = ego.chassis().offset();
@@ -140,7 +151,14 @@ final class ScenarioReader {
                         + " behind the ego or next to it needs room for both."));
       }
     }
-    return new Situation(ego, driver, road, actors);
+    CircumstancesReader circumstances =
+        new CircumstancesReader(text, bench.signals(), names(actors), awaited);
+    return new Situation(
+        ego,
+        part.map(it -> reader.completed(driver, it, circumstances)).orElse(driver),
+        road,
+        reader.completed(actors, circumstances),
+        circumstances.read(section, "end_when").map(CircumstancesReader.Circumstance::condition));
   }
 
   private static Road road(ObjectReader section) {
@@ -173,7 +191,7 @@ final class ScenarioReader {
   private static EgoVehicle ego(ObjectReader section) {
     EgoVehicle usual = EgoVehicle.withSpeed(0);
     return new EgoVehicle(
-        section.requiredNumber("speed_kmh", ActorsReader.SPEED_KMH) * ActorsReader.KMH,
+        section.requiredNumber("speed_kmh", ManeuversReader.SPEED_KMH) * ActorsReader.KMH,
         number(section, "brake_delay_s", usual.brakeDelay(), 0, 5),
         number(section, "brake_build_up_s", usual.brakeBuildUp(), 0, 5),
         number(section, "maximal_deceleration_mps2", usual.maximalDeceleration(), 0.1, 20),

@@ -3,9 +3,9 @@ package dev.eventchain.simulation.world;
 import java.util.List;
 
 /**
- * A road user or an object on the road or over it, other than the ego; moves by its script,
- * independent of the ego. Its speed is that along the centre line of the ego's lane, also in a
- * bend. Immutable.
+ * A road user or an object on the road or over it, other than the ego; moves by its script, whose
+ * maneuvers begin at fixed times or by what happens. Its speed is that along the centre line of the
+ * ego's lane, also in a bend. Immutable.
  */
 public final class Actor {
 
@@ -23,8 +23,7 @@ public final class Actor {
   private final Size size;
   private final double start;
   private final double heading;
-  private final SpeedProfile speed;
-  private final LateralProfile offset;
+  private final Motion motion;
 
   /**
    * Creates an actor.
@@ -41,13 +40,51 @@ public final class Actor {
       double heading,
       SpeedProfile speed,
       LateralProfile offset) {
+    this(
+        name,
+        kind,
+        size,
+        gap + Body.extent(size.length(), size.width(), heading),
+        heading,
+        Motion.of(speed, offset));
+  }
+
+  private Actor(
+      String name, ActorKind kind, Size size, double start, double heading, Motion motion) {
     this.name = name;
     this.kind = kind;
     this.size = size;
+    this.start = start;
     this.heading = heading;
-    this.speed = speed;
-    this.offset = offset;
-    this.start = gap + Body.extent(size.length(), size.width(), heading);
+    this.motion = motion;
+  }
+
+  /**
+   * Returns this actor with maneuvers that begin by themselves.
+   *
+   * @param begun when the last maneuver of a known time begins, in s
+   */
+  public Actor then(double begun, List<Maneuver> maneuvers) {
+    return with(motion.then(begun, maneuvers));
+  }
+
+  private Actor with(Motion other) {
+    return other == motion ? this : new Actor(name, kind, size, start, heading, other);
+  }
+
+  /** Returns this actor with the maneuvers that begin now. */
+  Actor continued(long now, Trace moment) {
+    return with(motion.continued(now, moment));
+  }
+
+  /** Returns whether a maneuver has not begun. */
+  boolean waits() {
+    return motion.waits();
+  }
+
+  /** Returns the maneuvers that have not begun. */
+  List<Maneuver> waiting() {
+    return motion.waiting();
   }
 
   /** Returns a passenger car that keeps its speed and its lane. */
@@ -75,13 +112,13 @@ public final class Actor {
    * bumper.
    */
   public double along(double seconds) {
-    return start + StrictMath.cos(heading) * speed.way(seconds);
+    return start + StrictMath.cos(heading) * motion.speed().way(seconds);
   }
 
   /** Returns the position of its middle left of the centre line of the ego's lane, in m. */
   public double across(double seconds) {
-    double crossing = heading == 0.0 ? 0.0 : StrictMath.sin(heading) * speed.way(seconds);
-    return offset.offset(seconds) + crossing;
+    double crossing = heading == 0.0 ? 0.0 : StrictMath.sin(heading) * motion.speed().way(seconds);
+    return motion.line().offset(seconds) + crossing;
   }
 
   /**
@@ -89,11 +126,11 @@ public final class Actor {
    * motion.
    */
   double heading(double seconds) {
-    double rate = offset.rate(seconds);
+    double rate = motion.line().rate(seconds);
     if (rate == 0.0) {
       return heading;
     }
-    double forwards = Math.max(speed.speed(seconds), Math.abs(rate) / STEEPEST);
+    double forwards = Math.max(motion.speed().speed(seconds), Math.abs(rate) / STEEPEST);
     double side = StrictMath.cos(heading) < 0.0 ? -1.0 : 1.0;
     return heading + side * StrictMath.atan(rate / forwards);
   }
@@ -118,12 +155,12 @@ public final class Actor {
 
   /** Returns its speed along the road, in m/s; negative if it is oncoming. */
   public double speedAlong(double seconds) {
-    return StrictMath.cos(heading) * speed.speed(seconds);
+    return StrictMath.cos(heading) * motion.speed().speed(seconds);
   }
 
   /** Returns its speed across the road, in m/s; positive to the left. */
   public double speedAcross(double seconds) {
-    return offset.rate(seconds) + StrictMath.sin(heading) * speed.speed(seconds);
+    return motion.line().rate(seconds) + StrictMath.sin(heading) * motion.speed().speed(seconds);
   }
 
   /** Returns its box after some seconds. */
@@ -136,13 +173,14 @@ public final class Actor {
 
   /** Returns whether it stands from a time on, in s. */
   public boolean restsFrom(double seconds) {
-    return speed.restsFrom(seconds) && offset.restsFrom(seconds);
+    return motion.restsFrom(seconds);
   }
 
   /** Returns an upper bound of the speed of any of its points, in m/s. */
   public double fastest() {
-    double turning = offset.constant() ? 0.0 : TURNING * (size.length() + size.width()) / 2;
-    return speed.fastest() + offset.fastest() + turning;
+    double aside = motion.fastestAside();
+    double turning = aside == 0.0 ? 0.0 : TURNING * (size.length() + size.width()) / 2;
+    return motion.fastest() + aside + turning;
   }
 
   /**

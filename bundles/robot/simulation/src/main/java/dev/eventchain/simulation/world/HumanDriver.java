@@ -1,15 +1,21 @@
 package dev.eventchain.simulation.world;
 
+import java.util.List;
+
 /**
  * The ego's driver, who follows a script of speeds and lane offsets while the software does not
  * drive. Without a script, the speed is kept, and the wheels are straight on a straight road.
  *
- * @param speed the desired speed
- * @param line the desired position in the lane
+ * @param motion the desired speed and position in the lane
  * @param scripted true if the driver is said to steer, and not only follows a bend as long as the
  *     software does not steer
  */
-public record HumanDriver(SpeedProfile speed, LateralProfile line, boolean scripted) {
+public record HumanDriver(Motion motion, boolean scripted) {
+
+  /** Creates a driver whose maneuvers all begin at known times. */
+  public HumanDriver(SpeedProfile speed, LateralProfile line, boolean scripted) {
+    this(Motion.of(speed, line), scripted);
+  }
 
   /** Time constant of the speed control, in s. */
   private static final double SPEED_TIME = 0.3;
@@ -23,12 +29,23 @@ public record HumanDriver(SpeedProfile speed, LateralProfile line, boolean scrip
   /** Minimum speed for steering, in m/s. */
   private static final double SLOWEST = 0.5;
 
+  /** Returns this driver with maneuvers that begin by themselves, as {@link Actor#then}. */
+  public HumanDriver then(double begun, List<Maneuver> maneuvers) {
+    return new HumanDriver(motion.then(begun, maneuvers), scripted);
+  }
+
+  /** Returns this driver with the maneuvers that begin now. */
+  HumanDriver continued(long now, Trace moment) {
+    Motion other = motion.continued(now, moment);
+    return other == motion ? this : new HumanDriver(other, scripted);
+  }
+
   /**
    * Returns the desired acceleration, in m/s2: that of the script, and the correction of the speed.
    */
   double acceleration(double seconds, double driven) {
-    double wanted = speed.speed(seconds);
-    double feedForward = speed.acceleration(seconds);
+    double wanted = motion.speed().speed(seconds);
+    double feedForward = motion.speed().acceleration(seconds);
     return wanted == driven && feedForward == 0.0
         ? 0.0
         : feedForward + (wanted - driven) / SPEED_TIME;
@@ -49,8 +66,8 @@ public record HumanDriver(SpeedProfile speed, LateralProfile line, boolean scrip
     if (driven < SLOWEST) {
       return 0.0;
     }
-    double error = line.offset(seconds) - station.across();
-    double aside = line.rate(seconds) + error / LINE_TIME;
+    double error = motion.line().offset(seconds) - station.across();
+    double aside = motion.line().rate(seconds) + error / LINE_TIME;
     double wanted = StrictMath.asin(Math.max(-0.5, Math.min(0.5, aside / driven)));
     double follows = road.curvature() / (1.0 - road.curvature() * station.across());
     return follows + (wanted - heading) / (HEADING_TIME * driven);

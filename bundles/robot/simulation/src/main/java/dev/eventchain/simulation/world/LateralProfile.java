@@ -14,7 +14,13 @@ public final class LateralProfile {
    *
    * @param speed the largest lateral speed in between, in m/s, above 0
    */
-  public record Change(double time, double offset, double speed) {}
+  public record Change(double time, double offset, double speed) implements Maneuver.Change {
+
+    @Override
+    public Change at(double seconds) {
+      return new Change(seconds, offset, speed);
+    }
+  }
 
   private record Move(double time, double from, double to, double duration) {
 
@@ -36,6 +42,7 @@ public final class LateralProfile {
   }
 
   private final double start;
+  private final List<Change> changes;
   private final List<Move> moves = new ArrayList<>();
   private final double fastest;
 
@@ -47,6 +54,7 @@ public final class LateralProfile {
    */
   public LateralProfile(double start, List<Change> changes) {
     this.start = start;
+    this.changes = List.copyOf(changes);
     double from = start;
     for (Change change : changes) {
       if (change.offset() != from) {
@@ -56,6 +64,13 @@ public final class LateralProfile {
       }
     }
     fastest = changes.stream().mapToDouble(Change::speed).max().orElse(0.0);
+  }
+
+  /** Returns this profile with a further change, which begins after the end of the others. */
+  LateralProfile then(Change change) {
+    List<Change> all = new ArrayList<>(changes);
+    all.add(change);
+    return new LateralProfile(start, all);
   }
 
   /** Returns whether the offset is constant. */

@@ -1,11 +1,25 @@
 package dev.eventchain.simulation.world;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
 
 /**
  * Initial state of a scenario: the vehicle, its driver, the road, and all actors on it. Immutable.
+ *
+ * @param end is true of the trace of the moment at which the scenario ends, before its time
  */
-public record Situation(EgoVehicle ego, HumanDriver driver, Road road, List<Actor> actors) {
+public record Situation(
+    EgoVehicle ego,
+    HumanDriver driver,
+    Road road,
+    List<Actor> actors,
+    Optional<Predicate<Trace>> end) {
+
+  /** Creates a situation that lasts as long as its scenario. */
+  public Situation(EgoVehicle ego, HumanDriver driver, Road road, List<Actor> actors) {
+    this(ego, driver, road, actors, Optional.empty());
+  }
 
   public Situation {
     actors = List.copyOf(actors);

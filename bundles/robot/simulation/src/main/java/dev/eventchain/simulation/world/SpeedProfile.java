@@ -10,7 +10,13 @@ public final class SpeedProfile {
    * A change of the speed to another one, in m/s, that begins at a time, in s, with a rate in m/s2
    * above 0.
    */
-  public record Change(double time, double speed, double acceleration) {}
+  public record Change(double time, double speed, double acceleration) implements Maneuver.Change {
+
+    @Override
+    public Change at(double seconds) {
+      return new Change(seconds, speed, acceleration);
+    }
+  }
 
   /** A part of constant acceleration, which may be negative, from a time on. */
   private record Piece(double time, double speed, double rate, double way) {
@@ -25,6 +31,8 @@ public final class SpeedProfile {
     }
   }
 
+  private final double start;
+  private final List<Change> changes;
   private final List<Piece> pieces = new ArrayList<>();
   private final double fastest;
 
@@ -36,6 +44,8 @@ public final class SpeedProfile {
    *     begins at the speed of that moment
    */
   public SpeedProfile(double start, List<Change> changes) {
+    this.start = start;
+    this.changes = List.copyOf(changes);
     pieces.add(new Piece(0.0, start, 0.0, 0.0));
     for (Change change : changes) {
       while (last().time() > change.time()) {
@@ -48,6 +58,13 @@ public final class SpeedProfile {
       pieces.add(new Piece(reached, change.speed(), 0.0, last().wayAt(reached)));
     }
     fastest = pieces.stream().mapToDouble(Piece::speed).max().orElseThrow();
+  }
+
+  /** Returns this profile with a further change, which begins after the others. */
+  SpeedProfile then(Change change) {
+    List<Change> all = new ArrayList<>(changes);
+    all.add(change);
+    return new SpeedProfile(start, all);
   }
 
   private Piece last() {

@@ -85,6 +85,8 @@ public final class Trace {
 
   private final Map<String, Script> inputs;
   private final Road road;
+  private List<Actor> actors = List.of();
+  private List<String> neverBegun = List.of();
   private final List<State> states = new ArrayList<>();
   private final Map<String, List<Sample>> samples = new HashMap<>();
   private final List<Command> commands = new ArrayList<>();
@@ -119,9 +121,35 @@ public final class Trace {
     return road;
   }
 
+  /** Records the actors as they have moved and will move, as far as that is known. */
+  void actors(List<Actor> all) {
+    actors = List.copyOf(all);
+  }
+
+  /** Returns the actors as they have moved. */
+  public List<Actor> actors() {
+    return actors;
+  }
+
+  /** Returns an actor as it has moved. */
+  public Optional<Actor> actor(String name) {
+    return actors.stream().filter(each -> each.name().equals(name)).findFirst();
+  }
+
+  /** Records the maneuvers that should have begun before the end and did not, in words. */
+  void neverBegun(List<String> maneuvers) {
+    neverBegun = List.copyOf(maneuvers);
+  }
+
+  /** Returns the maneuvers that should have begun and did not, in words. */
+  public List<String> neverBegun() {
+    return neverBegun;
+  }
+
   /** Returns a trace of a single moment, with the last command before it. */
   Trace moment(State state) {
     Trace moment = new Trace(inputs, road);
+    moment.actors = actors;
     moment.state(state);
     if (!commands.isEmpty()) {
       moment.commands.add(commands.get(commands.size() - 1));
@@ -154,6 +182,8 @@ public final class Trace {
     other.commands.addAll(commands);
     other.samples.putAll(messages.samples);
     other.samples.keySet().removeAll(signals);
+    other.actors = actors;
+    other.neverBegun = neverBegun;
     other.hidden.addAll(hidden);
     other.hidden.addAll(signals);
     other.impactSpeed = impactSpeed;

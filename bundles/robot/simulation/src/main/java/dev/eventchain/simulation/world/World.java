@@ -1,6 +1,7 @@
 package dev.eventchain.simulation.world;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashSet;
@@ -23,9 +24,12 @@ public final class World {
   private final Situation situation;
   private final Trace trace;
   private final Deque<Pending> pending = new ArrayDeque<>();
-  private final Set<Actor> gone = new HashSet<>();
+  private final Set<String> gone = new HashSet<>();
+  private List<Actor> actors;
+  private HumanDriver driver;
   private EgoMotion ego;
   private long now;
+  private boolean ended;
 
   /** Times at which the driver lets go of the pedals and of the wheel, in ns. */
   private long pedalsReleased = Long.MAX_VALUE;
@@ -48,7 +52,9 @@ public final class World {
     this.trace = trace;
     this.situation = situation;
     this.ego = new EgoMotion(situation.ego());
-    letDrive();
+    this.actors = situation.actors();
+    this.driver = situation.driver();
+    trace.actors(actors);
     record();
   }
 
@@ -75,6 +81,11 @@ public final class World {
     return trace.impactSpeed().isPresent();
   }
 
+  /** Returns whether the scenario is over before its time: by an impact, or as it says. */
+  public boolean isOver() {
+    return ended || impacted();
+  }
+
   /** Returns the trace up to now. */
   public Trace trace() {
     return trace;
@@ -86,13 +97,14 @@ public final class World {
 
   /** Returns all actors, including those that are gone. */
   public List<Actor> allActors() {
-    return situation.actors();
+    return actors;
   }
 
   /** Returns all actors, except those that drove into the ego's rear. */
   public List<Actor> actors() {
-    List<Actor> actors = situation.actors();
-    return gone.isEmpty() ? actors : actors.stream().filter(each -> !gone.contains(each)).toList();
+    return gone.isEmpty()
+        ? actors
+        : actors.stream().filter(each -> !gone.contains(each.name())).toList();
   }
 
   /** Returns the position of the ego's front bumper on the road. */
@@ -124,9 +136,9 @@ public final class World {
     wheelReleased = wheel.orElse(Long.MAX_VALUE);
   }
 
-  /** Advances time, or stops at an impact. */
+  /** Advances time, or stops at an impact or at the end of the scenario. */
   public void advanceTo(long until) {
-    while (now < until && !impacted()) {
+    while (now < until && !isOver()) {
       long next = Math.min(until, (now / TRACE_STEP + 1) * TRACE_STEP);
       Pending following = pending.peek();
       if (following != null && following.effectiveAt() <= now) {
@@ -144,7 +156,7 @@ public final class World {
   }
 
   private void follow(VehicleCommand command) {
-    ego.follow(command, situation.driver().scripted());
+    ego.follow(command, driver.scripted());
     trace.taken(now, !ego.held(), !ego.steered());
   }
 
@@ -168,7 +180,6 @@ public final class World {
       trace.impact(ego.speed(), "the ego left the road");
     }
     if (impacted() || now % TRACE_STEP == 0) {
-      letDrive();
       record();
     }
   }
@@ -180,13 +191,12 @@ public final class World {
 
   /** Removes an actor that drove into the ego's rear, since the consequences are not simulated. */
   private void hitFromBehind(Contact contact) {
-    gone.add(contact.other());
+    gone.add(contact.other().name());
     trace.hitFromBehind(contact);
   }
 
   /** Updates the driver's demands until the next update. */
   private void letDrive() {
-    HumanDriver driver = situation.driver();
     if (ego.held()) {
       ego.drive(driver.acceleration(seconds(now), ego.speed()));
     }
@@ -201,7 +211,35 @@ public final class World {
   }
 
   private void record() {
+    begin();
+    letDrive();
     trace.state(state());
+  }
+
+  /** Lets maneuvers begin, or the scenario end, where what they wait for has come. */
+  private void begin() {
+    if (driver.motion().waits() || actors.stream().anyMatch(Actor::waits)) {
+      Trace moment = moment();
+      driver = driver.continued(now, moment);
+      actors = actors.stream().map(actor -> actor.continued(now, moment)).toList();
+      trace.actors(actors);
+      trace.neverBegun(waiting());
+    }
+    ended = situation.end().filter(condition -> condition.test(moment())).isPresent();
+  }
+
+  /** Returns the maneuvers that have not begun, except for optional ones, in words. */
+  private List<String> waiting() {
+    List<String> waiting = new ArrayList<>(words("the driver", driver.motion().waiting()));
+    actors.forEach(actor -> waiting.addAll(words(actor.name(), actor.waiting())));
+    return waiting;
+  }
+
+  private static List<String> words(String who, List<Maneuver> waiting) {
+    return waiting.stream()
+        .filter(maneuver -> !maneuver.optional())
+        .map(maneuver -> "that of " + who + " " + maneuver.start().words())
+        .toList();
   }
 
   /** Returns the current state, with the last command, as a trace. */
