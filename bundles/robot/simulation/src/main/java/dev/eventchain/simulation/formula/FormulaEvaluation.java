@@ -43,6 +43,11 @@ final class FormulaEvaluation {
     return new Evaluator(run, false, condition.oneUnit()).evaluate(condition, 0, 0);
   }
 
+  /** Returns the truth of a condition of one moment at each sample. */
+  static double[] truth(Condition condition, SampledRun run) {
+    return new Evaluator(run, false, false).evaluate(condition, 0, run.size() - 1).truth;
+  }
+
   /**
    * Evaluates as {@link #of} does, but truth that says nothing about the software is unknown: an
    * implication whose premise never came true, or a comparison of signals without values.

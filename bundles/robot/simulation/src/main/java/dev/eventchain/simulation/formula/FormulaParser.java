@@ -35,7 +35,7 @@ public final class FormulaParser {
       Optional<Range.Source> ranges) {
     this.ranges = ranges;
     this.tokens = new FormulaTokens(range, place);
-    this.terms = new TermParser(tokens, signals, this::part);
+    this.terms = new TermParser(tokens, signals, duration, this::part, this::condition);
     this.intervals = new IntervalParser(tokens, duration);
   }
 

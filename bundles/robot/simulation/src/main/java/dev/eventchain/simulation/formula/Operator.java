@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Operators and functions of formulas, and what users read about them. */
 public enum Operator {
@@ -53,6 +54,14 @@ public enum Operator {
       "always (brake > 0.5 implies gap < 15 m)"),
   ARITHMETIC(
       "x + y, x - y, x * y, x / y, -x", "as usual, with units", "always gap / 2 + 1 m > 0.5 m"),
+  IF(
+      "if p then x else y",
+      "x where p is true, y where it is false, no value where that is unknown",
+      "always ego.speed <= (if gap < 15 m then 20 m/s else 30 m/s)"),
+  DERIVATIVE(
+      "derivative(x, 0.1 s)",
+      "the change of x over that time before each sample, per second",
+      "always derivative(ego.speed, 0.1 s) < 50 m/s2"),
   ABS("abs(x)", "the size without the sign", "always abs(ego.acceleration) < 20 m/s2"),
   MIN("min(x, y, ...)", "the smallest", "always min(gap, 15 m) <= 15.5 m"),
   MAX("max(x, y, ...)", "the largest", "always max(gap, 5 m) >= 4.5 m");
@@ -61,9 +70,11 @@ public enum Operator {
 
   /** Reserved words, which no unit and no signal may use. */
   static final Set<String> KEYWORDS =
-      Arrays.stream(values())
-          .filter(Predicate.not(WITH_SIGNS::contains))
-          .map(Operator::word)
+      Stream.concat(
+              Arrays.stream(values())
+                  .filter(Predicate.not(WITH_SIGNS::contains))
+                  .map(Operator::word),
+              Stream.of("then", "else"))
           .collect(Collectors.toUnmodifiableSet());
 
   private final String written;

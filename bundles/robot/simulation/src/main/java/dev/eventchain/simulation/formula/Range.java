@@ -66,6 +66,11 @@ public record Range(double least, double most) {
         : new Range(Math.min(Math.abs(least), Math.abs(most)), largest);
   }
 
+  /** Returns the smallest range with both. */
+  Range union(Range other) {
+    return new Range(Math.min(least, other.least), Math.max(most, other.most));
+  }
+
   Range minimum(Range other) {
     return new Range(Math.min(least, other.least), Math.min(most, other.most));
   }

@@ -3,6 +3,7 @@ package dev.eventchain.simulation.formula;
 import dev.eventchain.messages.Unit;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import dev.eventchain.simulation.world.Trace;
+import dev.eventchain.simulation.world.World;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -115,6 +116,68 @@ public record Term(
         commonUnit(other),
         larger ? Math::max : Math::min,
         Sum.of(new Object(), range));
+  }
+
+  /**
+   * Returns the change per second over a window, which ends at each sample. Before the start, the
+   * value is taken to have been as at the start.
+   *
+   * @param window in samples, at least 1
+   */
+  Term derivative(int window) {
+    double seconds = World.seconds(window * World.TRACE_STEP);
+    Range.Of range =
+        ranges -> {
+          Range all = range(ranges);
+          return all.plus(all.times(NEGATIVE)).times(new Range(1.0 / seconds, 1.0 / seconds));
+        };
+    return new Term(
+        dimension.times(Unit.parse("s").orElseThrow(), -1),
+        perSecond(unit),
+        false,
+        signals,
+        run -> {
+          IntToDoubleFunction inner = values.in(run);
+          return sample ->
+              (inner.applyAsDouble(sample) - inner.applyAsDouble(Math.max(0, sample - window)))
+                  / seconds;
+        },
+        Sum.of(new Object(), range));
+  }
+
+  private static final Range NEGATIVE = new Range(-1.0, -1.0);
+
+  /** Returns the name of a unit per second, if that has one. */
+  private static String perSecond(String unit) {
+    String name =
+        unit.endsWith("/s")
+            ? unit + "2"
+            : unit.endsWith("/s2") ? unit.replace("/s2", "/s3") : unit + "/s";
+    return Unit.parse(name).isPresent() ? name : "";
+  }
+
+  /** Returns this where a condition of one moment is true, and another term where it is false. */
+  Term where(Condition condition, Term other) {
+    Range.Of range = ranges -> range(ranges).union(other.range(ranges));
+    Term either =
+        combined(other, dimension, commonUnit(other), Double::sum, Sum.of(new Object(), range));
+    Set<Signal> all = new LinkedHashSet<>(either.signals);
+    condition.comparisons().flatMap(Condition.Comparison::signals).forEach(all::add);
+    return new Term(
+        dimension,
+        either.unit,
+        false,
+        all,
+        run -> {
+          double[] truth = FormulaEvaluation.truth(condition, run);
+          IntToDoubleFunction first = values.in(run);
+          IntToDoubleFunction second = other.values.in(run);
+          return sample ->
+              truth[sample] == Robustness.UNKNOWN
+                  ? Double.NaN
+                  : (truth[sample] > 0.0 ? first : second).applyAsDouble(sample);
+        },
+        either.sum);
   }
 
   /** Returns the product, or with power -1 the quotient. */

@@ -6,8 +6,10 @@ import dev.eventchain.messages.Unit;
 import dev.eventchain.simulation.formula.FormulaParser.Part;
 import dev.eventchain.simulation.formula.FormulaTokens.Kind;
 import dev.eventchain.simulation.formula.FormulaTokens.Token;
+import dev.eventchain.simulation.world.World;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.stream.Collectors;
@@ -18,17 +20,31 @@ final class TermParser {
   private static final List<String> UNITS =
       List.of("m", "km", "cm", "s", "ms", "m/s", "km/h", "m/s2", "deg", "rad", "%", "1");
 
+  private static final double STEP = World.seconds(World.TRACE_STEP);
+  private static final Term SECOND = Term.number(1, Unit.parse("s").orElseThrow(), "s");
+
   private final FormulaTokens tokens;
   private final Signal.Source signals;
   private final Supplier<Part> parenthesized;
+  private final BiFunction<Part, Token, Condition> conditions;
+  private final double longest;
   private Optional<UnresolvedOutputException> unresolved = Optional.empty();
 
   /**
    * Creates a parser of quantities.
    *
+   * @param longest of the scenario, in s; 0 if only one moment is known
    * @param parenthesized parses the content of parentheses, which need not be a quantity
+   * @param conditions returns a part that begins at a token as a condition
    */
-  TermParser(FormulaTokens tokens, Signal.Source signals, Supplier<Part> parenthesized) {
+  TermParser(
+      FormulaTokens tokens,
+      Signal.Source signals,
+      double longest,
+      Supplier<Part> parenthesized,
+      BiFunction<Part, Token, Condition> conditions) {
+    this.longest = longest;
+    this.conditions = conditions;
     this.tokens = tokens;
     this.signals = signals;
     this.parenthesized = parenthesized;
@@ -81,6 +97,8 @@ final class TermParser {
     }
     if (token.kind() == Kind.WORD) {
       return switch (token.text()) {
+        case "if" -> conditional(token);
+        case "derivative" -> derivative(token);
         case "abs" -> absolute();
         case "min" -> extreme(false);
         case "max" -> extreme(true);
@@ -118,6 +136,62 @@ final class TermParser {
     Term inner = argument();
     tokens.require(")", "`abs` takes one argument.");
     return inner.absolute();
+  }
+
+  /** Parses what follows {@code if}. */
+  private Term conditional(Token start) {
+    Token first = tokens.peek();
+    Condition condition = conditions.apply(parenthesized.get(), first);
+    if (!condition.ofOneMoment()) {
+      throw tokens.syntax(
+          first, "`if` needs what holds at one moment.", "Leave out operators such as `always`.");
+    }
+    tokens.require("then", "Write, for example, `if gap < 15 m then 20 m/s else 30 m/s`.");
+    Term one = summed();
+    tokens.require("else", "`if` has a value in either case.");
+    Token second = tokens.peek();
+    Term other = summed();
+    requireSameDimension(one, other, second);
+    Term either = one.where(condition, other);
+    requireNoTruth(either, one, other, start);
+    return either;
+  }
+
+  private void requireNoTruth(Term either, Term one, Term other, Token start) {
+    if (one.truth() || other.truth()) {
+      throw tokens.syntax(
+          start,
+          "`if` is for quantities in " + named(either) + ", not for what is true or false.",
+          "Write `(p implies q) and (not p implies r)`.");
+    }
+  }
+
+  private Term summed() {
+    Token first = tokens.peek();
+    return term(sum(), first);
+  }
+
+  private Term derivative(Token start) {
+    tokens.require("(", "Write, for example, `derivative(ego.acceleration, 0.1 s)`.");
+    Term inner = argument();
+    tokens.require(",", "The second argument is the time over which it is taken, such as 0.1 s.");
+    Token place = tokens.peek();
+    Term window = argument();
+    tokens.require(")", "`derivative` takes two arguments.");
+    if (longest == 0.0) {
+      throw tokens.syntax(start, "Here only one moment is known, and no change.", "");
+    }
+    if (!window.comparesWith(SECOND) || !window.sum().isNumber()) {
+      throw tokens.unitProblem(place, "The second argument is not a number of seconds.", "");
+    }
+    double seconds = window.sum().number();
+    if (seconds < STEP - 1e-9 || seconds > longest) {
+      throw tokens.syntax(
+          place,
+          RootLocale.format("It is from %s s to the %s s that the scenario lasts.", STEP, longest),
+          "");
+    }
+    return inner.derivative((int) Math.round(seconds / STEP));
   }
 
   private Term extreme(boolean larger) {

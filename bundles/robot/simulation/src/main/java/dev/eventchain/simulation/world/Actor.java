@@ -69,12 +69,12 @@ public final class Actor {
   }
 
   private Actor with(Motion other) {
-    return other == motion ? this : new Actor(name, kind, size, start, heading, other);
+    return new Actor(name, kind, size, start, heading, other);
   }
 
   /** Returns this actor with the maneuvers that begin now. */
   Actor continued(long now, Trace moment) {
-    return with(motion.continued(now, moment));
+    return waits() ? with(motion.continued(now, moment)) : this;
   }
 
   /** Returns whether a maneuver has not begun. */

@@ -36,8 +36,7 @@ public record HumanDriver(Motion motion, boolean scripted) {
 
   /** Returns this driver with the maneuvers that begin now. */
   HumanDriver continued(long now, Trace moment) {
-    Motion other = motion.continued(now, moment);
-    return other == motion ? this : new HumanDriver(other, scripted);
+    return motion.waits() ? new HumanDriver(motion.continued(now, moment), scripted) : this;
   }
 
   /**
