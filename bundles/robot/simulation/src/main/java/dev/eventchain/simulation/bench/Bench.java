@@ -14,6 +14,7 @@ import dev.eventchain.simulation.formula.Signal;
 import dev.eventchain.simulation.formula.Term;
 import dev.eventchain.simulation.sensor.ObjectSensor;
 import dev.eventchain.simulation.world.Actuator;
+import dev.eventchain.simulation.world.EgoVehicle;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -211,6 +212,7 @@ public final class Bench {
   private final Set<String> own;
   private final BenchSignals signals;
   private final DeclaredSignals declared;
+  private final EgoVehicle vehicle;
   private final SourceLocation location;
 
   Bench(
@@ -219,12 +221,14 @@ public final class Bench {
       Set<String> own,
       BenchSignals signals,
       DeclaredSignals declared,
+      EgoVehicle vehicle,
       SourceLocation location) {
     this.provided = provided;
     this.consumed = consumed;
     this.own = Set.copyOf(own);
     this.signals = signals;
     this.declared = declared;
+    this.vehicle = vehicle;
     this.location = location;
   }
 
@@ -314,7 +318,13 @@ public final class Bench {
    * they satisfy.
    */
   public Bench withOutputsOf(EventChain chain) {
-    return new Bench(provided, consumed, own, signals.withOutputsOf(chain), declared, location);
+    BenchSignals known = signals.withOutputsOf(chain);
+    return new Bench(provided, consumed, own, known, declared, vehicle, location);
+  }
+
+  /** Returns the vehicle of the project, which stands still in the middle of its lane. */
+  public EgoVehicle vehicle() {
+    return vehicle;
   }
 
   /** Returns the signals that formulas may read. */

@@ -15,6 +15,7 @@ import dev.eventchain.model.Signal.Direction;
 import dev.eventchain.simulation.bench.Bench.Consumed;
 import dev.eventchain.simulation.bench.Bench.Provided;
 import dev.eventchain.simulation.formula.Signal;
+import dev.eventchain.simulation.world.EgoVehicle;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -51,6 +52,7 @@ public final class BenchReader {
   private final Map<String, Consumed> consumed = new LinkedHashMap<>();
   private final Set<String> own = new LinkedHashSet<>();
   private final Map<String, Signal> inputs = new LinkedHashMap<>();
+  private EgoVehicle vehicle = EgoVehicle.withSpeed(0);
 
   private BenchReader(DeclaredSignals declared, MessageCatalog catalog) {
     this.declared = declared;
@@ -73,7 +75,7 @@ public final class BenchReader {
 
   private Bench bench(SourceLocation location) {
     BenchSignals signals = new BenchSignals(inputs, topics(), catalog, Optional.empty());
-    return new Bench(provided, consumed, own, signals, declared, location);
+    return new Bench(provided, consumed, own, signals, declared, vehicle, location);
   }
 
   /** Returns the known topics: those of the bench and those that the project declares. */
@@ -133,6 +135,13 @@ public final class BenchReader {
                   section.at("extends"))
               .withHint("Write `extends: carla`, or leave it out."));
     }
+    section
+        .object("vehicle")
+        .ifPresent(
+            part -> {
+              vehicle = VehicleReader.read(part, vehicle, 0, BenchRules.BENCH_VALUE_RANGE);
+              part.refuseOthers();
+            });
     section.object("inputs").ifPresent(part -> inputs.putAll(BenchInputs.read(part, source)));
     if (!problems.isEmpty()) {
       return; // Values that need a refused input would be refused as well.

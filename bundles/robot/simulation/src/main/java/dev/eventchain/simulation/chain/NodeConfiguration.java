@@ -15,6 +15,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.zip.CRC32;
 
@@ -38,16 +39,24 @@ public final class NodeConfiguration {
    * Returns the configuration of the process for a scenario.
    *
    * @param seed the seed of the scenario
+   * @param phases those that the scenario sets, in ms, by the names of the nodes
    * @param published the topics that the world publishes
    * @param received the topics that the world receives
    */
-  public ObjectNode of(long seed, List<TypedTopic> published, List<TypedTopic> received) {
+  public ObjectNode of(
+      long seed,
+      Map<String, Double> phases,
+      List<TypedTopic> published,
+      List<TypedTopic> received) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.putArray("path").add(absolute(generated.folder()));
     json.putArray("messages").add(absolute(generated.messages()));
     ArrayNode configured = json.putArray("nodes");
     if (!chain.isAttached()) {
-      chain.nodes().forEach(node -> configured.add(configuration(node, seed)));
+      for (SoftwareNode node : chain.nodes()) {
+        double phase = phases.getOrDefault(node.getName(), phase(node, seed));
+        configured.add(configuration(node, seed).put("phase_ms", phase));
+      }
     }
     ArrayNode publishes = json.putArray("world_publishes");
     published.forEach(
@@ -71,7 +80,6 @@ public final class NodeConfiguration {
     json.put("class", node.className());
     json.put("name", name);
     json.put("execution_time_ms", executionTime(software));
-    json.put("phase_ms", phase(software, seed));
     NodeManifest.Component known = node.component();
     ObjectNode component = json.putObject("component");
     component.put("module", known.module());

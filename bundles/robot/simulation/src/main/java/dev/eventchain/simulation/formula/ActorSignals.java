@@ -3,7 +3,6 @@ package dev.eventchain.simulation.formula;
 import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.Body;
 import dev.eventchain.simulation.world.Contact;
-import dev.eventchain.simulation.world.EgoMotion;
 import dev.eventchain.simulation.world.Road;
 import dev.eventchain.simulation.world.Trace;
 import dev.eventchain.simulation.world.World;
@@ -30,23 +29,23 @@ public final class ActorSignals implements Signal.Source {
   private enum Part {
     GAP("gap", "m", "from the ego's front bumper along the road to its nearest end") {
       @Override
-      double of(Actor actor, Trace.State state, Road road) {
+      double of(Actor actor, Trace.State state, Trace trace) {
         return actor.rear(seconds(state)) - state.position();
       }
     },
     DISTANCE("distance", "m", "from the ego's body to its body, in any direction") {
       @Override
-      double of(Actor actor, Trace.State state, Road road) {
-        Road.Place front = road.place(state.position(), state.pose().offset());
+      double of(Actor actor, Trace.State state, Trace trace) {
+        Road.Place front = trace.road().place(state.position(), state.pose().offset());
         double heading = front.heading() + state.pose().heading();
-        Body ego = EgoMotion.body(new Road.Place(front.x(), front.y(), heading));
-        return ego.distance(actor.body(road, seconds(state)));
+        Body ego = trace.shape().body(new Road.Place(front.x(), front.y(), heading));
+        return ego.distance(actor.body(trace.road(), seconds(state)));
       }
     },
     TTC("ttc", "s", "gap by the closing speed, wherever it is across the road") {
       @Override
-      double of(Actor actor, Trace.State state, Road road) {
-        double gap = GAP.of(actor, state, road);
+      double of(Actor actor, Trace.State state, Trace trace) {
+        double gap = GAP.of(actor, state, trace);
         double closing = state.speed() - actor.speedAlong(seconds(state));
         boolean approaches = closing > 0.0 && gap > -2 * actor.reach(seconds(state));
         return approaches ? Math.max(0.0, gap) / closing : Double.POSITIVE_INFINITY;
@@ -54,13 +53,13 @@ public final class ActorSignals implements Signal.Source {
     },
     SPEED("speed", "m/s", "along the road, negative towards the ego") {
       @Override
-      double of(Actor actor, Trace.State state, Road road) {
+      double of(Actor actor, Trace.State state, Trace trace) {
         return actor.speedAlong(seconds(state));
       }
     },
     OFFSET("offset", "m", "its middle left of the centre of the ego's lane") {
       @Override
-      double of(Actor actor, Trace.State state, Road road) {
+      double of(Actor actor, Trace.State state, Trace trace) {
         return actor.across(seconds(state));
       }
     };
@@ -76,7 +75,7 @@ public final class ActorSignals implements Signal.Source {
     }
 
     /** Returns its value in a state of the world. */
-    abstract double of(Actor actor, Trace.State state, Road road);
+    abstract double of(Actor actor, Trace.State state, Trace trace);
 
     /** Returns the signals of the ego that it depends on. */
     Set<Signal> basis(WorldSignals world) {
@@ -135,8 +134,7 @@ public final class ActorSignals implements Signal.Source {
             .min()
             .orElse(Long.MAX_VALUE);
     return trace.states().stream()
-        .mapToDouble(
-            state -> state.time() < gone ? part.of(actor, state, trace.road()) : Double.NaN)
+        .mapToDouble(state -> state.time() < gone ? part.of(actor, state, trace) : Double.NaN)
         .toArray();
   }
 

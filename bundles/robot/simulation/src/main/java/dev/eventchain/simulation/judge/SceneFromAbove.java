@@ -5,8 +5,8 @@ import dev.eventchain.simulation.verdict.ScenarioVerdict.Scan;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Scene;
 import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.Contact;
-import dev.eventchain.simulation.world.EgoVehicle;
 import dev.eventchain.simulation.world.Road;
+import dev.eventchain.simulation.world.Shape;
 import dev.eventchain.simulation.world.Situation;
 import dev.eventchain.simulation.world.Trace;
 import dev.eventchain.simulation.world.World;
@@ -41,21 +41,22 @@ final class SceneFromAbove {
         Road.WALL_DISTANCE,
         above.ego(),
         trace.actors().stream()
-            .filter(actor -> actor.size().bottom() < EgoVehicle.HEIGHT)
+            .filter(actor -> actor.size().bottom() < situation.ego().shape().height())
             .map(above::mover)
             .toList(),
         trace.outlines().stream().map(each -> new Scan(each.time(), each.x(), each.y())).toList());
   }
 
   private Mover ego() {
+    Shape shape = situation.ego().shape();
     List<Road.Place> places = new ArrayList<>();
     for (Trace.State state : states) {
       Road.Place road = situation.road().place(state.position(), state.pose().offset());
       places.add(
           new Road.Place(road.x(), road.y(), road.heading() + state.pose().heading())
-              .ahead(-EgoVehicle.LENGTH / 2));
+              .ahead(-shape.length() / 2));
     }
-    return mover("ego", EgoVehicle.LENGTH, EgoVehicle.WIDTH, places);
+    return mover("ego", shape.length(), shape.width(), places);
   }
 
   private Mover mover(Actor actor) {

@@ -185,7 +185,7 @@ public final class ScenarioRunner {
   }
 
   private ObjectNode configuration(Scenario scenario, BenchDriver driver) {
-    return nodes.of(scenario.seed(), driver.published(), driver.received());
+    return nodes.of(scenario.seed(), scenario.phases(), driver.published(), driver.received());
   }
 
   private static World world(Scenario scenario) {

@@ -102,7 +102,17 @@ final class ManeuversReader {
   private static LateralProfile.Change offsetChange(ObjectReader each, double time) {
     double offset = each.requiredNumber(OFFSET, ASIDE);
     double rate = each.number("lateral_speed_mps", LATERAL_SPEED).orElse(1.5);
-    return new LateralProfile.Change(time, offset, rate);
+    boolean linear = each.text("shape").map(it -> isLinear(each, it)).orElse(false);
+    return new LateralProfile.Change(time, offset, rate, linear);
+  }
+
+  private static boolean isLinear(ObjectReader each, String shape) {
+    if (!shape.equals("linear") && !shape.equals("sinusoidal")) {
+      each.find(
+          Diagnostic.of(RANGE_FINDING, "'" + shape + "' is not allowed here.", each.at("shape"))
+              .withHint("Use one of: linear, sinusoidal."));
+    }
+    return shape.equals("linear");
   }
 
   private double time(ObjectReader maneuver, double earliest) {

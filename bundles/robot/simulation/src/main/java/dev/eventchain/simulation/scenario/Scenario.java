@@ -12,6 +12,7 @@ import dev.eventchain.simulation.world.Script;
 import dev.eventchain.simulation.world.Situation;
 import dev.eventchain.simulation.world.World;
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -34,6 +35,7 @@ public final class Scenario {
   private final double duration;
   private final Situation situation;
   private final Map<String, Script> inputs;
+  private final NodePhases phases;
   private final Asked asked;
   private final NamedRequirements.Places places;
   private final SourceLocation location;
@@ -44,6 +46,7 @@ public final class Scenario {
       double duration,
       Situation situation,
       Map<String, Script> inputs,
+      NodePhases phases,
       Asked asked) {
     this.name = heading.name();
     this.title = heading.title();
@@ -54,6 +57,7 @@ public final class Scenario {
     this.duration = duration;
     this.situation = situation;
     this.inputs = Map.copyOf(inputs);
+    this.phases = phases;
     this.asked = asked;
   }
 
@@ -90,7 +94,7 @@ public final class Scenario {
   public Scenario with(List<Expectation> others) {
     Heading heading = new Heading(name, title, requirements, places, location);
     Asked other = new Asked(others, asked.observed, asked.judged, asked.optional);
-    return new Scenario(heading, seed, duration, situation, inputs, other);
+    return new Scenario(heading, seed, duration, situation, inputs, phases, other);
   }
 
   /**
@@ -229,6 +233,21 @@ public final class Scenario {
   /** Returns the scripts for the inputs of the bench, by their names. */
   public Map<String, Script> inputs() {
     return inputs;
+  }
+
+  /** Returns the phases that it sets, in ms, by the names of the nodes. */
+  public Map<String, Double> phases() {
+    return phases.milliseconds();
+  }
+
+  /**
+   * Returns a finding {@code scenario.node.unknown} for each node whose phase it sets and that the
+   * chain does not have.
+   *
+   * @param nodes the names of the chain's nodes
+   */
+  public List<Diagnostic> unknownNodes(Collection<String> nodes) {
+    return phases.unknown(nodes);
   }
 
   /**

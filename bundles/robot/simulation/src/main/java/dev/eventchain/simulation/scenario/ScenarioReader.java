@@ -10,14 +10,13 @@ import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.bench.VehicleReader;
 import dev.eventchain.simulation.formula.ActorSignals;
 import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.Body;
-import dev.eventchain.simulation.world.Chassis;
 import dev.eventchain.simulation.world.EgoMotion;
 import dev.eventchain.simulation.world.EgoVehicle;
 import dev.eventchain.simulation.world.HumanDriver;
-import dev.eventchain.simulation.world.LidarSettings;
 import dev.eventchain.simulation.world.Road;
 import dev.eventchain.simulation.world.Script;
 import dev.eventchain.simulation.world.Situation;
@@ -86,6 +85,7 @@ final class ScenarioReader {
             longest(section),
             requirements,
             Optional.of(new SignalRanges(situation, inputs, bench, longest(section))));
+    NodePhases phases = section.object("phases_ms").map(NodePhases::read).orElse(NodePhases.NONE);
     Scenario.Asked asked = asked(section, formulas);
     if (sound.getAsBoolean()) { // A criterion with an error may be the one that needs an input.
       Set<String> unread = new TreeSet<>(inputs.keySet());
@@ -96,7 +96,7 @@ final class ScenarioReader {
     Scenario.Heading heading =
         new Scenario.Heading(
             name, title, requirements.all(), requirements.places(), section.location());
-    return new Scenario(heading, seed, duration, situation, inputs, asked);
+    return new Scenario(heading, seed, duration, situation, inputs, phases, asked);
   }
 
   private static Scenario.Asked asked(ObjectReader section, FormulasReader formulas) {
@@ -130,7 +130,7 @@ final class ScenarioReader {
       ObjectReader section, SourceText text, Bench bench, Set<String> awaited) {
     ActorsReader reader = new ActorsReader(longest(section));
     Optional<ObjectReader> part = section.requiredObject("ego");
-    EgoVehicle ego = part.map(ScenarioReader::ego).orElse(EgoVehicle.withSpeed(0));
+    EgoVehicle ego = part.map(it -> ego(it, bench.vehicle())).orElse(bench.vehicle());
     double offset = ego.chassis().offset();
     HumanDriver driver =
         part.map(it -> reader.driver(it, ego.speed(), offset))
@@ -140,7 +140,7 @@ final class ScenarioReader {
     List<Actor> actors = reader.read(section);
     Body start = new EgoMotion(ego).body();
     for (Actor actor : actors) {
-      if (actor.obstructs() && start.separation(actor.body(road, 0)) < 0) {
+      if (actor.obstructs(ego.shape()) && start.separation(actor.body(road, 0)) < 0) {
         section.find(
             Diagnostic.of(
                     ScenarioRules.VALUE_RANGE,
@@ -163,7 +163,7 @@ final class ScenarioReader {
 
   private static Road road(ObjectReader section) {
     OptionalDouble radius = section.number("curve_radius_m", RADIUS);
-    double width = number(section, "lane_width_m", Road.USUAL_LANE_WIDTH, 2, 6);
+    double width = VehicleReader.number(section, "lane_width_m", Road.USUAL_LANE_WIDTH, 2, 6);
     if (radius.isPresent() && Math.abs(radius.getAsDouble()) < TIGHTEST) {
       section.find(
           Diagnostic.of(
@@ -188,48 +188,12 @@ final class ScenarioReader {
         .orElse(DURATION.most());
   }
 
-  private static EgoVehicle ego(ObjectReader section) {
-    EgoVehicle usual = EgoVehicle.withSpeed(0);
-    return new EgoVehicle(
-        section.requiredNumber("speed_kmh", ManeuversReader.SPEED_KMH) * ActorsReader.KMH,
-        number(section, "brake_delay_s", usual.brakeDelay(), 0, 5),
-        number(section, "brake_build_up_s", usual.brakeBuildUp(), 0, 5),
-        number(section, "maximal_deceleration_mps2", usual.maximalDeceleration(), 0.1, 20),
-        number(section, "coasting_deceleration_mps2", usual.coastingDeceleration(), 0, 5),
-        number(section, "maximal_acceleration_mps2", usual.maximalAcceleration(), 0, 20),
-        lidar(section),
-        chassis(section));
-  }
-
-  private static LidarSettings lidar(ObjectReader section) {
-    LidarSettings usual = LidarSettings.USUAL;
-    return new LidarSettings(
-        number(section, "lidar_behind_bumper_m", usual.behindBumper(), 0, 10),
-        number(section, "lidar_above_road_m", usual.aboveRoad(), 0.5, 5),
-        number(section, "lidar_noise_m", usual.noise(), 0, 1),
-        number(section, "lidar_dropout_percent", usual.dropout(), 0, 100) / 100,
-        number(section, "lidar_azimuth_step_deg", usual.azimuthStep(), 0.1, 5));
-  }
-
-  private static Chassis chassis(ObjectReader section) {
-    Chassis usual = Chassis.USUAL;
-    return new Chassis(
-        number(section, "wheelbase_m", usual.wheelbase(), 1, 10),
-        radians(section, "maximal_steering_angle_deg", usual.maximalSteeringAngle(), 1, 60),
-        number(section, "hand_brake_deceleration_mps2", usual.handBrakeDeceleration(), 0, 10),
-        number(section, "drag_per_m", usual.drag(), 0, 0.01),
-        number(section, "lateral_offset_m", usual.offset(), -6, 6),
-        radians(section, "heading_deg", usual.heading(), -45, 45));
-  }
-
-  private static double radians(
-      ObjectReader section, String key, double absent, double least, double most) {
-    OptionalDouble degrees = section.number(key, NumberRange.of(least, most));
-    return degrees.isPresent() ? StrictMath.toRadians(degrees.getAsDouble()) : absent;
-  }
-
-  private static double number(
-      ObjectReader section, String key, double absent, double least, double most) {
-    return section.number(key, NumberRange.of(least, most)).orElse(absent);
+  private static EgoVehicle ego(ObjectReader section, EgoVehicle usual) {
+    double speed =
+        section.requiredNumber("speed_kmh", ManeuversReader.SPEED_KMH) * ActorsReader.KMH;
+    return VehicleReader.read(section, usual, speed, ScenarioRules.VALUE_RANGE)
+        .placed(
+            VehicleReader.number(section, "lateral_offset_m", 0, -6, 6),
+            VehicleReader.radians(section, "heading_deg", 0, -45, 45));
   }
 }

@@ -12,6 +12,7 @@ final class ScenarioRules {
   static final Rule KEY_MISSING = Rule.error("scenario.key.missing");
   static final Rule KEY_UNKNOWN = Rule.error("scenario.key.unknown");
   static final Rule NAME_DUPLICATE = Rule.error("scenario.name.duplicate");
+  static final Rule NODE_UNKNOWN = Rule.warning("scenario.node.unknown");
   static final Rule NONE = Rule.error("scenario.none");
   static final Rule OUTPUT_UNRESOLVED = Rule.warning("scenario.output.unresolved");
   static final Rule SYNTAX = Rule.error("scenario.syntax", CommonTrait.UNSUPPRESSIBLE);

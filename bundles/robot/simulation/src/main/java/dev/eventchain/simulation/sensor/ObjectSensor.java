@@ -160,7 +160,7 @@ public record ObjectSensor(double range, double halfView, double missed, List<Co
     int id = 0;
     for (Actor actor : world.allActors()) {
       id++;
-      if (actor.obstructs() && world.actors().contains(actor)) {
+      if (actor.obstructs(world.ego().shape()) && world.actors().contains(actor)) {
         Seen each = seen(world, actor, ego, id, seconds);
         if (each.distance() > 0.0) {
           seen.add(each);

@@ -2,7 +2,6 @@ package dev.eventchain.simulation.sensor;
 
 import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.Body;
-import dev.eventchain.simulation.world.EgoVehicle;
 import dev.eventchain.simulation.world.Road;
 import dev.eventchain.simulation.world.World;
 import java.util.ArrayList;
@@ -33,7 +32,7 @@ public record RoadScene(Road road, Road.Place ego, List<Body> bodies) {
     for (Actor actor : world.actors()) {
       double reach = actor.reach(seconds);
       double ahead = actor.along(seconds) - along;
-      if (ahead - reach < VIEW && ahead + reach > -EgoVehicle.LENGTH) {
+      if (ahead - reach < VIEW && ahead + reach > -world.ego().shape().length()) {
         bodies.add(actor.body(world.road(), seconds));
       }
     }

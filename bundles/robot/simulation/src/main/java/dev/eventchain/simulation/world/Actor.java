@@ -184,9 +184,9 @@ public final class Actor {
   }
 
   /**
-   * Returns whether a vehicle would hit it: it neither hangs above the roof nor can be driven over.
+   * Returns whether a vehicle would hit it: it neither hangs above its roof nor can be driven over.
    */
-  public boolean obstructs() {
-    return size.bottom() < EgoVehicle.HEIGHT && size.top() > EgoVehicle.CLEARANCE;
+  public boolean obstructs(Shape vehicle) {
+    return size.bottom() < vehicle.height() && size.top() > EgoVehicle.CLEARANCE;
   }
 }

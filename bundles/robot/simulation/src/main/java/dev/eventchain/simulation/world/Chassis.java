@@ -26,17 +26,6 @@ public record Chassis(
   public static final Chassis USUAL =
       new Chassis(2.7, StrictMath.toRadians(35), 3.0, 0.0, 0.0, 0.0);
 
-  /**
-   * Returns the distance from the rear axle, the reference of the motion, to the front bumper, in
-   * m.
-   */
-  double frontOverhang() {
-    return wheelbase + FRONT;
-  }
-
-  /** Distance from the front axle to the bumper, in m; assumed. */
-  private static final double FRONT = 0.9;
-
   /** Returns the largest curvature of its path, in 1/m. */
   public double tightest() {
     return curvature(-1.0);

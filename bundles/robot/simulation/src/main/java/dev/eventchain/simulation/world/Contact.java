@@ -44,10 +44,11 @@ public record Contact(long time, Actor other, double speed, Side side, boolean d
   /**
    * Classifies a contact.
    *
-   * @param ego its place at the contact
-   * @param velocity along its axis, in m/s
+   * @param motion the ego at the contact
    */
-  static Contact of(long time, Road.Place ego, double velocity, Actor other, Road road) {
+  static Contact of(long time, EgoMotion motion, Actor other, Road road) {
+    Road.Place ego = motion.front();
+    double velocity = motion.velocity();
     double seconds = World.seconds(time);
     Body body = other.body(road, seconds);
     double direction = road.heading(other.along(seconds));
@@ -55,7 +56,7 @@ public record Contact(long time, Actor other, double speed, Side side, boolean d
     double sin = StrictMath.sin(direction - ego.heading());
     double along = other.speedAlong(seconds) * cos - other.speedAcross(seconds) * sin;
     double across = other.speedAlong(seconds) * sin + other.speedAcross(seconds) * cos;
-    Side side = side(ego, body);
+    Side side = side(ego, motion.shape(), body);
     boolean driven =
         switch (side) {
           case FRONT -> velocity > 0.0;
@@ -70,8 +71,8 @@ public record Contact(long time, Actor other, double speed, Side side, boolean d
   private static final double TOWARDS = 0.05;
 
   /** Returns the side along whose normal the boxes are farthest apart, or overlap least. */
-  private static Side side(Road.Place front, Body other) {
-    Road.Place middle = front.ahead(-EgoVehicle.LENGTH / 2);
+  private static Side side(Road.Place front, Shape ego, Body other) {
+    Road.Place middle = front.ahead(-ego.length() / 2);
     double cos = StrictMath.cos(front.heading());
     double sin = StrictMath.sin(front.heading());
     double x = other.place().x() - middle.x();
@@ -79,8 +80,8 @@ public record Contact(long time, Actor other, double speed, Side side, boolean d
     double ahead = x * cos + y * sin;
     double left = y * cos - x * sin;
     double turned = front.heading() - other.place().heading();
-    double lengthwise = Math.abs(ahead) - EgoVehicle.LENGTH / 2 - other.extent(turned);
-    double sideways = Math.abs(left) - EgoVehicle.WIDTH / 2 - other.extent(turned - Math.PI / 2);
+    double lengthwise = Math.abs(ahead) - ego.length() / 2 - other.extent(turned);
+    double sideways = Math.abs(left) - ego.width() / 2 - other.extent(turned - Math.PI / 2);
     if (lengthwise >= sideways) {
       return ahead > 0.0 ? Side.FRONT : Side.REAR;
     }

@@ -15,6 +15,8 @@ public final class EgoMotion {
   private final double coastingDeceleration;
   private final double maximalAcceleration;
   private final Chassis chassis;
+  private final Shape shape;
+  private final double axleToBumper;
 
   /** Position of the rear axle, offset so that it equals that of the front bumper at heading 0. */
   private double along;
@@ -46,6 +48,8 @@ public final class EgoMotion {
             : Double.POSITIVE_INFINITY;
     this.speed = vehicle.speed();
     this.chassis = vehicle.chassis();
+    this.shape = vehicle.shape();
+    this.axleToBumper = vehicle.axleToBumper();
     this.heading = chassis.heading();
     this.along = -ahead();
     this.across = chassis.offset() - aside();
@@ -57,6 +61,8 @@ public final class EgoMotion {
     this.coastingDeceleration = other.coastingDeceleration;
     this.maximalAcceleration = other.maximalAcceleration;
     this.chassis = other.chassis;
+    this.shape = other.shape;
+    this.axleToBumper = other.axleToBumper;
     this.along = other.along;
     this.across = other.across;
     this.heading = other.heading;
@@ -77,11 +83,11 @@ public final class EgoMotion {
 
   /** Returns the offset of the front bumper along the road due to the heading. */
   private double ahead() {
-    return chassis.frontOverhang() * (StrictMath.cos(heading) - 1.0);
+    return axleToBumper * (StrictMath.cos(heading) - 1.0);
   }
 
   private double aside() {
-    return chassis.frontOverhang() * StrictMath.sin(heading);
+    return axleToBumper * StrictMath.sin(heading);
   }
 
   /** Returns the position of the middle of the front bumper, and its heading. */
@@ -91,18 +97,18 @@ public final class EgoMotion {
 
   /** Returns the body. */
   public Body body() {
-    return body(front());
+    return shape.body(front());
   }
 
-  /** Returns the body of an ego whose front bumper has its middle at a place. */
-  public static Body body(Road.Place front) {
-    return new Body(
-        front.ahead(-EgoVehicle.LENGTH / 2),
-        EgoVehicle.LENGTH,
-        EgoVehicle.WIDTH,
-        0.0,
-        EgoVehicle.HEIGHT,
-        0.0f);
+  /** Returns the size of the body. */
+  public Shape shape() {
+    return shape;
+  }
+
+  /** Returns an upper bound of the distance from the rear axle to any point of the body, in m. */
+  double farthest() {
+    double ends = Math.max(axleToBumper, shape.length() - axleToBumper);
+    return ends + shape.width() / 2;
   }
 
   /** Returns the yaw rate in rad/s, positive to the left. */

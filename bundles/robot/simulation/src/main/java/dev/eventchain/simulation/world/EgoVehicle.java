@@ -7,7 +7,7 @@ package dev.eventchain.simulation.world;
  * the road surface of Euro NCAP's AEB tests allows, a peak braking coefficient of at least 0.9; UN
  * Regulation No. 13-H requires at least 6.43 m/s2. That regulation allows 0.6 s in an emergency
  * until the brake force is reached; delay and build-up, which are assumed, are 0.5 s of them.
- * Coasting, full throttle and the size of the body are assumed, too.
+ * Coasting and full throttle are assumed, too.
  *
  * @param speed at the start, in m/s
  * @param brakeDelay from a brake or throttle command to the first change of the deceleration, in s
@@ -17,6 +17,7 @@ package dev.eventchain.simulation.world;
  * @param maximalAcceleration at full throttle, in m/s2
  * @param lidar the mounting and the errors of the lidar
  * @param chassis its properties besides the pedals
+ * @param shape the size of its body
  */
 public record EgoVehicle(
     double speed,
@@ -26,16 +27,62 @@ public record EgoVehicle(
     double coastingDeceleration,
     double maximalAcceleration,
     LidarSettings lidar,
-    Chassis chassis) {
+    Chassis chassis,
+    Shape shape) {
 
-  /** Width of the body, in m. */
-  public static final double WIDTH = 1.8;
+  /** Creates a vehicle of the usual size. */
+  public EgoVehicle(
+      double speed,
+      double brakeDelay,
+      double brakeBuildUp,
+      double maximalDeceleration,
+      double coastingDeceleration,
+      double maximalAcceleration,
+      LidarSettings lidar,
+      Chassis chassis) {
+    this(
+        speed,
+        brakeDelay,
+        brakeBuildUp,
+        maximalDeceleration,
+        coastingDeceleration,
+        maximalAcceleration,
+        lidar,
+        chassis,
+        Shape.USUAL);
+  }
 
-  /** Length of the body, in m. */
-  public static final double LENGTH = 4.5;
+  /**
+   * Returns this vehicle at another place in the lane at the start.
+   *
+   * @param offset left of the lane's centre, in m
+   * @param heading to the left, in rad
+   */
+  public EgoVehicle placed(double offset, double heading) {
+    Chassis placed =
+        new Chassis(
+            chassis.wheelbase(),
+            chassis.maximalSteeringAngle(),
+            chassis.handBrakeDeceleration(),
+            chassis.drag(),
+            offset,
+            heading);
+    return new EgoVehicle(
+        speed,
+        brakeDelay,
+        brakeBuildUp,
+        maximalDeceleration,
+        coastingDeceleration,
+        maximalAcceleration,
+        lidar,
+        placed,
+        shape);
+  }
 
-  /** Height of the body, in m: it passes under higher objects. */
-  public static final double HEIGHT = 1.5;
+  /** Returns the distance from the rear axle, the reference of the motion, to the bumper, in m. */
+  double axleToBumper() {
+    return chassis.wheelbase() + shape.frontOverhang();
+  }
 
   /** Ground clearance, in m: it drives over lower objects. */
   static final double CLEARANCE = 0.15;

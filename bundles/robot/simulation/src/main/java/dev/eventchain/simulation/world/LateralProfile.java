@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * An offset from the centre of a lane that is constant or changes to another one along half a
- * cosine. Immutable.
+ * An offset from the centre of a lane that is constant or changes to another one, along half a
+ * cosine or at a constant speed. Immutable.
  */
 public final class LateralProfile {
 
@@ -13,16 +13,29 @@ public final class LateralProfile {
    * A change of the offset to another one, in m, that begins at a time, in s.
    *
    * @param speed the largest lateral speed in between, in m/s, above 0
+   * @param linear true if the speed is the same all the way, false if it is half a wave
    */
-  public record Change(double time, double offset, double speed) implements Maneuver.Change {
+  public record Change(double time, double offset, double speed, boolean linear)
+      implements Maneuver.Change {
+
+    /** Creates a change whose speed grows and falls along half a wave. */
+    public Change(double time, double offset, double speed) {
+      this(time, offset, speed, false);
+    }
 
     @Override
     public Change at(double seconds) {
-      return new Change(seconds, offset, speed);
+      return new Change(seconds, offset, speed, linear);
     }
   }
 
-  private record Move(double time, double from, double to, double duration) {
+  private record Move(double time, double from, double to, double duration, boolean linear) {
+
+    static Move of(Change change, double from) {
+      double way = Math.abs(change.offset() - from);
+      double duration = (change.linear() ? way : Math.PI / 2.0 * way) / change.speed();
+      return new Move(change.time(), from, change.offset(), duration, change.linear());
+    }
 
     double end() {
       return time + duration;
@@ -30,14 +43,14 @@ public final class LateralProfile {
 
     double at(double seconds) {
       double part = Math.min(1.0, (seconds - time) / duration);
-      return part >= 1.0 ? to : from + (to - from) * (1.0 - StrictMath.cos(Math.PI * part)) / 2.0;
+      double done = linear ? part : (1.0 - StrictMath.cos(Math.PI * part)) / 2.0;
+      return part >= 1.0 ? to : from + (to - from) * done;
     }
 
     double rate(double seconds) {
       double part = (seconds - time) / duration;
-      return part >= 1.0
-          ? 0.0
-          : (to - from) * Math.PI / 2.0 / duration * StrictMath.sin(Math.PI * part);
+      double share = linear ? 1.0 : Math.PI / 2.0 * StrictMath.sin(Math.PI * part);
+      return part >= 1.0 ? 0.0 : (to - from) / duration * share;
     }
   }
 
@@ -58,8 +71,7 @@ public final class LateralProfile {
     double from = start;
     for (Change change : changes) {
       if (change.offset() != from) {
-        double duration = Math.PI / 2.0 * Math.abs(change.offset() - from) / change.speed();
-        moves.add(new Move(change.time(), from, change.offset(), duration));
+        moves.add(Move.of(change, from));
         from = change.offset();
       }
     }

@@ -12,9 +12,6 @@ final class Movement {
   /** Upper bound of the change of the ego's speed in a time step, in m/s. */
   private static final double CHANGE = 0.5;
 
-  /** Upper bound of the distance from the ego's rear axle to its farthest corner, in m. */
-  private static final double FARTHEST = 4.0;
-
   private final EgoMotion before;
   private final long from;
   private final long until;
@@ -37,7 +34,7 @@ final class Movement {
     this.road = road;
     this.travelled = travelled;
     double turning = before.speed() > 0.0 ? Math.abs(before.yawRate() / before.speed()) : 0.0;
-    this.fastest = (before.speed() + CHANGE) * (1.0 + turning * FARTHEST);
+    this.fastest = (before.speed() + CHANGE) * (1.0 + turning * before.farthest());
   }
 
   /** Returns the ego at a time of the step. */
@@ -79,14 +76,14 @@ final class Movement {
 
   private Contact touch(Actor actor, long time) {
     EgoMotion ego = at(time);
-    return Contact.of(time, ego.front(), ego.velocity(), actor, road);
+    return Contact.of(time, ego, actor, road);
   }
 
   /** Returns whether the front touches a wall next to the road. */
   boolean leavesTheRoad(long time) {
     Road.Place front = at(time).front();
     double across = road.station(front.x(), front.y(), travelled).across();
-    return Math.abs(across) + EgoVehicle.WIDTH / 2 >= Road.WALL_DISTANCE;
+    return Math.abs(across) + before.shape().width() / 2 >= Road.WALL_DISTANCE;
   }
 
   /** Returns the time at which the front touches a wall, if it does so in this step. */

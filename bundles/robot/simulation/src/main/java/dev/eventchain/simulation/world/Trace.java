@@ -85,6 +85,7 @@ public final class Trace {
 
   private final Map<String, Script> inputs;
   private final Road road;
+  private Shape shape = Shape.USUAL;
   private List<Actor> actors = List.of();
   private List<String> neverBegun = List.of();
   private final List<State> states = new ArrayList<>();
@@ -121,6 +122,17 @@ public final class Trace {
     return road;
   }
 
+  /** Records the vehicle and the actors at the start. */
+  void situation(Situation situation) {
+    shape = situation.ego().shape();
+    actors = situation.actors();
+  }
+
+  /** Returns the size of the ego. */
+  public Shape shape() {
+    return shape;
+  }
+
   /** Records the actors as they have moved and will move, as far as that is known. */
   void actors(List<Actor> all) {
     actors = List.copyOf(all);
@@ -149,6 +161,7 @@ public final class Trace {
   /** Returns a trace of a single moment, with the last command before it. */
   Trace moment(State state) {
     Trace moment = new Trace(inputs, road);
+    moment.shape = shape;
     moment.actors = actors;
     moment.state(state);
     if (!commands.isEmpty()) {
@@ -182,6 +195,7 @@ public final class Trace {
     other.commands.addAll(commands);
     other.samples.putAll(messages.samples);
     other.samples.keySet().removeAll(signals);
+    other.shape = shape;
     other.actors = actors;
     other.neverBegun = neverBegun;
     other.hidden.addAll(hidden);

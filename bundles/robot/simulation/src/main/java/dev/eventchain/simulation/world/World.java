@@ -54,7 +54,7 @@ public final class World {
     this.ego = new EgoMotion(situation.ego());
     this.actors = situation.actors();
     this.driver = situation.driver();
-    trace.actors(actors);
+    trace.situation(situation);
     record();
   }
 
@@ -167,7 +167,7 @@ public final class World {
     now = until;
     Optional<Contact> contact =
         actors().stream()
-            .filter(Actor::obstructs)
+            .filter(actor -> actor.obstructs(ego.shape()))
             .flatMap(actor -> movement.contact(actor).stream())
             .min(Comparator.comparingLong(Contact::time));
     contact.filter(Contact::fromBehind).ifPresent(this::hitFromBehind);
@@ -204,7 +204,7 @@ public final class World {
       Road.Station station = station();
       // At the rear axle, which follows the bend, the heading of the road lags behind that at the
       // bumper.
-      double behind = road().curvature() * situation.ego().chassis().frontOverhang();
+      double behind = road().curvature() * situation.ego().axleToBumper();
       double heading = heading(station) + behind;
       ego.steer(driver.curvature(road(), station, heading, ego.speed(), seconds(now)));
     }
@@ -277,8 +277,8 @@ public final class World {
       double gap = actor.rear(time) - station.along();
       boolean inPath =
           Math.abs(actor.across(time) - station.across())
-              < EgoVehicle.WIDTH / 2 + actor.breadth(time);
-      if (actor.obstructs()
+              < situation.ego().shape().width() / 2 + actor.breadth(time);
+      if (actor.obstructs(ego.shape())
           && inPath
           && gap > -2 * actor.reach(time)
           && (nearest == null || gap < nearest.rear(time) - station.along())) {

@@ -7,6 +7,7 @@ import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.EgoVehicle;
 import dev.eventchain.simulation.world.Road;
+import dev.eventchain.simulation.world.Shape;
 import dev.eventchain.simulation.world.Situation;
 import dev.eventchain.simulation.world.Trace;
 import dev.eventchain.simulation.world.World;
@@ -30,7 +31,7 @@ class SceneFromAboveTest {
             List.of(Actor.passengerCar(30, 5, 3.5), Actor.passengerCar(60, 0, -3.5)));
     ScenarioVerdict.Scene scene = scene(situation, 2);
     assertEquals(201, scene.ego().x().size());
-    assertEquals(20 - EgoVehicle.LENGTH / 2, scene.ego().x().get(200), 1e-9);
+    assertEquals(20 - Shape.USUAL.length() / 2, scene.ego().x().get(200), 1e-9);
     assertEquals(List.of(0.0), scene.ego().y());
     assertEquals(30 + 2.25 + 10, scene.others().get(0).x().get(200), 1e-9);
     assertEquals(List.of(3.5), scene.others().get(0).y());

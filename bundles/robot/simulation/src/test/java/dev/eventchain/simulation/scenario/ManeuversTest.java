@@ -101,4 +101,14 @@ class ManeuversTest {
       assertEquals(-5, walker(trace).across(seconds));
     }
   }
+
+  @Test
+  void aLateralManeuverMayHaveAConstantSpeed() {
+    String linear = "{at_s: 1, lateral_offset_m: 0, lateral_speed_mps: 1.5, shape: linear}";
+    Actor car = run("", "", linear, "").actor("car").orElseThrow();
+    assertEquals(3.75, car.across(1.0));
+    assertEquals(2.25, car.across(2.0), 1e-9);
+    assertEquals(-1.5, car.speedAcross(2.0), 1e-9);
+    assertEquals(0, car.across(3.5), 1e-9);
+  }
 }

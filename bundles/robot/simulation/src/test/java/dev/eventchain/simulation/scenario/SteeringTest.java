@@ -14,6 +14,7 @@ import dev.eventchain.simulation.world.Chassis;
 import dev.eventchain.simulation.world.EgoVehicle;
 import dev.eventchain.simulation.world.LidarSettings;
 import dev.eventchain.simulation.world.Road;
+import dev.eventchain.simulation.world.Shape;
 import dev.eventchain.simulation.world.Trace;
 import dev.eventchain.simulation.world.VehicleCommand;
 import dev.eventchain.simulation.world.World;
@@ -106,7 +107,7 @@ class SteeringTest {
     world.command(0, steer(0.5));
     world.advanceTo(6 * SECOND);
     assertTrue(world.impacted());
-    assertEquals(-(8 - EgoVehicle.WIDTH / 2), world.moment().end().pose().offset(), 0.1);
+    assertEquals(-(8 - Shape.USUAL.width() / 2), world.moment().end().pose().offset(), 0.1);
     Criterion noImpact =
         new Criterion(CriterionKind.NO_IMPACT, 0, Criterion.Tolerances.USUAL, SourceLocation.NONE);
     assertTrue(noImpact.judge(world.trace()).tested());

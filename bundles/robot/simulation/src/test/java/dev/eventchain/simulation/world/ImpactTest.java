@@ -146,10 +146,10 @@ class ImpactTest {
     for (int step = 0; step < 8000; step++) {
       double seconds = step * 5e-4;
       Body body = actor.body(Road.STRAIGHT, seconds);
-      double middle = speed * seconds - EgoVehicle.LENGTH / 2;
+      double middle = speed * seconds - Shape.USUAL.length() / 2;
       boolean near = Math.hypot(body.place().x() - middle, body.place().y()) < 9;
       if (near) {
-        Area overlap = area(middle, 0, 0, EgoVehicle.LENGTH, EgoVehicle.WIDTH);
+        Area overlap = area(middle, 0, 0, Shape.USUAL.length(), Shape.USUAL.width());
         overlap.intersect(
             area(
                 body.place().x(),

@@ -77,7 +77,12 @@ public final class SimulationInputs {
     Bench bench = withChain ? run.chain().bench() : run.bench();
     List<Scenario> scenarios = Scenario.readFolder(run.project().scenarios(), bench, warnings);
     if (withChain) {
-      scenarios.forEach(each -> each.unresolved().forEach(warnings));
+      List<String> nodes =
+          run.chain().chain().getSoftware().stream().map(node -> node.getName()).toList();
+      for (Scenario scenario : scenarios) {
+        scenario.unresolved().forEach(warnings);
+        scenario.unknownNodes(nodes).forEach(warnings);
+      }
     }
     return scenarios;
   }
