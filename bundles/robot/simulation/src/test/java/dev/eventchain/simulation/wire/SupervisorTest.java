@@ -72,7 +72,7 @@ class SupervisorTest {
     String end =
         """
         {"topic": "/gap", "type": "a/msg/G", "best_effort": %s, "transient": false,
-         "manual": false, "deadline": 0, "lease": 0}
+         "manual": false, "deadline": 0, "lease": 0, "guid": "1"}
         """
             .formatted(bestEffort);
     List<JsonNode> ready = List.of(ready(end, ""), ready("", end));
