@@ -135,13 +135,7 @@ public final class BenchReader {
                   section.at("extends"))
               .withHint("Write `extends: carla`, or leave it out."));
     }
-    section
-        .object("vehicle")
-        .ifPresent(
-            part -> {
-              vehicle = VehicleReader.read(part, vehicle, 0, BenchRules.BENCH_VALUE_RANGE);
-              part.refuseOthers();
-            });
+    section.object("vehicle").ifPresent(this::vehicle);
     section.object("inputs").ifPresent(part -> inputs.putAll(BenchInputs.read(part, source)));
     if (!problems.isEmpty()) {
       return; // Values that need a refused input would be refused as well.
@@ -159,6 +153,11 @@ public final class BenchReader {
     own.addAll(ownConsumed.keySet());
     provided.putAll(ownProvided);
     consumed.putAll(ownConsumed);
+  }
+
+  private void vehicle(ObjectReader section) {
+    vehicle = VehicleReader.read(section, vehicle, 0, BenchRules.BENCH_VALUE_RANGE);
+    section.refuseOthers();
   }
 
   private void checkTopic(String topic, SourceLocation place, Direction direction) {
