@@ -44,6 +44,7 @@ public final class Main {
           CompileCommand.class,
           StageCommands.Simulate.class,
           AcceptCommand.class,
+          CampaignCommand.class,
           MutateCommand.class,
           EvaluateCommand.class,
           InitCommand.class,

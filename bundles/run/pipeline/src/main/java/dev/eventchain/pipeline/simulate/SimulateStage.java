@@ -350,6 +350,11 @@ public final class SimulateStage implements StageWork {
         run, run.chain().chain(), GeneratedPackage.required(run), ProjectScenarios.selected(run));
   }
 
+  /** Returns the request to simulate other scenarios than the project's likewise. */
+  public static SimulationRequest request(RunContext run, List<Scenario> scenarios) {
+    return request(run, run.chain().chain(), GeneratedPackage.required(run), scenarios);
+  }
+
   private static SimulationRequest request(
       RunContext run, EventChain chain, GeneratedPackage generated, List<Scenario> scenarios) {
     return SimulationRequest.of(

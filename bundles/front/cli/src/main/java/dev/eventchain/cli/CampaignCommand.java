@@ -1,0 +1,113 @@
+package dev.eventchain.cli;
+
+import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.pipeline.Outcome;
+import dev.eventchain.pipeline.campaign.CampaignOptions;
+import dev.eventchain.pipeline.campaign.CampaignOutcome;
+import dev.eventchain.pipeline.campaign.Campaigns;
+import dev.eventchain.pipeline.campaign.Shard;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Stage;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalInt;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code campaign}: simulates many cases of a scenario. */
+@Command(
+    name = "campaign",
+    mixinStandardHelpOptions = true,
+    description = {
+      "Simulate many cases of a scenario, on all processors.",
+      "FILE says which numbers of which scenario differ between the cases, and by which values. The"
+          + " nodes are generated first, as far as something has changed. A case is judged by its"
+          + " criteria alone; what they prove is a matter of 'run'. Results are in"
+          + " OUTPUT/campaigns/NAME: cases.csv, report.html and cases.json. The same command"
+          + " continues where it was interrupted, and comes to the same bytes."
+    })
+final class CampaignCommand extends ProjectCommand {
+
+  private final Console console;
+
+  @Parameters(index = "0", paramLabel = "DIR", description = "The project's folder.")
+  private Path folder;
+
+  @Parameters(index = "1", paramLabel = "FILE", description = "The campaign file.")
+  private Path file;
+
+  @Option(
+      names = "--dry-run",
+      description = "Only count the cases, and say how long they take, from ten of them.")
+  private boolean dryRun;
+
+  @Option(
+      names = "--shard",
+      paramLabel = "K/N",
+      description =
+          "Simulate only part K of N, into OUTPUT/campaigns/NAME-K-of-N, to be put together by"
+              + " --merge.")
+  private String shard;
+
+  @Option(
+      names = "--merge",
+      paramLabel = "FOLDER",
+      arity = "1..*",
+      description = "Put the parts in these folders together; none may be missing or different.")
+  private List<Path> merged = List.of();
+
+  @Option(
+      names = "--case",
+      paramLabel = "NUMBER",
+      description =
+          "Simulate one case of the table again: its scenario and its recording are in"
+              + " OUTPUT/campaigns/NAME/case-NUMBER.")
+  private Integer replayed;
+
+  @Mixin private LlmOptions llm;
+
+  CampaignCommand(Console console) {
+    super(console);
+    this.console = console;
+  }
+
+  @Override
+  Outcome work() {
+    if (!merged.isEmpty() && (shard != null || replayed != null || dryRun)) {
+      throw wrongUsage("--merge stands alone");
+    }
+    CampaignOptions options = new CampaignOptions(file, dryRun, shard(), replayed(), merged);
+    Project project = Project.open(folder);
+    CampaignOutcome result =
+        Campaigns.run(
+            project,
+            runOptions(
+                project,
+                outputOf(project),
+                Stage.DESIGN,
+                Stage.GENERATE,
+                false,
+                llm,
+                new ScenarioOptions()),
+            options,
+            new ProgressLines(console.err(), console.terminal()));
+    if (format() == DiagnosticFormat.TEXT) {
+      console.out().print(result.text());
+    }
+    return result.outcome();
+  }
+
+  private Shard shard() {
+    try {
+      return shard == null ? Shard.ALL : Shard.parse(shard);
+    } catch (IllegalArgumentException e) {
+      throw wrongUsage(e.getMessage());
+    }
+  }
+
+  private OptionalInt replayed() {
+    return replayed == null ? OptionalInt.empty() : OptionalInt.of(replayed);
+  }
+}

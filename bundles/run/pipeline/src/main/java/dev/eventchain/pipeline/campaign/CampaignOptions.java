@@ -1,0 +1,21 @@
+package dev.eventchain.pipeline.campaign;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalInt;
+
+/**
+ * Options of a campaign.
+ *
+ * @param file the campaign file
+ * @param dryRun whether cases are only counted, and a few of them timed
+ * @param replayed the number of the only case that is simulated, from 1, as in the table
+ * @param merged the folders of parts that are put together instead of simulating; usually none
+ */
+public record CampaignOptions(
+    Path file, boolean dryRun, Shard shard, OptionalInt replayed, List<Path> merged) {
+
+  public CampaignOptions {
+    merged = List.copyOf(merged);
+  }
+}

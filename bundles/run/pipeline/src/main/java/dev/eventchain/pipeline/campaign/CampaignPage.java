@@ -1,0 +1,244 @@
+package dev.eventchain.pipeline.campaign;
+
+import dev.eventchain.diagnostics.Printable;
+import dev.eventchain.diagnostics.Sha256;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.report.ReportPage;
+import dev.eventchain.simulation.verdict.CaseResult.Label;
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.List;
+import java.util.Locale;
+import java.util.TreeSet;
+import java.util.stream.IntStream;
+
+/**
+ * The results of a campaign as one self-contained HTML file without scripts, whose
+ * Content-Security-Policy allows only exactly its style.
+ */
+final class CampaignPage {
+
+  private static final int NEAREST = 10;
+
+  /** More values than these would make a table that nobody sees as a whole. */
+  private static final int WIDEST = 60;
+
+  private static final String STYLE =
+      """
+
+      .map { border-collapse: collapse; font-variant-numeric: tabular-nums; }
+      .map td { width: 1.6rem; height: 1.4rem; border: 1px solid Canvas; padding: 0; text-align: center; font-size: .7rem; }
+      .map th { font-weight: normal; padding: 0 .4rem; text-align: right; }
+      .map thead th { text-align: center; }
+      .passed { background: #2e7d4f; color: #fff; }
+      .failed { background: #b3362e; color: #fff; }
+      .mixed { background: #d9a441; color: #000; }
+      .untested { background: repeating-linear-gradient(45deg, #888 0 3px, #bbb 3px 6px); }
+      """;
+
+  private final Project project;
+  private final CampaignPlan plan;
+  private final List<CampaignRow> rows;
+  private final CampaignSummary summary;
+  private final StringBuilder out = new StringBuilder();
+
+  private CampaignPage(Project project, CampaignPlan plan, List<CampaignRow> rows) {
+    this.project = project;
+    this.plan = plan;
+    this.rows = rows;
+    this.summary = new CampaignSummary(plan, rows);
+  }
+
+  static String of(Project project, CampaignPlan plan, List<CampaignRow> rows) {
+    CampaignPage page = new CampaignPage(project, plan, rows);
+    page.head();
+    page.figures();
+    page.map();
+    page.boundary();
+    page.nearest();
+    page.failures();
+    page.add("<footer>All cases are in %s.</footer>\n</body>\n</html>\n", CampaignStore.TABLE);
+    return page.out.toString();
+  }
+
+  private void head() {
+    String style = "\n" + ReportPage.resource("report.css") + STYLE;
+    String hash = Base64.getEncoder().encodeToString(Sha256.of(style).bytes());
+    raw("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
+    raw(
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src"
+            + " 'sha256-");
+    raw(hash + "'; base-uri 'none'; form-action 'none'\">\n");
+    raw("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n");
+    add("<title>Campaign %s · Eventchain</title>\n", plan.name());
+    raw("<style>" + style + "</style>\n</head>\n<body>\n");
+    add("<p class=\"kicker\">Eventchain campaign · %s</p>\n", project.configuration().name());
+    add("<h1>%s: cases of %s</h1>\n", plan.name(), plan.scenario());
+  }
+
+  private void figures() {
+    raw("<dl class=\"figures\">");
+    figure("Cases", rows.size());
+    figure("Passed", summary.count(Label.PASSED));
+    figure("Failed", summary.count(Label.FAILED));
+    figure("Not tested", summary.count(Label.UNTESTED));
+    figure("Ended by an error", summary.count(Label.ERROR));
+    raw("</dl>\n");
+  }
+
+  private void figure(String name, long value) {
+    add("<div><dt>%s</dt><dd>%s</dd></div>", name, value);
+  }
+
+  /** Adds a cell for each two values of the first two factors that have few enough. */
+  private void map() {
+    int[] shown =
+        IntStream.range(0, plan.factors().size())
+            .filter(i -> values(i).size() > 1 && values(i).size() <= WIDEST)
+            .limit(2)
+            .toArray();
+    if (shown.length < 2) {
+      return;
+    }
+    List<BigDecimal> across = values(shown[1]);
+    add("<section><h2>%s and %s</h2>\n", plan.names().get(shown[0]), plan.names().get(shown[1]));
+    raw(
+        "<p class=\"muted\">Each cell has the cases that did not pass, of all with these values; the");
+    raw(" others differ in the other factors.</p>\n");
+    raw("<div class=\"scroll\"><table class=\"map\"><thead><tr><th></th>");
+    across.forEach(value -> add("<th>%s</th>", value.toPlainString()));
+    raw("</tr></thead><tbody>\n");
+    for (BigDecimal value : values(shown[0])) {
+      add("<tr><th>%s</th>", value.toPlainString());
+      across.forEach(
+          other ->
+              cell(
+                  rows.stream()
+                      .filter(row -> row.id().values().get(shown[0]).equals(value))
+                      .filter(row -> row.id().values().get(shown[1]).equals(other))
+                      .toList()));
+      raw("</tr>\n");
+    }
+    raw("</tbody></table></div></section>\n");
+  }
+
+  private List<BigDecimal> values(int factor) {
+    TreeSet<BigDecimal> values = new TreeSet<>();
+    rows.forEach(row -> values.add(row.id().values().get(factor)));
+    return new ArrayList<>(values);
+  }
+
+  private void cell(List<CampaignRow> cases) {
+    long passed = cases.stream().filter(row -> row.is(Label.PASSED)).count();
+    long untested = cases.stream().filter(row -> row.is(Label.UNTESTED)).count();
+    if (cases.isEmpty()) {
+      raw("<td></td>");
+    } else if (passed == cases.size()) {
+      raw("<td class=\"passed\" title=\"passed\"></td>");
+    } else if (untested == cases.size()) {
+      raw("<td class=\"untested\" title=\"not tested\"></td>");
+    } else {
+      String kind = passed + untested == 0 ? "failed" : "mixed";
+      String words = "%d of %d did not pass".formatted(cases.size() - passed, cases.size());
+      add("<td class=\"%s\" title=\"%s\">", kind, words);
+      add(cases.size() == 1 ? "</td>" : "%s</td>", cases.size() - passed);
+    }
+  }
+
+  private void boundary() {
+    List<BoundarySearch.Flip> flips = summary.flips();
+    if (plan.boundary().isEmpty()) {
+      return;
+    }
+    int factor = plan.boundary().get().factor();
+    add("<section><h2>Boundary along %s</h2>\n", plan.names().get(factor));
+    raw("<div class=\"scroll\"><table><thead><tr><th>The other factors</th><th>from</th>");
+    raw("<th>to</th><th>of</th></tr></thead><tbody>\n");
+    for (BoundarySearch.Flip flip : flips) {
+      add("<tr><td>%s</td>", flip.before().id().words(plan));
+      add("<td>%s</td>", word(flip.before()));
+      add("<td>%s</td>", word(flip.after()));
+      add("<td>%s</td></tr>\n", flip.after().id().values().get(factor).toPlainString());
+    }
+    raw("</tbody></table></div></section>\n");
+  }
+
+  private void nearest() {
+    List<CampaignRow> nearest = summary.nearest(NEAREST);
+    if (!nearest.isEmpty()) {
+      raw("<section><h2>Passed, but nearest to failing</h2>\n");
+      table(nearest);
+      raw("</section>\n");
+    }
+  }
+
+  private void failures() {
+    List<CampaignRow> failed =
+        rows.stream().filter(row -> !row.is(Label.PASSED)).limit(NEAREST).toList();
+    if (!failed.isEmpty()) {
+      raw("<section><h2>The first that did not pass</h2>\n");
+      table(failed);
+      raw("</section>\n");
+    }
+  }
+
+  private void table(List<CampaignRow> shown) {
+    raw("<div class=\"scroll\"><table><thead><tr><th>Case</th><th>Values</th><th>Verdict</th>");
+    raw("<th>Smallest margin</th><th>Reason</th><th>Once more</th></tr></thead><tbody>\n");
+    for (CampaignRow row : shown) {
+      int number = rows.indexOf(row) + 1;
+      add("<tr><td>%s</td><td>%s</td>", number, row.id().words(plan));
+      add("<td>%s</td>", word(row));
+      add("<td>%s</td>", margin(row));
+      add("<td>%s</td>", row.result().reason());
+      add("<td><code>eventchain campaign DIR %s --case %s</code></td></tr>\n", plan.file(), number);
+    }
+    raw("</tbody></table></div>\n");
+  }
+
+  private static String margin(CampaignRow row) {
+    return row.result().criteria().stream()
+        .filter(each -> each.margin().stream().anyMatch(it -> it == row.nearest()))
+        .map(
+            each ->
+                String.format(
+                    Locale.ROOT,
+                    "%.3g%s: %s",
+                    row.nearest(),
+                    each.unit().equals("1") ? "" : " " + each.unit(),
+                    each.name()))
+        .findFirst()
+        .orElse("");
+  }
+
+  private static String word(CampaignRow row) {
+    return switch (row.result().label()) {
+      case PASSED -> "passed";
+      case FAILED -> "failed";
+      case UNTESTED -> "not tested";
+      case ERROR -> "error";
+    };
+  }
+
+  private void raw(String html) {
+    out.append(html);
+  }
+
+  /** Adds HTML with texts, which are escaped. */
+  private void add(String html, Object... texts) {
+    Object[] escaped = new Object[texts.length];
+    for (int i = 0; i < texts.length; i++) {
+      escaped[i] = escaped(texts[i].toString());
+    }
+    out.append(String.format(Locale.ROOT, html, escaped));
+  }
+
+  private static String escaped(String text) {
+    return Printable.clean(text)
+        .replace("&", "&amp;")
+        .replace("<", "&lt;")
+        .replace(">", "&gt;")
+        .replace("\"", "&quot;");
+  }
+}

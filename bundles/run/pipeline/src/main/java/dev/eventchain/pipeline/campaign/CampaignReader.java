@@ -1,0 +1,244 @@
+package dev.eventchain.pipeline.campaign;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.DocumentFormat;
+import dev.eventchain.documents.DocumentRules;
+import dev.eventchain.documents.NumberRange;
+import dev.eventchain.documents.ObjectReader;
+import java.math.BigDecimal;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+
+/** Reads campaign files. */
+final class CampaignReader {
+
+  private static final DocumentRules RULES =
+      new DocumentRules(
+          CampaignRules.SYNTAX,
+          CampaignRules.KEY_DUPLICATE,
+          CampaignRules.VALUE_TYPE,
+          CampaignRules.KEY_MISSING,
+          CampaignRules.KEY_UNKNOWN,
+          CampaignRules.VALUE_RANGE);
+  private static final NumberRange CASES = NumberRange.of(1, 1_000_000);
+  private static final NumberRange SEED = NumberRange.of(0, 1L << 52);
+  private static final NumberRange REPETITIONS = NumberRange.of(1, 1000);
+
+  private final Path file;
+  private final SourceText text;
+
+  private CampaignReader(Path file) {
+    this.file = file;
+    this.text = SourceText.read(file);
+  }
+
+  /**
+   * Reads a campaign file.
+   *
+   * @throws DiagnosticException (INPUT) with every problem of the file
+   */
+  static CampaignPlan read(Path file) {
+    return new CampaignReader(file).read();
+  }
+
+  private CampaignPlan read() {
+    List<Diagnostic> problems = new ArrayList<>();
+    Document document = Document.parse(text, DocumentFormat.YAML, RULES, problems::add);
+    Optional<CampaignPlan> plan = document.object("", problems::add).map(this::plan);
+    if (!problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
+    }
+    return plan.orElseThrow();
+  }
+
+  private CampaignPlan plan(ObjectReader section) {
+    String scenario = section.requiredText("scenario");
+    section.text("description"); // for people
+    List<Factor> factors = section.requiredObject("factors").map(this::factors).orElse(List.of());
+    Sampling sampling = section.object("sampling").map(this::sampling).orElse(Sampling.USUAL);
+    if (!sampling.kind().isDrawn()) {
+      factors.stream()
+          .filter(factor -> factor.levels() instanceof Levels.Uniform)
+          .forEach(factor -> section.find(undrawn(factor)));
+    }
+    List<SourceRange> conditions = conditions(section);
+    int repetitions = (int) section.wholeNumber("repetitions", REPETITIONS).orElse(1);
+    long seed = section.wholeNumber("seed", SEED).orElse(1);
+    Optional<CampaignPlan.Boundary> boundary =
+        section.object("boundary").flatMap(part -> boundary(part, factors, sampling));
+    section.refuseOthers();
+    String name = file.getFileName().toString().replaceFirst("\\.ya?ml$", "");
+    return new CampaignPlan(
+        file, name, scenario, factors, sampling, conditions, repetitions, seed, boundary);
+  }
+
+  private static Diagnostic undrawn(Factor factor) {
+    return Diagnostic.of(
+            CampaignRules.SIZE,
+            "The values of '"
+                + factor.name()
+                + "' have to be drawn, and a grid has no end of them.",
+            factor.place())
+        .withHint("Write, for example, `sampling: {latin_hypercube: 200}`, or values or steps.");
+  }
+
+  private List<SourceRange> conditions(ObjectReader section) {
+    List<SourceRange> conditions = new ArrayList<>();
+    List<String> texts = section.texts("where");
+    for (int i = 0; i < texts.size(); i++) {
+      conditions.add(SourceText.within(section.at("where"), texts.get(i)).whole());
+    }
+    return conditions;
+  }
+
+  private List<Factor> factors(ObjectReader section) {
+    List<Factor> factors = new ArrayList<>();
+    for (String name : section.names()) {
+      if (!name.matches("[A-Za-z_][A-Za-z0-9_]*")) {
+        String message = "A factor has a name of letters, digits and underscores.";
+        section.find(CampaignRules.VALUE_RANGE, message, section.atKey(name));
+      }
+      section.object(name).ifPresent(part -> factors.add(factor(name, part)));
+    }
+    if (factors.isEmpty()) {
+      section.find(CampaignRules.EMPTY, "There is no factor.", section.location());
+    }
+    return factors;
+  }
+
+  private Factor factor(String name, ObjectReader part) {
+    List<String> paths = new ArrayList<>(part.texts("paths"));
+    part.text("path").ifPresent(paths::add);
+    if (paths.isEmpty()) {
+      part.find(
+          Diagnostic.of(CampaignRules.KEY_MISSING, "'path' is missing.", part.location())
+              .withHint("Write the number of the scenario that it is, such as ego.speed_kmh."));
+    }
+    Levels levels = levels(part);
+    part.refuseOthers();
+    return new Factor(name, paths, levels, part.location());
+  }
+
+  private Levels levels(ObjectReader part) {
+    List<String> kinds =
+        List.of("values", "step", "uniform", "csv").stream().filter(part::has).toList();
+    if (kinds.size() != 1) {
+      part.find(
+          Diagnostic.of(
+                  kinds.isEmpty() ? CampaignRules.KEY_MISSING : CampaignRules.KEY_DUPLICATE,
+                  "Its values are given by one of values, step, uniform and csv.",
+                  part.location())
+              .withHint("For example `values: [10, 20]`, or `from: 10`, `to: 50`, `step: 5`."));
+      kinds.forEach(part::value);
+      return new Levels.Listed(List.of(BigDecimal.ZERO));
+    }
+    return switch (kinds.get(0)) {
+      case "values" -> new Levels.Listed(numbers(part, "values"));
+      case "step" -> range(part);
+      case "csv" -> new Levels.Listed(new CsvColumn(file, part).read());
+      default -> uniform(part);
+    };
+  }
+
+  private static List<BigDecimal> numbers(ObjectReader part, String key) {
+    List<BigDecimal> numbers = new ArrayList<>();
+    JsonNode array = part.value(key).orElseThrow();
+    array.forEach(each -> numbers.add(each.isNumber() ? each.decimalValue() : BigDecimal.ZERO));
+    boolean right = array.isArray() && !array.isEmpty();
+    for (JsonNode each : array) {
+      right &= each.isNumber() && Double.isFinite(each.doubleValue());
+    }
+    if (!right) {
+      part.refuseType(key, "a list of numbers");
+      return List.of(BigDecimal.ZERO);
+    }
+    if (numbers.stream().map(BigDecimal::stripTrailingZeros).distinct().count() < numbers.size()) {
+      part.find(CampaignRules.VALUE_RANGE, "A value is there twice.", part.at(key));
+    }
+    return numbers;
+  }
+
+  private static Levels range(ObjectReader part) {
+    BigDecimal from = decimal(part, "from");
+    BigDecimal to = decimal(part, "to");
+    BigDecimal step = decimal(part, "step");
+    if (step.signum() <= 0 || to.compareTo(from) < 0) {
+      String message = "A range goes from a number up to one that is not less, in steps above 0.";
+      part.find(CampaignRules.VALUE_RANGE, message, part.at("step"));
+      return new Levels.Listed(List.of(from));
+    }
+    BigDecimal steps = to.subtract(from).divideToIntegralValue(step);
+    if (steps.compareTo(BigDecimal.valueOf((long) CASES.most())) > 0) {
+      part.find(CampaignRules.SIZE, "These are more than a million values.", part.at("step"));
+      return new Levels.Listed(List.of(from));
+    }
+    List<BigDecimal> values = new ArrayList<>();
+    for (int i = 0; i <= steps.intValue(); i++) {
+      values.add(from.add(step.multiply(BigDecimal.valueOf(i))));
+    }
+    return new Levels.Listed(values);
+  }
+
+  private static BigDecimal decimal(ObjectReader part, String key) {
+    NumberRange any = NumberRange.of(-1e12, 1e12);
+    return BigDecimal.valueOf(part.requiredNumber(key, any));
+  }
+
+  private static Levels uniform(ObjectReader part) {
+    List<BigDecimal> bounds = numbers(part, "uniform");
+    if (bounds.size() != 2 || bounds.get(0).compareTo(bounds.get(1)) >= 0) {
+      String message = "Its bounds are two numbers, the smaller one first.";
+      part.find(CampaignRules.VALUE_RANGE, message, part.at("uniform"));
+      return new Levels.Listed(bounds);
+    }
+    return new Levels.Uniform(bounds.get(0), bounds.get(1));
+  }
+
+  private Sampling sampling(ObjectReader part) {
+    List<Sampling.Kind> kinds =
+        Arrays.stream(Sampling.Kind.values()).filter(kind -> part.has(kind.key())).toList();
+    Sampling.Kind kind = kinds.isEmpty() ? Sampling.Kind.GRID : kinds.get(0);
+    if (kinds.size() != 1) {
+      String known = "One of grid, pairs, random, latin_hypercube and halton is needed.";
+      part.find(CampaignRules.VALUE_RANGE, known, part.location());
+      kinds.forEach(each -> part.value(each.key()));
+    } else if (!kind.isDrawn()) {
+      part.requireTrue(kind.key());
+    }
+    int cases = kind.isDrawn() ? (int) part.requiredWholeNumber(kind.key(), CASES) : 0;
+    part.refuseOthers();
+    return new Sampling(kind, cases);
+  }
+
+  private static Optional<CampaignPlan.Boundary> boundary(
+      ObjectReader part, List<Factor> factors, Sampling sampling) {
+    String name = part.requiredText("factor");
+    double resolution = part.requiredNumber("resolution", NumberRange.of(1e-9, 1e12));
+    part.refuseOthers();
+    List<String> names = factors.stream().map(Factor::name).toList();
+    OptionalInt index =
+        OptionalInt.of(names.indexOf(name)).stream().filter(it -> it >= 0).findFirst();
+    if (index.isEmpty()) {
+      part.find(
+          Diagnostic.of(
+                  CampaignRules.FACTOR, "There is no factor '" + name + "'.", part.at("factor"))
+              .withHint(NearestName.hint(name, names)));
+      return Optional.empty();
+    }
+    if (sampling.kind() != Sampling.Kind.GRID) {
+      String message = "A boundary is searched from a grid on.";
+      part.find(CampaignRules.VALUE_RANGE, message, part.location());
+    }
+    return Optional.of(new CampaignPlan.Boundary(index.getAsInt(), BigDecimal.valueOf(resolution)));
+  }
+}

@@ -1,0 +1,25 @@
+package dev.eventchain.pipeline.campaign;
+
+import dev.eventchain.diagnostics.CommonTrait;
+import dev.eventchain.diagnostics.Rule;
+
+/** Rules of the findings about campaigns. */
+final class CampaignRules {
+
+  static final Rule CASE_ERROR = Rule.error("campaign.case.error");
+  static final Rule CASE_FAILED = Rule.error("campaign.case.failed");
+  static final Rule CASE_UNTESTED = Rule.error("campaign.case.untested", CommonTrait.UNTESTED);
+  static final Rule CONDITION = Rule.error("campaign.condition");
+  static final Rule EMPTY = Rule.error("campaign.empty");
+  static final Rule FACTOR = Rule.error("campaign.factor");
+  static final Rule KEY_DUPLICATE = Rule.error("campaign.key.duplicate");
+  static final Rule KEY_MISSING = Rule.error("campaign.key.missing");
+  static final Rule KEY_UNKNOWN = Rule.error("campaign.key.unknown");
+  static final Rule MERGE = Rule.error("campaign.merge");
+  static final Rule SIZE = Rule.error("campaign.size");
+  static final Rule SYNTAX = Rule.error("campaign.syntax", CommonTrait.UNSUPPRESSIBLE);
+  static final Rule VALUE_RANGE = Rule.error("campaign.value.range");
+  static final Rule VALUE_TYPE = Rule.error("campaign.value.type");
+
+  private CampaignRules() {}
+}

@@ -1,0 +1,108 @@
+package dev.eventchain.pipeline.campaign;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.simulation.verdict.CaseResult.Label;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+
+/** What became of the cases of a campaign, as findings and as text. */
+final class CampaignSummary {
+
+  private final CampaignPlan plan;
+  private final List<CampaignRow> rows;
+
+  CampaignSummary(CampaignPlan plan, List<CampaignRow> rows) {
+    this.plan = plan;
+    this.rows = rows;
+  }
+
+  long count(Label label) {
+    return rows.stream().filter(row -> row.is(label)).count();
+  }
+
+  /**
+   * Returns a finding for each kind of case that did not pass, with its first case. Where a
+   * boundary is searched, cases are to fail on one side of it.
+   */
+  List<Diagnostic> findings(SourceLocation place) {
+    List<Diagnostic> found = new ArrayList<>();
+    first(Label.ERROR)
+        .ifPresent(
+            row ->
+                found.add(
+                    Diagnostic.of(
+                        CampaignRules.CASE_ERROR, said(Label.ERROR, row, "ended"), place)));
+    if (plan.boundary().isEmpty()) {
+      first(Label.FAILED)
+          .ifPresent(
+              row ->
+                  found.add(
+                      Diagnostic.of(
+                          CampaignRules.CASE_FAILED, said(Label.FAILED, row, "failed"), place)));
+    }
+    first(Label.UNTESTED)
+        .ifPresent(
+            row ->
+                found.add(
+                    Diagnostic.of(
+                        CampaignRules.CASE_UNTESTED,
+                        said(Label.UNTESTED, row, "not tested"),
+                        place)));
+    return found;
+  }
+
+  private Optional<CampaignRow> first(Label label) {
+    return rows.stream().filter(row -> row.is(label)).findFirst();
+  }
+
+  private String said(Label label, CampaignRow row, String word) {
+    int number = rows.indexOf(row) + 1;
+    return "%d of %s %s, the first is case %d (%s): %s."
+        .formatted(
+            count(label),
+            Coverage.counted(rows.size(), "case"),
+            word,
+            number,
+            row.id().words(plan),
+            row.result().reason());
+  }
+
+  /** Returns the flips along the boundary's factor; none without one. */
+  List<BoundarySearch.Flip> flips() {
+    return plan.boundary().map(it -> new BoundarySearch(it).flips(rows)).orElse(List.of());
+  }
+
+  /** Returns the passed cases with the smallest margins, the nearest to failing first. */
+  List<CampaignRow> nearest(int most) {
+    return rows.stream()
+        .filter(row -> row.is(Label.PASSED) && Double.isFinite(row.nearest()))
+        .sorted(Comparator.comparingDouble(CampaignRow::nearest).thenComparing(CampaignRow.ORDER))
+        .limit(most)
+        .toList();
+  }
+
+  String text() {
+    StringBuilder text =
+        new StringBuilder(
+            "%s: %d passed, %d failed, %d not tested, %d ended by an error%n"
+                .formatted(
+                    Coverage.counted(rows.size(), "case"),
+                    count(Label.PASSED),
+                    count(Label.FAILED),
+                    count(Label.UNTESTED),
+                    count(Label.ERROR)));
+    plan.boundary()
+        .ifPresent(
+            boundary ->
+                text.append(
+                    "%s along %s%n"
+                        .formatted(
+                            Coverage.counted(flips().size(), "flip"),
+                            plan.names().get(boundary.factor()))));
+    return text.toString();
+  }
+}

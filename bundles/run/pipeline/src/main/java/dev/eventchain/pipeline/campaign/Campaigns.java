@@ -1,0 +1,205 @@
+package dev.eventchain.pipeline.campaign;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.output.OutputFolder;
+import dev.eventchain.pipeline.Outcome;
+import dev.eventchain.pipeline.engine.PipelineRun;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Progress;
+import dev.eventchain.pipeline.run.RunOptions;
+import dev.eventchain.pipeline.run.RunResult;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.simulate.SimulateStage;
+import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.simulation.CaseSimulation;
+import dev.eventchain.simulation.scenario.Scenario;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Campaigns of a project: many cases of a scenario, simulated on all processors. */
+public final class Campaigns {
+
+  private static final int TIMED = 10;
+
+  private final RunContext run;
+  private final CampaignOptions options;
+  private final CampaignPlan plan;
+  private final ScenarioTemplate template;
+
+  private Campaigns(RunContext run, CampaignOptions options, CampaignPlan plan) {
+    this.run = run;
+    this.options = options;
+    this.plan = plan;
+    List<Scenario> scenarios =
+        Scenario.readFolder(run.project().scenarios(), run.chain().bench(), run::find);
+    Path file = ScenarioTemplate.find(Scenario.filesIn(run.project().scenarios()), scenarios, plan);
+    this.template = new ScenarioTemplate(file, run.chain().bench(), plan);
+  }
+
+  /**
+   * Generates the nodes of a project, as far as something has changed, and simulates the cases of a
+   * campaign that are not known yet.
+   *
+   * @param settings options of the run up to the generation, in lock-step
+   * @throws DiagnosticException for failures caused by the project, the campaign file or this
+   *     machine
+   */
+  public static CampaignOutcome run(
+      Project project, RunOptions settings, CampaignOptions options, Progress progress) {
+    CampaignPlan plan = CampaignReader.read(options.file());
+    RunResult generated = PipelineRun.run(project, settings, progress, Optional.empty()).result();
+    if (generated.failure().isPresent() || Diagnostic.anyError(generated.diagnostics())) {
+      return new CampaignOutcome(Outcome.of(generated), "");
+    }
+    try (OutputFolder output = OutputFolder.open(settings.output())) {
+      RunContext run = new RunContext(project, settings, output, progress, Optional.empty());
+      return new Campaigns(run, options, plan).run();
+    }
+  }
+
+  private CampaignOutcome run() {
+    long start = System.nanoTime();
+    List<Diagnostic> problems = template.check();
+    if (!problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
+    }
+    List<CampaignCase> all = new CaseList(plan).cases();
+    CampaignStore.Cases empty =
+        new CampaignStore.Cases(
+            plan.name(), inputs(), options.shard(), all.size(), false, List.of());
+    try (CampaignStore store = new CampaignStore(run.options().output(), empty)) {
+      List<CampaignCase> own = own(all);
+      if (options.replayed().isPresent()) {
+        return new CaseReplay(run, plan, template, store).replay(options.replayed().getAsInt());
+      }
+      if (options.dryRun()) {
+        return estimate(own, store);
+      }
+      int known = store.rows().size();
+      if (!options.merged().isEmpty()) {
+        CampaignMerge.rows(options.merged(), empty.inputs()).forEach(store::add);
+      }
+      simulate(own, store);
+      plan.boundary().ifPresent(boundary -> search(new BoundarySearch(boundary), store));
+      return outcome(store, known, System.nanoTime() - start);
+    }
+  }
+
+  /** Returns a hash of all that a result depends on: what a simulation does, and the campaign. */
+  private String inputs() {
+    Fingerprint fingerprint = new Fingerprint(run);
+    new SimulateStage().fingerprint(run, fingerprint);
+    fingerprint.addFile(plan.file());
+    plan.factors().forEach(factor -> fingerprint.add(factor.levels()));
+    return fingerprint.value();
+  }
+
+  /** Returns the cases of this part: combinations stay together along a boundary. */
+  private List<CampaignCase> own(List<CampaignCase> all) {
+    Map<CampaignCase, Integer> indices = new LinkedHashMap<>();
+    List<CampaignCase> own = new ArrayList<>();
+    for (CampaignCase each : all) {
+      CampaignCase whole =
+          plan.boundary().map(it -> each.with(it.factor(), java.math.BigDecimal.ZERO)).orElse(each);
+      int index = indices.computeIfAbsent(whole, it -> indices.size());
+      if (options.shard().has(index)) {
+        own.add(each);
+      }
+    }
+    return own;
+  }
+
+  private void search(BoundarySearch search, CampaignStore store) {
+    for (List<CampaignCase> next = search.next(store.rows());
+        !next.isEmpty();
+        next = search.next(store.rows())) {
+      simulate(next, store);
+    }
+  }
+
+  private void simulate(List<CampaignCase> cases, CampaignStore store) {
+    List<CampaignCase> open = cases.stream().filter(each -> store.find(each).isEmpty()).toList();
+    if (open.isEmpty()) {
+      return;
+    }
+    CampaignProgress progress =
+        new CampaignProgress(run.progress(), store.rows().size(), open.size());
+    try {
+      simulation()
+          .run(
+              open.size(),
+              number -> template.of(open.get(number)),
+              (number, result) -> {
+                store.add(new CampaignRow(open.get(number), result));
+                progress.done(result);
+              });
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IllegalStateException("nobody interrupts a campaign", e);
+    } finally {
+      store.save();
+    }
+  }
+
+  private CaseSimulation simulation() {
+    int processes = Runtime.getRuntime().availableProcessors();
+    return new CaseSimulation(
+        SimulateStage.request(run).with(it -> it.withProcesses(processes)),
+        run.python(Stage.SIMULATE));
+  }
+
+  /** Simulates a few cases, evenly from all, to say how long all take. */
+  private CampaignOutcome estimate(List<CampaignCase> own, CampaignStore store) {
+    List<CampaignCase> open = own.stream().filter(each -> store.find(each).isEmpty()).toList();
+    List<CampaignCase> timed = new ArrayList<>();
+    for (int i = 0; i < Math.min(TIMED, open.size()); i++) {
+      timed.add(open.get((int) ((long) i * open.size() / Math.min(TIMED, open.size()))));
+    }
+    long start = System.nanoTime();
+    simulate(timed, store);
+    double seconds = (System.nanoTime() - start) / 1e9 / Math.max(1, timed.size()) * open.size();
+    String text =
+        "%s, %d of them simulated already; the others take about %s.%s%n"
+            .formatted(
+                Coverage.counted(own.size(), "case"),
+                own.size() - open.size(),
+                CampaignProgress.words(seconds),
+                plan.boundary().isPresent() ? " The search for the boundary comes on top." : "");
+    return new CampaignOutcome(Outcome.of(Coverage.NONE, run.takeFindings(), List.of()), text);
+  }
+
+  private CampaignOutcome outcome(CampaignStore store, int known, long nanos) {
+    store.complete();
+    List<CampaignRow> rows = List.copyOf(store.rows());
+    CampaignSummary summary = new CampaignSummary(plan, rows);
+    CampaignTable table = new CampaignTable(plan.names(), rows);
+    store.write(CampaignStore.TABLE, table.csv().getBytes(StandardCharsets.UTF_8));
+    store.write(
+        CampaignStore.PAGE,
+        CampaignPage.of(run.project(), plan, rows).getBytes(StandardCharsets.UTF_8));
+    run.progress()
+        .ended(
+            Stage.SIMULATE,
+            known == rows.size() ? Progress.Status.UNCHANGED : Progress.Status.DONE,
+            Duration.ofNanos(nanos),
+            Coverage.counted(rows.size(), "case") + " in " + store.path(CampaignStore.TABLE));
+    List<Diagnostic> found = new ArrayList<>(run.takeFindings());
+    found.addAll(summary.findings(SourceLocation.of(plan.file())));
+    Suppressions.Parted parted = run.options().suppressions().part(found);
+    String report = "Report: " + store.path(CampaignStore.PAGE) + "\n";
+    return new CampaignOutcome(
+        Outcome.of(Coverage.NONE, parted.remaining(), parted.suppressed()),
+        summary.text() + report);
+  }
+}

@@ -1,0 +1,61 @@
+package dev.eventchain.pipeline.campaign;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.ObjectReader;
+import java.math.BigDecimal;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/** Values from a column of a table of numbers: the first line has the names, commas separate. */
+final class CsvColumn {
+
+  private static final List<BigDecimal> NOTHING = List.of(BigDecimal.ZERO);
+
+  private final Path campaign;
+  private final ObjectReader part;
+
+  CsvColumn(Path campaign, ObjectReader part) {
+    this.campaign = campaign;
+    this.part = part;
+  }
+
+  /** Returns the distinct values, in the order of the table. */
+  List<BigDecimal> read() {
+    String name = part.requiredText("csv");
+    String column = part.requiredText("column");
+    if (name.isEmpty() || column.isEmpty()) {
+      return NOTHING;
+    }
+    SourceText text = SourceText.read(campaign.resolveSibling(name));
+    List<String> lines = text.text().lines().toList();
+    List<String> names = lines.isEmpty() ? List.of() : List.of(lines.get(0).split(",", -1));
+    int index = names.indexOf(column);
+    if (index < 0) {
+      String message = name + " has no column '" + column + "'.";
+      part.find(
+          Diagnostic.of(CampaignRules.VALUE_RANGE, message, part.at("column"))
+              .withHint(NearestName.hint(column, names)));
+      return NOTHING;
+    }
+    Set<BigDecimal> values = new LinkedHashSet<>();
+    for (String line : lines.subList(1, lines.size())) {
+      String[] cells = line.split(",", -1);
+      try {
+        values.add(new BigDecimal(cells[index].strip()).stripTrailingZeros());
+      } catch (NumberFormatException | ArrayIndexOutOfBoundsException e) {
+        String message = "A line of " + name + " has no number for '" + column + "': " + line;
+        part.find(CampaignRules.VALUE_TYPE, message, part.at("csv"));
+        return NOTHING;
+      }
+    }
+    if (values.isEmpty()) {
+      part.find(CampaignRules.EMPTY, name + " has no values.", part.at("csv"));
+    }
+    return values.isEmpty() ? NOTHING : new ArrayList<>(values);
+  }
+}

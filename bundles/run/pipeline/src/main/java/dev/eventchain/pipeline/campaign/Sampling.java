@@ -1,0 +1,35 @@
+package dev.eventchain.pipeline.campaign;
+
+import java.util.Locale;
+
+/**
+ * Which combinations of the factors' values are simulated.
+ *
+ * @param cases how many; 0 for those that follow from the values
+ */
+record Sampling(Kind kind, int cases) {
+
+  enum Kind {
+    /** All combinations. */
+    GRID,
+    /** Combinations in which any two values of two factors occur together. */
+    PAIRS,
+    /** Independent draws. */
+    RANDOM,
+    /** Draws that fill the range of each factor evenly. */
+    LATIN_HYPERCUBE,
+    /** A sequence of low discrepancy. */
+    HALTON;
+
+    String key() {
+      return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** Returns whether the number of cases has to be given. */
+    boolean isDrawn() {
+      return compareTo(PAIRS) > 0;
+    }
+  }
+
+  static final Sampling USUAL = new Sampling(Kind.GRID, 0);
+}
