@@ -1,7 +1,6 @@
 package dev.eventchain.simulation;
 
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.sandbox.Confinement;
 import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.simulation.chain.NodeConfiguration;
@@ -12,6 +11,8 @@ import dev.eventchain.simulation.host.NodeHosts;
 import dev.eventchain.simulation.judge.ScenarioJudge;
 import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.run.ScenarioRunner;
+import dev.eventchain.simulation.scenario.Criterion;
+import dev.eventchain.simulation.scenario.CriterionKind;
 import dev.eventchain.simulation.scenario.Expectation;
 import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.verdict.CaseResult;
@@ -19,12 +20,11 @@ import dev.eventchain.simulation.verdict.CaseResult.CriterionMargin;
 import dev.eventchain.simulation.verdict.CaseResult.Label;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Margin;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.IntFunction;
-import java.util.stream.Collectors;
 
 /**
  * Simulates many cases of a scenario in lock-step, on all processors. A case is judged by its
@@ -93,53 +93,70 @@ public final class CaseSimulation {
     }
   }
 
+  /**
+   * Returns the result of a case: failed if a criterion failed, passed if one of the scenario was
+   * met and none failed. Where the premise of another one never came true, this case is none of it.
+   */
   private CaseResult judged(ScenarioRun run) {
-    List<CriterionResult> criteria = asked(run);
-    boolean unjudged = run.trace().impactSpeed().isPresent() && !run.scenario().judgesImpact();
-    Label label = unjudged ? Label.UNTESTED : Label.PASSED;
-    for (Label worse : List.of(Label.UNTESTED, Label.FAILED)) {
-      label = criteria.stream().anyMatch(each -> label(each) == worse) ? worse : label;
+    List<CriterionMargin> criteria = new ArrayList<>();
+    List<String> failures = new ArrayList<>();
+    List<String> untested = new ArrayList<>();
+    Label label = Label.UNTESTED;
+    for (CriterionResult each : judge.criteriaWithoutEvidence(run)) {
+      Expectation criterion = criterion(run, each);
+      Label own = label(criterion, each, run);
+      criteria.add(margin(each, own));
+      if (own == Label.FAILED || (own == Label.PASSED && !criterion.isOfEveryScenario())) {
+        label = label == Label.FAILED ? label : own;
+      }
+      if (own != Label.PASSED) {
+        (own == Label.FAILED ? failures : untested).add(each.text() + ": " + each.measured());
+      }
     }
-    Label decided = label;
-    String reason =
-        criteria.stream()
-            .filter(each -> decided != Label.PASSED && label(each) == decided)
-            .map(each -> each.text() + ": " + each.measured())
-            .findFirst()
-            .orElse(unjudged ? "an impact, of which no criterion says anything" : "");
+    if (label == Label.PASSED && isUnjudgedImpact(run)) {
+      label = Label.UNTESTED;
+      failures.add("an impact, of which no criterion says anything");
+    }
+    failures.addAll(untested);
     return new CaseResult(
         label,
-        reason,
-        criteria.stream().map(CaseSimulation::margin).toList(),
+        label == Label.PASSED || failures.isEmpty() ? "" : failures.get(0),
+        criteria,
         run.trace().impactSpeed(),
         run.trace().end().time() / 1e9);
   }
 
-  /** Returns the results of the criteria, without optional ones whose premise did not come true. */
-  private List<CriterionResult> asked(ScenarioRun run) {
-    Set<SourceLocation> unasked =
-        run.scenario().criteria().stream()
-            .filter(each -> judge.isUnasked(each, run))
-            .map(Expectation::location)
-            .collect(Collectors.toSet());
-    return judge.criteriaWithoutEvidence(run).stream()
-        .filter(each -> each.tested() || !unasked.contains(each.location()))
-        .toList();
+  private static boolean isUnjudgedImpact(ScenarioRun run) {
+    return run.trace().impactSpeed().isPresent() && !run.scenario().judgesImpact();
   }
 
-  private static CriterionMargin margin(CriterionResult criterion) {
+  private static Expectation criterion(ScenarioRun run, CriterionResult result) {
+    return run.scenario().criteria().stream()
+        .filter(each -> each.location().equals(result.location()))
+        .filter(each -> each.text().equals(result.text()))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  /** Returns the outcome of a criterion; where nothing was ahead, there was no impact, either. */
+  private static Label label(Expectation criterion, CriterionResult result, ScenarioRun run) {
+    if (!result.tested()) {
+      boolean noImpact =
+          criterion instanceof Criterion known
+              && known.kind() == CriterionKind.NO_IMPACT
+              && run.trace().impactSpeed().isEmpty()
+              && run.trace().neverBegun().isEmpty();
+      return noImpact ? Label.PASSED : Label.UNTESTED;
+    }
+    return result.passed() ? Label.PASSED : Label.FAILED;
+  }
+
+  private static CriterionMargin margin(CriterionResult criterion, Label label) {
     return new CriterionMargin(
         criterion.text(),
-        label(criterion),
+        label,
         criterion.margin().stream().mapToDouble(Margin::value).findFirst(),
         criterion.margin().map(Margin::unit).orElse(""));
-  }
-
-  private static Label label(CriterionResult criterion) {
-    if (!criterion.tested()) {
-      return Label.UNTESTED;
-    }
-    return criterion.passed() ? Label.PASSED : Label.FAILED;
   }
 
   private NodeHosts start(int turn) {

@@ -44,8 +44,16 @@ record CampaignCase(List<BigDecimal> values, int repetition) {
 
   /** Returns it in words: {@code speed = 50, gap = 20}. */
   String words(CampaignPlan plan) {
+    return wordsWithout(-1, plan);
+  }
+
+  /** Returns it in words, without the value of a factor. */
+  String wordsWithout(int factor, CampaignPlan plan) {
     List<String> words = new ArrayList<>();
     for (int i = 0; i < values.size(); i++) {
+      if (i == factor) {
+        continue;
+      }
       words.add(plan.factors().get(i).name() + " = " + values.get(i).toPlainString());
     }
     if (plan.repetitions() > 1) {

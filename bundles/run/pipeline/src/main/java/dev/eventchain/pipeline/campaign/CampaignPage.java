@@ -126,6 +126,10 @@ final class CampaignPage {
   private List<BigDecimal> values(int factor) {
     TreeSet<BigDecimal> values = new TreeSet<>();
     rows.forEach(row -> values.add(row.id().values().get(factor)));
+    if (plan.boundary().filter(it -> it.factor() == factor).isPresent()) {
+      // Without those that were added on the way to the boundary.
+      values.retainAll(new TreeSet<>(plan.factors().get(factor).levels().checked()));
+    }
     return new ArrayList<>(values);
   }
 
@@ -153,13 +157,15 @@ final class CampaignPage {
     }
     int factor = plan.boundary().get().factor();
     add("<section><h2>Boundary along %s</h2>\n", plan.names().get(factor));
-    raw("<div class=\"scroll\"><table><thead><tr><th>The other factors</th><th>from</th>");
-    raw("<th>to</th><th>of</th></tr></thead><tbody>\n");
+    raw("<div class=\"scroll\"><table><thead><tr><th>The other factors</th><th>up to</th>");
+    raw("<th></th><th>from</th><th></th></tr></thead><tbody>\n");
     for (BoundarySearch.Flip flip : flips) {
-      add("<tr><td>%s</td>", flip.before().id().words(plan));
-      add("<td>%s</td>", word(flip.before()));
-      add("<td>%s</td>", word(flip.after()));
-      add("<td>%s</td></tr>\n", flip.after().id().values().get(factor).toPlainString());
+      add("<tr><td>%s</td>", flip.before().id().wordsWithout(factor, plan));
+      for (CampaignRow side : List.of(flip.before(), flip.after())) {
+        add("<td>%s</td>", side.id().values().get(factor).toPlainString());
+        add("<td>%s</td>", word(side));
+      }
+      raw("</tr>\n");
     }
     raw("</tbody></table></div></section>\n");
   }
@@ -185,13 +191,15 @@ final class CampaignPage {
 
   private void table(List<CampaignRow> shown) {
     raw("<div class=\"scroll\"><table><thead><tr><th>Case</th><th>Values</th><th>Verdict</th>");
-    raw("<th>Smallest margin</th><th>Reason</th><th>Once more</th></tr></thead><tbody>\n");
+    raw("<th>Smallest margin</th>");
+    raw(shown.get(0).is(Label.PASSED) ? "" : "<th>Reason</th>");
+    raw("<th>Once more</th></tr></thead><tbody>\n");
     for (CampaignRow row : shown) {
       int number = rows.indexOf(row) + 1;
       add("<tr><td>%s</td><td>%s</td>", number, row.id().words(plan));
       add("<td>%s</td>", word(row));
       add("<td>%s</td>", margin(row));
-      add("<td>%s</td>", row.result().reason());
+      add(row.is(Label.PASSED) ? "" : "<td>%s</td>", row.result().reason());
       add("<td><code>eventchain campaign DIR %s --case %s</code></td></tr>\n", plan.file(), number);
     }
     raw("</tbody></table></div>\n");

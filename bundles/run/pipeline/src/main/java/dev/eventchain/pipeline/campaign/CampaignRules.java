@@ -10,6 +10,8 @@ final class CampaignRules {
   static final Rule CASE_FAILED = Rule.error("campaign.case.failed");
   static final Rule CASE_UNTESTED = Rule.error("campaign.case.untested", CommonTrait.UNTESTED);
   static final Rule CONDITION = Rule.error("campaign.condition");
+  static final Rule CRITERION_UNTESTED =
+      Rule.error("campaign.criterion.untested", CommonTrait.UNTESTED);
   static final Rule EMPTY = Rule.error("campaign.empty");
   static final Rule FACTOR = Rule.error("campaign.factor");
   static final Rule KEY_DUPLICATE = Rule.error("campaign.key.duplicate");

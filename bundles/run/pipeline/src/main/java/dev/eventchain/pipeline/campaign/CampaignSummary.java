@@ -3,11 +3,15 @@ package dev.eventchain.pipeline.campaign;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.simulation.verdict.CaseResult.CriterionMargin;
 import dev.eventchain.simulation.verdict.CaseResult.Label;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /** What became of the cases of a campaign, as findings and as text. */
 final class CampaignSummary {
@@ -52,7 +56,28 @@ final class CampaignSummary {
                         CampaignRules.CASE_UNTESTED,
                         said(Label.UNTESTED, row, "not tested"),
                         place)));
+    for (String criterion : untested()) {
+      found.add(
+          Diagnostic.of(
+              CampaignRules.CRITERION_UNTESTED,
+              "In none of %s, '%s' was tested."
+                  .formatted(Coverage.counted(rows.size(), "case"), criterion),
+              place));
+    }
     return found;
+  }
+
+  /** Returns the criteria that were judged in no case. */
+  private Set<String> untested() {
+    Set<String> untested = new LinkedHashSet<>();
+    Set<String> tested = new HashSet<>();
+    for (CampaignRow row : rows) {
+      for (CriterionMargin each : row.result().criteria()) {
+        (each.label() == Label.UNTESTED ? untested : tested).add(each.name());
+      }
+    }
+    untested.removeAll(tested);
+    return untested;
   }
 
   private Optional<CampaignRow> first(Label label) {
