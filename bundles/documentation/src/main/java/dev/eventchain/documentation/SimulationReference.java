@@ -1,5 +1,6 @@
 package dev.eventchain.documentation;
 
+import dev.eventchain.pipeline.campaign.Campaigns;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.bench.WorldReference;
 import dev.eventchain.simulation.fault.FaultPlan;
@@ -46,6 +47,7 @@ final class SimulationReference {
       case "bench" -> SchemaTable.of(Bench.schema(), "", "");
       case "scenario" -> SchemaTable.of(Scenario.schema(), "", "accept");
       case "criteria" -> SchemaTable.of(Scenario.schema(), "accept", "");
+      case "campaign" -> SchemaTable.of(Campaigns.schema(), "", "");
       case "faults" -> SchemaTable.of(FaultPlan.schema(), "", "");
       default -> throw new IllegalArgumentException("There is no table '" + name + "'.");
     };

@@ -27,6 +27,7 @@ public final class SiteBuilder {
           Map.entry("projects", "Projects"),
           Map.entry("simulation", "Simulation"),
           Map.entry("scenarios", "Bench, scenarios, formulas"),
+          Map.entry("campaigns", "Campaigns"),
           Map.entry("language-models", "Language models"),
           Map.entry("comparing-models", "Comparing models"),
           Map.entry("ros2-carla", "ROS 2 and CARLA"),
@@ -93,8 +94,10 @@ public final class SiteBuilder {
     String acceleo = Files.readString(root.resolve("bundles/mde/m2t/ACCELEO.md"));
     pages.put("acceleo", acceleo.replace("(OPERATIONS.md)", "(operations.md)"));
     pages.put("operations", Files.readString(root.resolve("bundles/mde/m2t/OPERATIONS.md")));
-    Path scenarios = root.resolve(PAGES).resolve("scenarios.md");
-    pages.put("scenarios", SimulationReference.inserted(Files.readString(scenarios), root));
+    for (String name : List.of("scenarios", "campaigns")) {
+      String page = Files.readString(root.resolve(PAGES).resolve(name + ".md"));
+      pages.put(name, SimulationReference.inserted(page, root));
+    }
     pages.put("commands", ReferencePages.commands());
     pages.put("rules", ReferencePages.rules());
     for (Map.Entry<String, String> entry : NAVIGATION) {

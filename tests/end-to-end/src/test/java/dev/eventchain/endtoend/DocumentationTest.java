@@ -64,7 +64,8 @@ class DocumentationTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"build-server.md", "formats.md", "projects.md", "simulation.md"})
+  @ValueSource(
+      strings = {"build-server.md", "campaigns.md", "formats.md", "projects.md", "simulation.md"})
   void others(String page) throws Exception {
     assertTrue(run(page) >= 1);
   }
@@ -100,6 +101,7 @@ class DocumentationTest {
       assertEquals(
           List.of(
               "build-server.md",
+              "campaigns.md",
               "constraints.md",
               "diagrams.md",
               "formats.md",

@@ -1,5 +1,6 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.campaign.CampaignOptions;
@@ -7,6 +8,7 @@ import dev.eventchain.pipeline.campaign.CampaignOutcome;
 import dev.eventchain.pipeline.campaign.Campaigns;
 import dev.eventchain.pipeline.campaign.Shard;
 import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.Stage;
 import java.nio.file.Path;
 import java.util.List;
@@ -32,11 +34,18 @@ final class CampaignCommand extends ProjectCommand {
 
   private final Console console;
 
-  @Parameters(index = "0", paramLabel = "DIR", description = "The project's folder.")
+  @Parameters(
+      index = "0",
+      arity = "0..1",
+      paramLabel = "DIR",
+      description = "The project's folder.")
   private Path folder;
 
-  @Parameters(index = "1", paramLabel = "FILE", description = "The campaign file.")
+  @Parameters(index = "1", arity = "0..1", paramLabel = "FILE", description = "The campaign file.")
   private Path file;
+
+  @Option(names = "--schema", description = "Print the JSON Schema of campaign files instead.")
+  private boolean schema;
 
   @Option(
       names = "--dry-run",
@@ -75,28 +84,38 @@ final class CampaignCommand extends ProjectCommand {
 
   @Override
   Outcome work() {
+    if (schema == (file != null)) {
+      throw wrongUsage("name a project's folder and a campaign file, or use --schema");
+    }
+    if (schema) {
+      console.out().print(Campaigns.schema());
+      return Outcome.of(Coverage.NONE, List.of(), List.of());
+    }
     if (!merged.isEmpty() && (shard != null || replayed != null || dryRun)) {
       throw wrongUsage("--merge stands alone");
     }
-    CampaignOptions options = new CampaignOptions(file, dryRun, shard(), replayed(), merged);
     Project project = Project.open(folder);
     CampaignOutcome result =
         Campaigns.run(
             project,
-            runOptions(
-                project,
-                outputOf(project),
-                Stage.DESIGN,
-                Stage.GENERATE,
-                false,
-                llm,
-                new ScenarioOptions()),
-            options,
+            upToGeneration(project),
+            new CampaignOptions(file, dryRun, shard(), replayed(), merged),
             new ProgressLines(console.err(), console.terminal()));
     if (format() == DiagnosticFormat.TEXT) {
       console.out().print(result.text());
     }
     return result.outcome();
+  }
+
+  private RunOptions upToGeneration(Project project) {
+    return runOptions(
+        project,
+        outputOf(project),
+        Stage.DESIGN,
+        Stage.GENERATE,
+        false,
+        llm,
+        new ScenarioOptions());
   }
 
   private Shard shard() {

@@ -115,8 +115,8 @@ final class CampaignPage {
           other ->
               cell(
                   rows.stream()
-                      .filter(row -> row.id().values().get(shown[0]).equals(value))
-                      .filter(row -> row.id().values().get(shown[1]).equals(other))
+                      .filter(row -> row.id().values().get(shown[0]).compareTo(value) == 0)
+                      .filter(row -> row.id().values().get(shown[1]).compareTo(other) == 0)
                       .toList()));
       raw("</tr>\n");
     }

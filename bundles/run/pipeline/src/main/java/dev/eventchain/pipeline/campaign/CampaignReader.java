@@ -159,7 +159,7 @@ final class CampaignReader {
       right &= each.isNumber() && Double.isFinite(each.doubleValue());
     }
     if (!right) {
-      part.refuseType(key, "a list of numbers");
+      part.find(CampaignRules.VALUE_TYPE, "'" + key + "' is a list of numbers.", part.at(key));
       return List.of(BigDecimal.ZERO);
     }
     if (numbers.stream().map(BigDecimal::stripTrailingZeros).distinct().count() < numbers.size()) {

@@ -2,6 +2,7 @@ package dev.eventchain.pipeline.campaign;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.simulation.verdict.CaseResult.CriterionMargin;
 import dev.eventchain.simulation.verdict.CaseResult.Label;
@@ -34,28 +35,11 @@ final class CampaignSummary {
    */
   List<Diagnostic> findings(SourceLocation place) {
     List<Diagnostic> found = new ArrayList<>();
-    first(Label.ERROR)
-        .ifPresent(
-            row ->
-                found.add(
-                    Diagnostic.of(
-                        CampaignRules.CASE_ERROR, said(Label.ERROR, row, "ended"), place)));
+    add(found, Label.ERROR, "ended", CampaignRules.CASE_ERROR, place);
     if (plan.boundary().isEmpty()) {
-      first(Label.FAILED)
-          .ifPresent(
-              row ->
-                  found.add(
-                      Diagnostic.of(
-                          CampaignRules.CASE_FAILED, said(Label.FAILED, row, "failed"), place)));
+      add(found, Label.FAILED, "failed", CampaignRules.CASE_FAILED, place);
     }
-    first(Label.UNTESTED)
-        .ifPresent(
-            row ->
-                found.add(
-                    Diagnostic.of(
-                        CampaignRules.CASE_UNTESTED,
-                        said(Label.UNTESTED, row, "not tested"),
-                        place)));
+    add(found, Label.UNTESTED, "not tested", CampaignRules.CASE_UNTESTED, place);
     for (String criterion : untested()) {
       found.add(
           Diagnostic.of(
@@ -78,6 +62,11 @@ final class CampaignSummary {
     }
     untested.removeAll(tested);
     return untested;
+  }
+
+  private void add(
+      List<Diagnostic> found, Label label, String word, Rule rule, SourceLocation place) {
+    first(label).ifPresent(row -> found.add(Diagnostic.of(rule, said(label, row, word), place)));
   }
 
   private Optional<CampaignRow> first(Label label) {

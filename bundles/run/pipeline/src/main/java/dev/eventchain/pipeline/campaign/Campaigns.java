@@ -18,6 +18,10 @@ import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.CaseSimulation;
 import dev.eventchain.simulation.scenario.Scenario;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.math.BigDecimal;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -68,6 +72,15 @@ public final class Campaigns {
     }
   }
 
+  /** Returns the JSON Schema of campaign files. */
+  public static String schema() {
+    try (InputStream input = Campaigns.class.getResourceAsStream("campaign.schema.json")) {
+      return new String(input.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
   private CampaignOutcome run() {
     long start = System.nanoTime();
     List<Diagnostic> problems = template.check();
@@ -111,7 +124,7 @@ public final class Campaigns {
     List<CampaignCase> own = new ArrayList<>();
     for (CampaignCase each : all) {
       CampaignCase whole =
-          plan.boundary().map(it -> each.with(it.factor(), java.math.BigDecimal.ZERO)).orElse(each);
+          plan.boundary().map(it -> each.with(it.factor(), BigDecimal.ZERO)).orElse(each);
       int index = indices.computeIfAbsent(whole, it -> indices.size());
       if (options.shard().has(index)) {
         own.add(each);
@@ -195,7 +208,9 @@ public final class Campaigns {
             Duration.ofNanos(nanos),
             Coverage.counted(rows.size(), "case") + " in " + store.path(CampaignStore.TABLE));
     List<Diagnostic> found = new ArrayList<>(run.takeFindings());
-    found.addAll(summary.findings(SourceLocation.of(plan.file())));
+    if (options.shard().isAll()) { // a part says nothing about the whole
+      found.addAll(summary.findings(SourceLocation.of(plan.file())));
+    }
     Suppressions.Parted parted = run.options().suppressions().part(found);
     String report = "Report: " + store.path(CampaignStore.PAGE) + "\n";
     return new CampaignOutcome(

@@ -42,8 +42,12 @@ final class CsvColumn {
               .withHint(NearestName.hint(column, names)));
       return NOTHING;
     }
+    return values(name, column, lines.subList(1, lines.size()), index);
+  }
+
+  private List<BigDecimal> values(String name, String column, List<String> lines, int index) {
     Set<BigDecimal> values = new LinkedHashSet<>();
-    for (String line : lines.subList(1, lines.size())) {
+    for (String line : lines) {
       String[] cells = line.split(",", -1);
       try {
         values.add(new BigDecimal(cells[index].strip()).stripTrailingZeros());

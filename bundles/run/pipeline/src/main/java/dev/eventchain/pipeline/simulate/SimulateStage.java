@@ -309,8 +309,7 @@ public final class SimulateStage implements StageWork {
     Recordings recordings = new Recordings(run, scenarios);
     FaultPlan faults = ProjectFaults.selected(run, chain, scenarios);
     SimulationRequest request =
-        recordings.begin(
-            request(run, chain, generated, scenarios).with(it -> it.withFaults(faults)));
+        recordings.begin(request(run, scenarios).with(it -> it.withFaults(faults)));
     int all = scenarios.size() + faults.size();
     AtomicInteger done = new AtomicInteger();
     try {
@@ -346,17 +345,13 @@ public final class SimulateStage implements StageWork {
    * @throws DiagnosticException INPUT if nothing was generated, or a scenario cannot be read
    */
   public static SimulationRequest request(RunContext run) {
-    return request(
-        run, run.chain().chain(), GeneratedPackage.required(run), ProjectScenarios.selected(run));
+    return request(run, ProjectScenarios.selected(run));
   }
 
   /** Returns the request to simulate other scenarios than the project's likewise. */
   public static SimulationRequest request(RunContext run, List<Scenario> scenarios) {
-    return request(run, run.chain().chain(), GeneratedPackage.required(run), scenarios);
-  }
-
-  private static SimulationRequest request(
-      RunContext run, EventChain chain, GeneratedPackage generated, List<Scenario> scenarios) {
+    EventChain chain = run.chain().chain();
+    GeneratedPackage generated = GeneratedPackage.required(run);
     return SimulationRequest.of(
             chain,
             run.file(generated.folder()),

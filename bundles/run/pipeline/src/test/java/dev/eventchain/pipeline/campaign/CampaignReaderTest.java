@@ -1,0 +1,91 @@
+package dev.eventchain.pipeline.campaign;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import dev.eventchain.diagnostics.DiagnosticException;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Tests what is wrong with campaign files. */
+class CampaignReaderTest {
+
+  private static final Path INVALID =
+      Path.of("src/test/resources/dev/eventchain/pipeline/campaign/invalid");
+  private static final String EXPECT = "# expect: ";
+
+  @TempDir Path folder;
+
+  static Stream<Path> files() throws IOException {
+    try (Stream<Path> files = Files.list(INVALID)) {
+      return files.filter(file -> file.toString().endsWith(".yaml")).sorted().toList().stream();
+    }
+  }
+
+  /** The first lines of each file list its findings: id, line and column. */
+  @ParameterizedTest
+  @MethodSource("files")
+  void everyProblemOfAFileIsFoundAtItsPlace(Path file) throws IOException {
+    DiagnosticException refused =
+        assertThrows(DiagnosticException.class, () -> CampaignReader.read(file));
+    List<String> expected =
+        Files.readAllLines(file).stream()
+            .filter(line -> line.startsWith(EXPECT))
+            .map(line -> line.substring(EXPECT.length()))
+            .toList();
+    assertEquals(
+        expected,
+        refused.diagnostics().stream()
+            .map(each -> each.id() + " " + each.location().line() + ":" + each.location().column())
+            .toList(),
+        refused::getMessage);
+  }
+
+  @Test
+  void theSchemaKnowsAllKeys() throws IOException {
+    JsonNode schema = new ObjectMapper().readTree(Campaigns.schema());
+    Set<String> kinds = new TreeSet<>();
+    schema.at("/properties/sampling/properties").fieldNames().forEachRemaining(kinds::add);
+    Set<String> known = new TreeSet<>();
+    for (Sampling.Kind kind : Sampling.Kind.values()) {
+      known.add(kind.key());
+    }
+    assertEquals(known, kinds);
+    StringBuilder all = new StringBuilder("scenario: s\ndescription: d\n");
+    all.append("factors: {f: {path: p, paths: [q], from: 1, to: 2, step: 1}}\n");
+    all.append("sampling: {grid: true}\nwhere: [f > 0]\nrepetitions: 2\nseed: 3\n");
+    all.append("boundary: {factor: f, resolution: 1}\n");
+    CampaignPlan plan = CampaignReader.read(Files.writeString(folder.resolve("a.yaml"), all));
+    assertEquals(List.of("q", "p"), plan.factors().get(0).paths());
+    schema
+        .path("properties")
+        .fieldNames()
+        .forEachRemaining(key -> assertTrue(all.toString().contains(key + ":"), key));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1/1", "2/5", "100/100"})
+  void aShardIsANumberOfAll(String text) {
+    Shard shard = Shard.parse(text);
+    assertEquals(text, shard.number() + "/" + shard.count());
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0/5", "6/5", "1", "a/b", "1/0", "-1/2", "1/1000000"})
+  void otherTextIsNoShard(String text) {
+    assertThrows(IllegalArgumentException.class, () -> Shard.parse(text));
+  }
+}

@@ -1,0 +1,163 @@
+package dev.eventchain.pipeline.campaign;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.DiagnosticException;
+import java.io.IOException;
+import java.math.BigDecimal;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Tests which cases a campaign file means. */
+class CaseListTest {
+
+  private static final String TWO =
+      """
+      scenario: s
+      factors:
+        speed: {path: ego.speed_kmh, from: 10, to: 30, step: 10}
+        gap: {path: "actors[0].gap_m", values: [5, 0.5]}
+      """;
+
+  private static final String DRAWN =
+      """
+      scenario: s
+      factors:
+        a: {path: a, uniform: [0, 10]}
+        b: {path: b, uniform: [-1, 1]}
+        c: {path: c, values: [1, 2, 3, 4]}
+      """;
+
+  @TempDir Path folder;
+
+  private List<CampaignCase> cases(String text) throws IOException {
+    Path file = Files.writeString(folder.resolve("c.yaml"), text);
+    return new CaseList(CampaignReader.read(file)).cases();
+  }
+
+  private static List<String> values(List<CampaignCase> cases) {
+    return cases.stream().map(each -> each.values() + " " + each.repetition()).toList();
+  }
+
+  @Test
+  void aGridHasAllCombinationsInTheOrderOfTheirValues() throws IOException {
+    assertEquals(
+        List.of("[10, 0.5] 1", "[10, 5] 1", "[20, 0.5] 1", "[20, 5] 1", "[30, 0.5] 1", "[30, 5] 1"),
+        values(cases(TWO)));
+  }
+
+  @Test
+  void conditionsKeepCombinationsAndRepetitionsRepeatThem() throws IOException {
+    List<CampaignCase> cases =
+        cases(TWO + "where: [gap * 10 > speed, speed < 25 or gap < 1]\nrepetitions: 2\n");
+    assertEquals(List.of("[10, 5] 1", "[10, 5] 2", "[20, 5] 1", "[20, 5] 2"), values(cases));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = ';',
+      value = {
+        "where: [gap > sped]; campaign.condition",
+        "where: [gap > 1000]; campaign.empty",
+      })
+  void whatLeavesNothingOrNamesNothingIsFound(String more, String rule) throws IOException {
+    DiagnosticException refused = assertThrows(DiagnosticException.class, () -> cases(TWO + more));
+    assertEquals(rule, refused.diagnostics().get(0).id());
+  }
+
+  @Test
+  void aGridOfABillionIsRefused() {
+    StringBuilder text = new StringBuilder("scenario: s\nfactors:\n");
+    for (int i = 0; i < 9; i++) {
+      text.append("  f%d: {path: a%d, from: 1, to: 10, step: 1}\n".formatted(i, i));
+    }
+    DiagnosticException refused =
+        assertThrows(DiagnosticException.class, () -> cases(text.toString()));
+    assertEquals("campaign.size", refused.diagnostics().get(0).id());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"random", "latin_hypercube", "halton"})
+  void drawsAreTheSameEachTimeAndWithinTheirBounds(String kind) throws IOException {
+    String text = DRAWN + "sampling: {" + kind + ": 200}\n";
+    List<CampaignCase> cases = cases(text);
+    assertEquals(values(cases), values(cases(text)));
+    assertEquals(200, cases.size());
+    for (CampaignCase each : cases) {
+      assertTrue(each.values().get(0).signum() >= 0 && each.values().get(0).doubleValue() < 10);
+      assertTrue(each.values().get(1).abs().doubleValue() <= 1);
+    }
+    assertEquals(
+        Set.of("1", "2", "3", "4"),
+        new HashSet<>(cases.stream().map(each -> each.values().get(2).toString()).toList()));
+    if (!kind.equals("halton")) {
+      assertTrue(!values(cases).equals(values(cases(text + "seed: 2\n"))));
+    }
+  }
+
+  /** A Latin hypercube has one value in each of as many equal parts as it has cases. */
+  @Test
+  void aLatinHypercubeFillsEachRangeEvenly() throws IOException {
+    Set<Integer> parts = new TreeSet<>();
+    for (CampaignCase each : cases(DRAWN + "sampling: {latin_hypercube: 50}\n")) {
+      parts.add(each.values().get(0).multiply(BigDecimal.valueOf(5)).intValue());
+    }
+    assertEquals(50, parts.size());
+  }
+
+  /** The first points of the Halton sequence of bases 2 and 3 (Halton 1960). */
+  @Test
+  void theHaltonSequenceIsThatOfItsDefinition() throws IOException {
+    List<CampaignCase> cases = cases(DRAWN + "sampling: {halton: 4}\n");
+    assertEquals(
+        List.of("1.25, -0.1111111", "2.5, 0.3333333", "5, -0.3333333", "7.5, -0.7777778"),
+        cases.stream()
+            .map(
+                each ->
+                    each.values().get(0)
+                        + ", "
+                        + each.values()
+                            .get(1)
+                            .setScale(7, java.math.RoundingMode.HALF_EVEN)
+                            .toPlainString())
+            .toList());
+  }
+
+  @Test
+  void pairsHaveAnyTwoValuesTogetherInFewCases() throws IOException {
+    StringBuilder text = new StringBuilder("scenario: s\nfactors:\n");
+    for (int i = 0; i < 5; i++) {
+      text.append("  f%d: {path: a%d, values: [1, 2, 3, 4]}\n".formatted(i, i));
+    }
+    List<CampaignCase> cases = cases(text + "sampling: {pairs: true}\n");
+    Set<String> pairs = new HashSet<>();
+    for (CampaignCase each : cases) {
+      for (int a = 0; a < 5; a++) {
+        for (int b = a + 1; b < 5; b++) {
+          pairs.add(a + "=" + each.values().get(a) + " " + b + "=" + each.values().get(b));
+        }
+      }
+    }
+    assertEquals(10 * 16, pairs.size());
+    assertTrue(cases.size() < 32, cases.size() + " of 1024, at least 16");
+  }
+
+  @Test
+  void aTableGivesTheValuesOfAColumn() throws IOException {
+    Files.writeString(folder.resolve("t.csv"), "x,gap\n1,10\n2, 12.50\n3,10\n");
+    assertEquals(
+        List.of("[10] 1", "[12.5] 1"),
+        values(cases("scenario: s\nfactors: {g: {path: a, csv: t.csv, column: gap}}\n")));
+  }
+}

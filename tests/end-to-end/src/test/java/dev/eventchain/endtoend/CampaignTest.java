@@ -1,0 +1,168 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests campaigns of the small radar example: how near the vehicle ahead may be. */
+class CampaignTest {
+
+  private static final String APPROACH =
+      """
+      scenario: stopped-vehicle-50
+      factors:
+        speed: {path: ego.speed_kmh, values: [40, 50]}
+        gap: {path: "actors[0].gap_m", from: 10, to: 60, step: 25}
+      boundary: {factor: gap, resolution: 2}
+      """;
+
+  @TempDir Path folder;
+  private ProjectCopy copy;
+
+  @BeforeEach
+  void copyTheExample() throws IOException {
+    copy = ProjectCopy.of("radar-aeb", folder);
+    copy.write("approach.yaml", APPROACH);
+  }
+
+  private Program.Ended campaign(Object... more) {
+    Object[] arguments = new Object[more.length + 3];
+    arguments[0] = "campaign";
+    arguments[1] = copy.path();
+    arguments[2] = copy.path().resolve("approach.yaml");
+    System.arraycopy(more, 0, arguments, 3, more.length);
+    return new Program().run(arguments);
+  }
+
+  private Path results(String name) {
+    return copy.path().resolve("out/campaigns/" + name);
+  }
+
+  private List<byte[]> bytes() throws IOException {
+    return List.of(
+        Files.readAllBytes(results("approach/cases.csv")),
+        Files.readAllBytes(results("approach/cases.json")),
+        Files.readAllBytes(results("approach/report.html")));
+  }
+
+  private static void assertSame(List<byte[]> expected, List<byte[]> found) {
+    for (int i = 0; i < expected.size(); i++) {
+      assertArrayEquals(expected.get(i), found.get(i));
+    }
+  }
+
+  @Test
+  void aBoundaryIsFoundAndIsTheSameAfterKillsAndInParts() throws Exception {
+    campaign("--dry-run").expect(0).says("6 cases, 0 of them simulated already");
+    campaign().expect(0).says("14 cases: ").says("2 flips along gap");
+    List<String> rows = Files.readAllLines(results("approach/cases.csv"));
+    assertTrue(rows.get(0).startsWith("case,speed,gap,repetition,verdict,impact_speed_mps,end_s,"));
+    assertEquals(15, rows.size());
+    assertTrue(
+        rows.stream().anyMatch(row -> row.matches("\\d+,50,10,1,failed,\\d.*")), rows::toString);
+    assertTrue(
+        rows.stream().anyMatch(row -> row.matches("\\d+,50,60,1,passed,,.*")), rows::toString);
+    List<byte[]> expected = bytes();
+    campaign().expect(0).says("= Simulate");
+    assertSame(expected, bytes());
+
+    delete("out/campaigns");
+    killOnce();
+    campaign().expect(0);
+    assertSame(expected, bytes());
+
+    delete("out/campaigns/approach");
+    campaign("--shard", "2/2").expect(0);
+    campaign("--merge", results("approach-2-of-2"))
+        .expect(2)
+        .says("campaign.merge")
+        .says("lack part 1 of 2");
+    campaign("--shard", "1/2").expect(0);
+    campaign("--merge", results("approach-2-of-2"), results("approach-1-of-2")).expect(0);
+    assertSame(expected, bytes());
+    copy.replace("approach.yaml", "resolution: 2", "resolution: 3");
+    campaign("--merge", results("approach-1-of-2"), results("approach-2-of-2"))
+        .expect(2)
+        .says("another state");
+  }
+
+  private void delete(String name) throws IOException {
+    try (Stream<Path> files = Files.walk(copy.path().resolve(name))) {
+      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+        Files.delete(file);
+      }
+    }
+  }
+
+  /** Kills the program after it has kept a case. */
+  private void killOnce() throws Exception {
+    Process killed =
+        new Program()
+            .start(
+                folder.resolve("out.txt"),
+                folder.resolve("err.txt"),
+                "campaign",
+                copy.path(),
+                copy.path().resolve("approach.yaml"));
+    while (killed.isAlive() && !Files.exists(results("approach/parts/000001.json"))) {
+      Thread.sleep(5);
+    }
+    killed.destroyForcibly();
+    assertTrue(killed.waitFor(60, TimeUnit.SECONDS));
+    assertTrue(Files.exists(results("approach/parts/000001.json")));
+  }
+
+  @Test
+  void failedCasesAreFoundAndOneIsSimulatedAgain() throws IOException {
+    copy.replace("approach.yaml", "boundary: {factor: gap, resolution: 2}\n", "");
+    campaign()
+        .expect(1)
+        .says("2 of 6 cases failed, the first is case 1 (speed = 40, gap = 10)")
+        .says("[campaign.case.failed]");
+    campaign("--case", 4).expect(0).says("case 4: speed = 50, gap = 10").says("FAILED  ");
+    String scenario = Files.readString(results("approach/case-4/scenario.yaml"));
+    assertTrue(scenario.contains("\"gap_m\" : 10"), scenario);
+    assertTrue(Files.size(results("approach/case-4/stopped-vehicle-50.mcap")) > 10_000);
+    campaign("--case", 7).expect(2).says("There is no case 7 of 6.");
+  }
+
+  @Test
+  void factorsThatNameNothingOrDoNotFitAreFoundBeforeAnythingIsSimulated() throws IOException {
+    copy.replace("approach.yaml", "ego.speed_kmh", "ego.sped_kmh");
+    campaign().expect(2).says("approach.yaml:3:10").says("There is no key 'sped_kmh' here.");
+    copy.replace(
+        "approach.yaml",
+        "path: ego.sped_kmh, values: [40, 50]",
+        "path: ego.speed_kmh, values: [40, 500]");
+    campaign().expect(2).says("With speed = 500: 'speed_kmh' must be");
+    copy.replace("approach.yaml", "values: [40, 500]", "values: [40]");
+    copy.replace("approach.yaml", "actors[0].gap_m", "actors[3].gap_m");
+    campaign().expect(2).says("The scenario has no [3] for the path 'actors[3].gap_m'.");
+    copy.replace("approach.yaml", "actors[3].gap_m", "ego.speed_kmh");
+    campaign().expect(2).says("Two factors have 'ego.speed_kmh'.");
+    copy.replace("approach.yaml", "stopped-vehicle-50", "stoped-vehicle-50");
+    campaign().expect(2).says("no scenario 'stoped-vehicle-50'").says("stopped-vehicle-50");
+  }
+
+  @Test
+  void casesThatEndByAnErrorAreCases() throws IOException {
+    copy.replace("approach.yaml", "boundary: {factor: gap, resolution: 2}\n", "");
+    String component = "software-base/components/Collision_Warning.py";
+    copy.replace(
+        component,
+        "    def execute(self, ttc):\n",
+        "    def execute(self, ttc):\n        assert ttc > 1.5\n");
+    campaign().expect(1).says("6 cases: ").says("[campaign.case.error]").says("ended by an error");
+  }
+}
