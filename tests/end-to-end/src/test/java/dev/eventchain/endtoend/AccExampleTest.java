@@ -56,6 +56,7 @@ class AccExampleTest {
     project.requireNotPassed();
   }
 
+  @InTurn
   @Test
   void motionThatNobodyProvides() throws IOException {
     String bench = Files.readString(project.path().resolve("bench.yaml"));
@@ -92,6 +93,7 @@ class AccExampleTest {
     project.requireNotPassed();
   }
 
+  @InTurn
   @Test
   void actuationThatIsFrozen() throws IOException {
     project.onlyScenario(SCENARIO);

@@ -101,6 +101,7 @@ class BadInputTest {
     assertArrayEquals(before, Files.readAllBytes(project.resolve("out/chain.xmi")));
   }
 
+  @InTurn
   @Test
   void aFileAmongTheScenariosThatIsNoneIsSaidAndOneInAFolderBelowIsSimulated() throws IOException {
     Path scenarios = project.resolve("scenarios");
@@ -276,6 +277,7 @@ class BadInputTest {
     assertEquals(written, Files.readString(verdict));
   }
 
+  @InTurn
   @Test
   void aRunThatIsFoundWantingLeavesNoEarlierVerdictStanding() throws IOException {
     Path verdict = project.resolve("out/verdict.json");

@@ -155,6 +155,7 @@ class CampaignTest {
     campaign().expect(2).says("no scenario 'stoped-vehicle-50'").says("stopped-vehicle-50");
   }
 
+  @InTurn
   @Test
   void casesThatEndByAnErrorAreCases() throws IOException {
     copy.replace("approach.yaml", "boundary: {factor: gap, resolution: 2}\n", "");

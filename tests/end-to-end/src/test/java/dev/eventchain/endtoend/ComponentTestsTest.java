@@ -128,6 +128,7 @@ class ComponentTestsTest {
   }
 
   /** The tests run again when the component changes, or another file that it imports. */
+  @InTurn
   @Test
   void existingComponentsAreTestedAsTheyStand() throws IOException {
     project.write(

@@ -76,6 +76,7 @@ class EvaluateHandoffTest {
     }
   }
 
+  @InTurn
   @Test
   void allPromptsAreWrittenAndWhatIsAnsweredIsCounted() throws IOException {
     evaluate().expect(4).says("[llm.handoff.waiting]").says("waiting for an answer: 2");

@@ -143,6 +143,7 @@ class EvaluateTest {
         .stream();
   }
 
+  @InTurn
   @ParameterizedTest
   @MethodSource("wires")
   void answersOfEachKindOfServicePass(String wire) throws IOException {
@@ -279,6 +280,7 @@ class EvaluateTest {
     }
   }
 
+  @InTurn
   @Test
   void aSpentBudgetEndsAllOfIt() throws IOException {
     try (RecordedService service = service("openai")) {

@@ -84,6 +84,7 @@ class EvidenceTest {
         .says("[scenario.formula.constant]");
   }
 
+  @InTurn
   @Test
   void pedestrianBrakeThatBrakesProvesItsRequirements() throws IOException {
     pedestrianBrake()
@@ -140,6 +141,7 @@ class EvidenceTest {
     project.requireNotPassed();
   }
 
+  @InTurn
   @Test
   void whoIsRunOverIsTold() throws IOException {
     ProjectCopy project = pedestrianBrake();

@@ -72,6 +72,7 @@ class JudgesTest {
     assertTrue(judged.contains("RAD-2") && judged.contains("\"warn the driver"), judged);
   }
 
+  @InTurn
   @Test
   void anOutputThatNoDesignHasIsNotTested() throws IOException {
     copy.replace(SCENARIO, "/cluster/collision_warning.data", "output(RAD-2, m/s2) > 0 m/s2");
@@ -97,6 +98,7 @@ class JudgesTest {
         .says("[scenario.formula.syntax]");
   }
 
+  @InTurn
   @Test
   void severalOutputsAreNamed() throws IOException {
     copy.replace(SCENARIO, "/cluster/collision_warning.data", "output(RAD-3) > 0");

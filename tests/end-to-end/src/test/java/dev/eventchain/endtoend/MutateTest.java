@@ -199,6 +199,7 @@ class MutateTest {
   }
 
   /** A component that differs where it is loaded from would let every mutant count as caught. */
+  @InTurn
   @Test
   void whatFailsWithoutADefectProvesNothing() throws IOException {
     copy.replace(

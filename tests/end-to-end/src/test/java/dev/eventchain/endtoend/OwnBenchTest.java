@@ -100,6 +100,7 @@ class OwnBenchTest {
     project.requireNotPassed();
   }
 
+  @InTurn
   @Test
   void inputThatIsComputedFromTheWorldCanBeJudged() throws IOException {
     project.replace("bench.yaml", "inputs:", "inputs:\n  reserve: {unit: m, formula: gap - 1 m}");

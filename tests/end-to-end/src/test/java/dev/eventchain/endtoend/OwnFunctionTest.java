@@ -168,6 +168,7 @@ class OwnFunctionTest {
     project.requireNotPassed();
   }
 
+  @InTurn
   @Test
   void criterionThatFailsViolatesWhatItIsAbout() throws IOException {
     project.replace(
@@ -179,6 +180,7 @@ class OwnFunctionTest {
     project.requireNotPassed();
   }
 
+  @InTurn
   @Test
   void requirementThatNoComponentSatisfies() throws IOException {
     project.replace(CHAIN, " satisfies=\"//@requirements.1\"", "");
@@ -242,6 +244,7 @@ class OwnFunctionTest {
             "formula: " + formula.replace("W", "/cluster/collision_warning.data")));
   }
 
+  @InTurn
   @Test
   void aSilentComponentThatPeopleAcceptDoesNotHideTheOthers() throws IOException {
     String chain = Files.readString(project.path().resolve(CHAIN));
@@ -268,6 +271,7 @@ class OwnFunctionTest {
     project.requireNotPassed();
   }
 
+  @InTurn
   @Test
   void requirementThatIsWrittenInAnotherWayIsSaid() throws IOException {
     Path requirements = project.path().resolve("requirements.md");

@@ -20,6 +20,7 @@ class ReportLinksTest {
 
   @TempDir Path folder;
 
+  @InTurn
   @Test
   void linesOfARequirementAreThoseOfItsComponents() throws IOException {
     Path project = Program.exampleIn(folder);

@@ -276,6 +276,7 @@ class StaleResultsTest {
     run("run --from generate --date 2027-04-01").expect(2).says(OUTDATED);
   }
 
+  @InTurn
   @Test
   void anErrorThatIsNoLongerSuppressedCountsAlsoInALaterStage() throws IOException {
     append("constraints.ocl", "context SoftwareNode inv Fast: frequency > 30");

@@ -145,6 +145,7 @@ class StrengthTest {
     run("--no-strength", "--strength=whole").expect(2).says("--no-strength contradicts");
   }
 
+  @InTurn
   @Test
   void withoutAMeasurementTheVerdictSaysSo() throws IOException {
     run().expect(0).says("strength not measured");

@@ -68,6 +68,7 @@ class VerdictTest {
     assertNoPass();
   }
 
+  @InTurn
   @Test
   void steeringOffTheRoadFails() throws IOException {
     replace(
@@ -76,6 +77,7 @@ class VerdictTest {
     assertNoPass();
   }
 
+  @InTurn
   @Test
   void brakeThatTheBenchDisconnectsIsNotTested() throws IOException {
     replace(
@@ -224,6 +226,7 @@ class VerdictTest {
     assertNoPass();
   }
 
+  @InTurn
   @Test
   void constraintThatIsTrueOfNothingIsNotTestedUnlessPeopleAcceptIt() throws IOException {
     constrain(
