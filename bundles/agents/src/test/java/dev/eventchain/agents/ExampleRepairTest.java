@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
+import dev.eventchain.fixtures.InTurn;
 import dev.eventchain.llm.ChatModels;
 import dev.eventchain.llm.chat.ChatModel;
 import dev.eventchain.llm.chat.ChatRequest;
@@ -54,6 +55,7 @@ class ExampleRepairTest {
     return ExampleRecordingsTest.examples();
   }
 
+  @InTurn
   @ParameterizedTest
   @MethodSource("examples")
   void everyTaskRepairsASlip(ExampleWorkflow example) {

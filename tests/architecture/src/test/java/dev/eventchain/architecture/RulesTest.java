@@ -102,6 +102,8 @@ class RulesTest {
                 "bench.field.unset",
                 "bench.field.unwritten",
                 "bench.topic.unconnected",
+                "campaign.case.untested",
+                "campaign.criterion.untested",
                 "project.requirement.stale",
                 "project.requirement.untested",
                 "simulation.command.ignored",

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.fixtures.InTurn;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -165,5 +166,50 @@ class CampaignTest {
         "    def execute(self, ttc):\n",
         "    def execute(self, ttc):\n        assert ttc > 1.5\n");
     campaign().expect(1).says("6 cases: ").says("[campaign.case.error]").says("ended by an error");
+  }
+
+  /** Each value is possible; but a wheelbase of 3.6 m is too long for 4 m. */
+  @InTurn
+  @Test
+  void aCombinationThatIsNoScenarioIsACase() throws IOException {
+    copy.write(
+        "approach.yaml",
+        """
+        scenario: stopped-vehicle-50
+        factors:
+          length: {path: ego.length_m, values: [4.5, 4]}
+          wheelbase: {path: ego.wheelbase_m, values: [2.7, 3.6]}
+        """);
+    campaign()
+        .expect(1)
+        .says("1 of 4 cases ended")
+        .says("(length = 4, wheelbase = 3.6): no scenario: Its wheelbase");
+  }
+
+  /** The vehicle never comes as near as the formula is about. */
+  @Test
+  void whatWasTestedInNoCaseIsFound() throws IOException {
+    copy.write(
+        "scenarios/far.yaml",
+        """
+        name: far
+        title: Nothing comes near
+        duration_s: 2
+        ego: {speed_kmh: 30}
+        actors: [{gap_m: 100, speed_kmh: 30}]
+        accept:
+          formulas:
+            - {requirements: [RAD-2], formula: "always (gap < 1 m implies /cluster/collision_warning.data)"}
+        """);
+    copy.write(
+        "approach.yaml",
+        "scenario: far\nfactors: {speed: {path: ego.speed_kmh, values: [20, 30]}}\n");
+    campaign()
+        .expect(1)
+        .says("2 cases: 0 passed, 0 failed, 2 not tested")
+        .says("2 of 2 cases not tested, the first is case 1 (speed = 20)")
+        .says("[campaign.case.untested]")
+        .says("In none of 2 cases, 'always (gap < 1 m implies")
+        .says("[campaign.criterion.untested]");
   }
 }

@@ -3,6 +3,7 @@ package dev.eventchain.endtoend;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.fixtures.InTurn;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

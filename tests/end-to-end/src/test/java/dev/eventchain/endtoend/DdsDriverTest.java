@@ -7,6 +7,8 @@ import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.fixtures.InTurn;
+import dev.eventchain.fixtures.Thorough;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import dev.eventchain.fixtures.InTurn;
 import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

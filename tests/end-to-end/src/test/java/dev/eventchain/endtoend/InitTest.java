@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.fixtures.InTurn;
 import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
 import java.nio.file.Files;

@@ -3,6 +3,7 @@ package dev.eventchain.endtoend;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.fixtures.Thorough;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import java.nio.file.Path;

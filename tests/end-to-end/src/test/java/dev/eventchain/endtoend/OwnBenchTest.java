@@ -1,5 +1,6 @@
 package dev.eventchain.endtoend;
 
+import dev.eventchain.fixtures.InTurn;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

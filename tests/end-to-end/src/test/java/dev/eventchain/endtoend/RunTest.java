@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.fixtures.InTurn;
 import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
 import java.nio.file.Files;

@@ -3,6 +3,8 @@ package dev.eventchain.endtoend;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.fixtures.InTurn;
+import dev.eventchain.fixtures.Thorough;
 import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import java.nio.file.Files;

@@ -51,6 +51,7 @@ public final class Main {
           BenchCommand.class,
           MessagesCommand.class,
           DiagramCommand.class,
+          DescribeCommand.class,
           ExplainCommand.class,
           DoctorCommand.class);
 

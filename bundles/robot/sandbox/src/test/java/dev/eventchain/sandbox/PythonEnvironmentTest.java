@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.fixtures.InTurn;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -108,6 +109,7 @@ class PythonEnvironmentTest {
     assertNotEquals(TestEnvironment.PYTHON.executable(), with.executable());
   }
 
+  @InTurn
   @Test
   void cycloneDdsThatCannotBeHadIsNamed() throws IOException {
     Path other = Files.writeString(folder.resolve("constraint"), "cyclonedds==0.10.2\n");
@@ -119,6 +121,7 @@ class PythonEnvironmentTest {
     assertTrue(problem.hint().contains("x86_64"), problem.hint());
   }
 
+  @InTurn
   @Test
   void packagesComeFromAFolderOfWheelsAndFromNowhereElse() throws IOException {
     Path wheels = Files.createDirectories(folder.resolve("wheels"));

@@ -62,33 +62,45 @@ public final class CaseSimulation {
   /**
    * Simulates cases.
    *
-   * @param scenarios returns a case by its number, on any thread
+   * @param scenarios returns a case by its number, on any thread; a {@link DiagnosticException} is
+   *     the result of that case
    * @throws DiagnosticException as {@link Simulation#run} does, except for failures of the software
    *     in a case
    * @throws InterruptedException if the calling thread was interrupted; the processes are ended
    */
   public void run(int cases, IntFunction<Scenario> scenarios, Listener listener)
       throws InterruptedException {
-    HostPool.Job job = (number, hosts) -> work(number, scenarios.apply(number), hosts, listener);
+    HostPool.Job job = (number, hosts) -> work(number, scenarios, hosts, listener);
     new HostPool(cases, this::start, job).run(request.settings().processes());
+  }
+
+  private HostPool.State work(
+      int number, IntFunction<Scenario> scenarios, NodeHosts hosts, Listener listener) {
+    Scenario scenario;
+    try {
+      scenario = scenarios.apply(number);
+    } catch (DiagnosticException e) {
+      done(number, CaseResult.error("no scenario: " + e.diagnostics().get(0).message()), listener);
+      return HostPool.State.DONE;
+    }
+    return work(number, scenario, hosts, listener);
+  }
+
+  private synchronized void done(int number, CaseResult result, Listener listener) {
+    listener.done(number, result);
   }
 
   private HostPool.State work(int number, Scenario scenario, NodeHosts hosts, Listener listener) {
     ScenarioRunner runner =
         new ScenarioRunner(chain, nodes, Optional.empty(), hosts.session(), Map.of());
     try {
-      CaseResult result = judged(runner.run(scenario));
-      synchronized (this) {
-        listener.done(number, result);
-      }
+      done(number, judged(runner.run(scenario)), listener);
       return HostPool.State.DONE;
     } catch (DiagnosticException e) {
       if (e.reason() != DiagnosticException.Reason.FINDINGS) {
         throw e;
       }
-      synchronized (this) {
-        listener.done(number, CaseResult.error(e.diagnostics().get(0).message()));
-      }
+      done(number, CaseResult.error(e.diagnostics().get(0).message()), listener);
       return HostPool.State.DONE_AT_THE_END;
     }
   }

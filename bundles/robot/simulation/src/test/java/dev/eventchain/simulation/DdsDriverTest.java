@@ -8,6 +8,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.fixtures.InTurn;
 import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.verdict.Measurements;
@@ -41,6 +42,7 @@ class DdsDriverTest {
         verdict -> {});
   }
 
+  @InTurn
   @Test
   void whatIsMeasuredOnTheWireIsWhatLockstepMeasures() throws Exception {
     AebProject project = new AebProject(folder);
@@ -58,6 +60,7 @@ class DdsDriverTest {
     return json.without("host").toPrettyString().replaceAll("\"host[^\\n]*", "");
   }
 
+  @InTurn
   @Test
   void inRealTimeAScenarioIsJudgedOrTheOverrunIsSaid() throws Exception {
     AebProject project = new AebProject(folder);
@@ -88,6 +91,7 @@ class DdsDriverTest {
     assertTrue(flow.topics().stream().allMatch(each -> each.lost().isPresent()));
   }
 
+  @InTurn
   @Test
   void messagesAreRecordedFromTheWire() throws Exception {
     AebProject project = new AebProject(folder);
@@ -99,6 +103,7 @@ class DdsDriverTest {
     assertTrue(Files.size(recordings.resolve("slow-approach.mcap")) > 100_000);
   }
 
+  @InTurn
   @Test
   void errorOfAComponentIsShownWithItsLine() throws Exception {
     AebProject project = new AebProject(folder);
@@ -131,6 +136,7 @@ class DdsDriverTest {
       TTC_Calculation_node.execute = _marked
       """;
 
+  @InTurn
   @Test
   void aNodeThatIsStoppedWhileTheVehicleApproachesIsNamed() throws Exception {
     Diagnostic found = whileItRuns("STOP");

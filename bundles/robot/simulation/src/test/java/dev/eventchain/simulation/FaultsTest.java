@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.fixtures.InTurn;
 import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.simulation.fault.FaultPlan;
 import dev.eventchain.simulation.scenario.Scenario;
@@ -252,6 +253,7 @@ class FaultsTest {
   /**
    * The flood exceeds the limit of a scenario: the process ends, and the next fault gets another.
    */
+  @InTurn
   @Test
   void aRunThatCannotGoOnIsPartOfTheResult() throws Exception {
     AebProject fast =
@@ -292,6 +294,7 @@ class FaultsTest {
     return found.stream().map(Diagnostic::id).toList();
   }
 
+  @InTurn
   @Test
   void onDdsTheSameFaultsDoTheSame() throws Exception {
     List<FaultVerdict> wanted = new ArrayList<>();

@@ -11,6 +11,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.fixtures.InTurn;
 import dev.eventchain.model.eventchain.ComponentImplementation;
 import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.simulation.node.NodeLimits;
@@ -237,6 +238,7 @@ class SimulationTest {
     assertEquals("simulation.limit", failure(project, NodeLimits.DEFAULT));
   }
 
+  @InTurn
   @Test
   void suiteThatTakesTooLongIsEnded() throws Exception {
     AebProject project = new AebProject(folder).with("Braking_Decision", "failing/hangs.py");
@@ -255,6 +257,7 @@ class SimulationTest {
     return failure.diagnostics().get(0).id();
   }
 
+  @InTurn
   @Test
   void resultDependsNeitherOnTheNumberOfProcessesNorOnTheOrder() throws Exception {
     AebProject project = new AebProject(folder);

@@ -11,6 +11,7 @@ import dev.eventchain.m2t.generation.GenerationContext;
 import dev.eventchain.m2t.generation.GenerationContext.Trait;
 import dev.eventchain.m2t.generation.GenerationResult;
 import dev.eventchain.m2t.generation.GenerationRules;
+import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.output.OutputFolder.OnEdit;
 import dev.eventchain.pipeline.files.WrittenFiles;
@@ -143,6 +144,20 @@ public final class AnyModel {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, List.copyOf(found));
     }
     return List.copyOf(found);
+  }
+
+  /**
+   * Returns the packages, classes, features and operations of metamodels as text.
+   *
+   * @param metamodels the files; none for the metamodel of event chains
+   * @throws DiagnosticException INPUT if a file cannot be read
+   */
+  public static String describe(List<Path> metamodels, Map<String, Path> map) {
+    return MetamodelListing.of(
+        ModelValidation.metamodels(metamodels, map).stream()
+            .filter(each -> each.getESuperPackage() == null)
+            .filter(each -> metamodels.isEmpty() || !(each instanceof EventchainPackage))
+            .toList());
   }
 
   /** Compiles a template; one of a project may import the shipped modules, as in its stages. */

@@ -2,6 +2,7 @@ package dev.eventchain.pipeline;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import dev.eventchain.fixtures.InTurn;
 import dev.eventchain.fixtures.Projects;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;
@@ -45,6 +46,7 @@ class ReadOnceTest {
     assertEquals(List.of("chain.xmi", "chain.json", "chain.measured.xmi"), reads);
   }
 
+  @InTurn
   @Test
   void aModelThatChangesDuringARunIsReadAgain() throws IOException {
     run(Stage.DESIGN);

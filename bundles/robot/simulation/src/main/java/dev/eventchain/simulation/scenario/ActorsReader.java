@@ -70,10 +70,13 @@ final class ActorsReader {
     ManeuversReader maneuvers = new ManeuversReader(section, duration);
     SpeedProfile profile = maneuvers.speed(speed);
     LateralProfile line = maneuvers.line(offset, profile);
+    boolean straight = section.has("keeps_heading");
+    section.requireTrue("keeps_heading");
     section.refuseOthers();
     places.put(name, section.at("gap_m"));
     scripts.put(name, maneuvers);
-    return kind.map(each -> new Actor(name, each, size.orElseThrow(), gap, heading, profile, line));
+    return kind.map(each -> new Actor(name, each, size.orElseThrow(), gap, heading, profile, line))
+        .map(actor -> straight ? actor.withoutTurning() : actor);
   }
 
   /** Adds the maneuvers that begin by themselves, which may be about any actor. */

@@ -24,6 +24,7 @@ public final class Actor {
   private final double start;
   private final double heading;
   private final Motion motion;
+  private final boolean turns;
 
   /**
    * Creates an actor.
@@ -46,17 +47,30 @@ public final class Actor {
         size,
         gap + Body.extent(size.length(), size.width(), heading),
         heading,
-        Motion.of(speed, offset));
+        Motion.of(speed, offset),
+        true);
   }
 
   private Actor(
-      String name, ActorKind kind, Size size, double start, double heading, Motion motion) {
+      String name,
+      ActorKind kind,
+      Size size,
+      double start,
+      double heading,
+      Motion motion,
+      boolean turns) {
     this.name = name;
     this.kind = kind;
     this.size = size;
     this.start = start;
     this.heading = heading;
     this.motion = motion;
+    this.turns = turns;
+  }
+
+  /** Returns this actor, but one that keeps its direction while it moves sideways. */
+  public Actor withoutTurning() {
+    return new Actor(name, kind, size, start, heading, motion, false);
   }
 
   /**
@@ -69,7 +83,7 @@ public final class Actor {
   }
 
   private Actor with(Motion other) {
-    return new Actor(name, kind, size, start, heading, other);
+    return new Actor(name, kind, size, start, heading, other, turns);
   }
 
   /** Returns this actor with the maneuvers that begin now. */
@@ -127,7 +141,7 @@ public final class Actor {
    */
   double heading(double seconds) {
     double rate = motion.line().rate(seconds);
-    if (rate == 0.0) {
+    if (rate == 0.0 || !turns) {
       return heading;
     }
     double forwards = Math.max(motion.speed().speed(seconds), Math.abs(rate) / STEEPEST);

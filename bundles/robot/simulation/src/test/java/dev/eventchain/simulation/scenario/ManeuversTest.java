@@ -111,4 +111,18 @@ class ManeuversTest {
     assertEquals(-1.5, car.speedAcross(2.0), 1e-9);
     assertEquals(0, car.across(3.5), 1e-9);
   }
+
+  @Test
+  void anActorMayKeepItsHeading() {
+    String aside = "{at_s: 1, lateral_offset_m: 0}";
+    String speed = "speed_kmh: 36, maneuvers";
+    for (boolean keeps : new boolean[] {false, true}) {
+      String text = SCENE.formatted("", "", aside, "");
+      text = text.replace(speed, (keeps ? "keeps_heading: true, " : "") + speed);
+      Scenario scenario = Scenario.parse(SourceText.of("s.yaml", text), Bench.carla());
+      Actor car = scenario.situation().actors().get(1);
+      double heading = car.body(scenario.situation().road(), 2.0).place().heading();
+      assertEquals(keeps, heading == 0.0);
+    }
+  }
 }

@@ -8,6 +8,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
@@ -21,6 +22,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 
 /**
  * A scenario file with the values of factors in place of its own. A path is the keys from the top,
@@ -38,6 +40,7 @@ final class ScenarioTemplate {
           CampaignRules.KEY_UNKNOWN,
           CampaignRules.VALUE_RANGE);
   private static final Pattern STEP = Pattern.compile("([^.\\[\\]]+)|\\[([^\\[\\]]+)]");
+  private static final int MOST_TRIED = 200;
   private static final Pattern NUMBER = Pattern.compile("\\d{1,6}");
 
   private final Path file;
@@ -79,7 +82,10 @@ final class ScenarioTemplate {
     return found.isEmpty() ? values() : found;
   }
 
-  /** Returns a finding for each value that no scenario takes, with the others as they are first. */
+  /**
+   * Returns a finding for each factor with a value that no scenario takes, with the others as they
+   * are first. Of very many values, some are tried, the first and the last among them.
+   */
   private List<Diagnostic> values() {
     List<Diagnostic> found = new ArrayList<>();
     List<BigDecimal> first =
@@ -87,7 +93,7 @@ final class ScenarioTemplate {
     CampaignCase usual = new CampaignCase(first, 1);
     for (int i = 0; i < plan.factors().size(); i++) {
       Factor factor = plan.factors().get(i);
-      for (BigDecimal value : factor.levels().checked()) {
+      for (BigDecimal value : some(factor.levels().checked())) {
         Optional<String> problem = refusal(usual.with(i, value));
         if (problem.isPresent()) {
           String words = factor.name() + " = " + value.toPlainString();
@@ -99,6 +105,14 @@ final class ScenarioTemplate {
       }
     }
     return found;
+  }
+
+  private static List<BigDecimal> some(List<BigDecimal> values) {
+    int last = values.size() - 1;
+    int most = Math.min(last, MOST_TRIED);
+    return IntStream.rangeClosed(0, most)
+        .mapToObj(i -> values.get(most == 0 ? 0 : (int) ((long) i * last / most)))
+        .toList();
   }
 
   private Optional<String> refusal(CampaignCase each) {
@@ -217,7 +231,7 @@ final class ScenarioTemplate {
           Diagnostic.of(
                   CampaignRules.FACTOR,
                   "The project has no scenario '" + plan.scenario() + "'.",
-                  dev.eventchain.diagnostics.SourceLocation.of(plan.file()))
+                  SourceLocation.of(plan.file()))
               .withHint(NearestName.hint(plan.scenario(), names)));
     }
     return files.get(index);

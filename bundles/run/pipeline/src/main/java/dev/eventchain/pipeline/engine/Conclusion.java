@@ -257,7 +257,9 @@ final class Conclusion {
 
   private List<ScenarioLine> scenarioLines() {
     return simulated().map(Simulated::scenarios).orElse(List.of()).stream()
-        .map(it -> new ScenarioLine(it.name(), it.tested(), it.passed(), it.text()))
+        .map(
+            it ->
+                new ScenarioLine(it.name(), it.tested(), it.passed(), it.text() + before.words(it)))
         .toList();
   }
 

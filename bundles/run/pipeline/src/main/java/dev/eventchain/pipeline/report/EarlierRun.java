@@ -8,6 +8,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.pipeline.results.Criterion;
 import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.results.SimulatedScenario;
 import java.io.IOException;
@@ -28,7 +29,24 @@ public final class EarlierRun {
   /** The measurements of a scenario. */
   @JsonIgnoreProperties(ignoreUnknown = true)
   private record Scenario(
-      String name, boolean tested, boolean passed, JsonNode criteria, JsonNode series) {}
+      String name, boolean tested, boolean passed, JsonNode criteria, JsonNode series) {
+
+    String word() {
+      return !tested ? "not tested" : passed ? "passed" : "failed";
+    }
+
+    /** Returns whether a criterion had another outcome or other figures, or was not there. */
+    boolean differs(Criterion now) {
+      for (JsonNode each : criteria) {
+        if (each.path("text").asText().equals(now.text())) {
+          return each.path("passed").asBoolean() != now.passed()
+              || each.path("tested").asBoolean() != now.tested()
+              || !each.path("measured").asText().equals(now.measured());
+        }
+      }
+      return true;
+    }
+  }
 
   private final Map<String, Scenario> scenarios;
 
@@ -73,6 +91,28 @@ public final class EarlierRun {
         DiagnosticException.Reason.INPUT,
         Diagnostic.of(ReportRules.COMPARISON_UNREADABLE, why, SourceLocation.of(path))
             .withHint("Name the measurements.json of another run, or the folder that holds it."));
+  }
+
+  /**
+   * Returns what is different in a scenario, for the end of a line; empty without another run.
+   *
+   * @param now the scenario in this run
+   */
+  public String words(SimulatedScenario now) {
+    if (scenarios.isEmpty()) {
+      return "";
+    }
+    Scenario before = scenarios.get(now.name());
+    if (before == null) {
+      return "; was not there before";
+    }
+    if (before.tested() != now.tested() || before.passed() != now.passed()) {
+      return "; " + before.word() + " before";
+    }
+    long other = now.criteria().stream().filter(before::differs).count();
+    return other == 0
+        ? "; as before"
+        : "; another outcome of %d of %d criteria".formatted(other, now.criteria().size());
   }
 
   /** Returns the scenarios of this run, each with its earlier measurements, if any. */

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.pipeline.results.Criterion;
 import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.results.SimulatedScenario;
 import dev.eventchain.pipeline.results.SimulatedScenario.Mover;
@@ -34,7 +35,7 @@ class EarlierRunTest {
 
   @TempDir private Path folder;
 
-  private static SimulatedScenario scenario(String name) {
+  private static SimulatedScenario scenario(String name, Criterion... criteria) {
     Mover ego = new Mover("ego", 4, 2, List.of(), List.of(), List.of());
     return new SimulatedScenario(
         name,
@@ -43,7 +44,7 @@ class EarlierRunTest {
         true,
         "1 criterion holds",
         List.of(),
-        List.of(),
+        List.of(criteria),
         List.of(),
         List.of(),
         Optional.empty(),
@@ -65,6 +66,33 @@ class EarlierRunTest {
     assertTrue(both.at("/0/before/tested").booleanValue());
     assertEquals("no impact", both.at("/0/before/criteria/0/text").asText());
     assertTrue(both.at("/1/before").isMissingNode());
+  }
+
+  @Test
+  void theLineOfAScenarioSaysWhatIsDifferent() throws IOException {
+    String measured =
+        """
+        {"scenarios": [
+          {"name": "a", "tested": true, "passed": false, "criteria": [], "series": {}},
+          {"name": "b", "tested": true, "passed": true, "series": {}, "criteria": [
+            {"text": "gap", "tested": true, "passed": true, "measured": "3 m"},
+            {"text": "stops", "tested": true, "passed": true, "measured": "0 km/h"}]}
+        ]}
+        """;
+    EarlierRun before = read(measured);
+    assertEquals("; failed before", before.words(scenario("a")));
+    assertEquals("; was not there before", before.words(scenario("c")));
+    Criterion stops = criterion("stops", "0 km/h");
+    assertEquals("; as before", before.words(scenario("b", criterion("gap", "3 m"), stops)));
+    assertEquals(
+        "; another outcome of 1 of 2 criteria",
+        before.words(scenario("b", criterion("gap", "2 m"), stops)));
+    assertEquals("", EarlierRun.read(Optional.empty()).words(scenario("a")));
+  }
+
+  private static Criterion criterion(String text, String measured) {
+    return new Criterion(
+        text, true, true, measured, Optional.empty(), List.of(), List.of(), Optional.empty());
   }
 
   @Test

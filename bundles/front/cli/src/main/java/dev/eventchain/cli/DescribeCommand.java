@@ -1,0 +1,57 @@
+package dev.eventchain.cli;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.pipeline.AnyModel;
+import dev.eventchain.pipeline.Outcome;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code describe}: lists what a metamodel has. */
+@Command(
+    name = "describe",
+    mixinStandardHelpOptions = true,
+    description = {
+      "List the packages, classes, features and operations of metamodels.",
+      "Without FILE, those of event chains."
+    })
+final class DescribeCommand extends ProjectCommand {
+
+  private final Console console;
+
+  @Parameters(arity = "0..*", paramLabel = "FILE.ecore", description = "The metamodels.")
+  private List<Path> metamodels = List.of();
+
+  @Option(
+      names = "--map",
+      paramLabel = "URI=FOLDER|FILE",
+      description =
+          "Where to find the files that references name by a URI with this prefix. May be repeated.")
+  private Map<String, Path> map = Map.of();
+
+  DescribeCommand(Console console) {
+    super(console);
+    this.console = console;
+  }
+
+  @Override
+  boolean printsResult() {
+    return true;
+  }
+
+  @Override
+  Outcome work() {
+    if (output() != null || overwrite()) {
+      throw wrongUsage("nothing is written: leave out -o and --overwrite");
+    }
+    String text = AnyModel.describe(metamodels, map);
+    if (format() == DiagnosticFormat.TEXT) {
+      console.out().print(text);
+    }
+    return Outcome.of(Coverage.NONE, List.of(), List.of());
+  }
+}
