@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.fixtures.InTurn;
+import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -127,10 +128,19 @@ class CampaignTest {
   @Test
   void failedCasesAreFoundAndOneIsSimulatedAgain() throws IOException {
     copy.replace("approach.yaml", "boundary: {factor: gap, resolution: 2}\n", "");
-    campaign()
+    Path junit = folder.resolve("junit.xml");
+    campaign("--report", "junit=" + junit)
         .expect(1)
         .says("2 of 6 cases failed, the first is case 1 (speed = 40, gap = 10)")
         .says("[campaign.case.failed]");
+    String xml = Files.readString(junit);
+    assertTrue(xml.contains("<testsuite name=\"cases\" tests=\"6\" failures=\"2\""), xml);
+    assertTrue(xml.contains("name=\"approach: speed = 50, gap = 60\" time=\"11.700\""), xml);
+    Path before = folder.resolve("before");
+    Projects.copy(results("approach"), before);
+    copy.replace("software-base/components/Brake_Request.py", "-9.0", "-5.0");
+    campaign("--compare", before).expect(1).says("0 pass now, ").says(" no longer pass, ");
+    campaign("--compare", folder).expect(2).says("[campaign.comparison]");
     campaign("--case", 4).expect(0).says("case 4: speed = 50, gap = 10").says("FAILED  ");
     String scenario = Files.readString(results("approach/case-4/scenario.yaml"));
     assertTrue(scenario.contains("\"gap_m\" : 10"), scenario);
@@ -149,7 +159,7 @@ class CampaignTest {
     campaign().expect(2).says("With speed = 500: 'speed_kmh' must be");
     copy.replace("approach.yaml", "values: [40, 500]", "values: [40]");
     copy.replace("approach.yaml", "actors[0].gap_m", "actors[3].gap_m");
-    campaign().expect(2).says("The scenario has no [3] for the path 'actors[3].gap_m'.");
+    campaign().expect(2).says("There is no [3] for the path 'actors[3].gap_m'.");
     copy.replace("approach.yaml", "actors[3].gap_m", "ego.speed_kmh");
     campaign().expect(2).says("Two factors have 'ego.speed_kmh'.");
     copy.replace("approach.yaml", "stopped-vehicle-50", "stoped-vehicle-50");
@@ -211,5 +221,22 @@ class CampaignTest {
         .says("[campaign.case.untested]")
         .says("In none of 2 cases, 'always (gap < 1 m implies")
         .says("[campaign.criterion.untested]");
+  }
+
+  /** A radar that sees 8 m sees the vehicle too late. */
+  @Test
+  void numbersOfTheBenchAreFactors() throws IOException {
+    copy.write(
+        "approach.yaml",
+        """
+        scenario: stopped-vehicle-50
+        factors:
+          reach: {path: "bench:inputs.radar.reach.value", values: [8, 150]}
+        """);
+    campaign().expect(1).says("1 of 2 cases failed, the first is case 1 (reach = 8): ");
+    campaign("--case", 1).expect(0).says("FAILED  no impact");
+    copy.replace(
+        "approach.yaml", "bench:inputs.radar.reach.value", "bench:inputs.radr.reach.value");
+    campaign().expect(2).says("[campaign.factor]");
   }
 }

@@ -12,6 +12,7 @@ import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.Stage;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -75,6 +76,12 @@ final class CampaignCommand extends ProjectCommand {
               + " OUTPUT/campaigns/NAME/case-NUMBER.")
   private Integer replayed;
 
+  @Option(
+      names = "--compare",
+      paramLabel = "FOLDER",
+      description = "Say which cases pass now and which no longer, compared with these results.")
+  private Path compared;
+
   @Mixin private LlmOptions llm;
 
   CampaignCommand(Console console) {
@@ -99,7 +106,8 @@ final class CampaignCommand extends ProjectCommand {
         Campaigns.run(
             project,
             upToGeneration(project),
-            new CampaignOptions(file, dryRun, shard(), replayed(), merged),
+            new CampaignOptions(
+                file, dryRun, shard(), replayed(), merged, Optional.ofNullable(compared)),
             new ProgressLines(console.err(), console.terminal()));
     if (format() == DiagnosticFormat.TEXT) {
       console.out().print(result.text());

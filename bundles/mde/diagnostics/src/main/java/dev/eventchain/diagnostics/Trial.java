@@ -28,7 +28,9 @@ public record Trial(
     /** A written requirement, by all that names it. */
     REQUIREMENT("requirements"),
     /** The software in a situation in which something breaks. */
-    FAULT("faults");
+    FAULT("faults"),
+    /** The software in one of many situations that differ in numbers only. */
+    CASE("cases");
 
     private final String title;
 

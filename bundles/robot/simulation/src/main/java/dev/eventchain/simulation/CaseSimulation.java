@@ -3,12 +3,14 @@ package dev.eventchain.simulation;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.sandbox.Confinement;
 import dev.eventchain.sandbox.PythonEnvironment;
+import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.chain.NodeConfiguration;
 import dev.eventchain.simulation.chain.SimulatedChain;
 import dev.eventchain.simulation.host.HostProgram;
 import dev.eventchain.simulation.host.LockstepProcess;
 import dev.eventchain.simulation.host.NodeHosts;
 import dev.eventchain.simulation.judge.ScenarioJudge;
+import dev.eventchain.simulation.node.NodePackage;
 import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.run.ScenarioRunner;
 import dev.eventchain.simulation.scenario.Criterion;
@@ -35,9 +37,11 @@ public final class CaseSimulation {
 
   private final SimulationRequest request;
   private final SimulatedChain chain;
-  private final NodeConfiguration nodes;
-  private final ScenarioJudge judge;
+  private final NodePackage nodes;
   private final PythonEnvironment python;
+
+  /** A scenario on a bench. */
+  public record Case(Scenario scenario, Bench bench) {}
 
   /** Receives results, one at a time, in an order that depends on the machine. */
   public interface Listener {
@@ -54,47 +58,49 @@ public final class CaseSimulation {
   public CaseSimulation(SimulationRequest request, PythonEnvironment python) {
     this.request = request;
     this.chain = request.simulatedChain();
-    this.nodes = new NodeConfiguration(chain, request.nodePackage());
-    this.judge = new ScenarioJudge(chain, List.of(), false);
+    this.nodes = request.nodePackage();
     this.python = python;
   }
 
   /**
    * Simulates cases.
    *
-   * @param scenarios returns a case by its number, on any thread; a {@link DiagnosticException} is
-   *     the result of that case
+   * @param each returns a case by its number, on any thread; a {@link DiagnosticException} is the
+   *     result of that case
    * @throws DiagnosticException as {@link Simulation#run} does, except for failures of the software
    *     in a case
    * @throws InterruptedException if the calling thread was interrupted; the processes are ended
    */
-  public void run(int cases, IntFunction<Scenario> scenarios, Listener listener)
+  public void run(int cases, IntFunction<Case> each, Listener listener)
       throws InterruptedException {
-    HostPool.Job job = (number, hosts) -> work(number, scenarios, hosts, listener);
+    HostPool.Job job = (number, hosts) -> work(number, each, hosts, listener);
     new HostPool(cases, this::start, job).run(request.settings().processes());
   }
 
   private HostPool.State work(
-      int number, IntFunction<Scenario> scenarios, NodeHosts hosts, Listener listener) {
-    Scenario scenario;
+      int number, IntFunction<Case> each, NodeHosts hosts, Listener listener) {
+    Case own;
     try {
-      scenario = scenarios.apply(number);
+      own = each.apply(number);
     } catch (DiagnosticException e) {
       done(number, CaseResult.error("no scenario: " + e.diagnostics().get(0).message()), listener);
       return HostPool.State.DONE;
     }
-    return work(number, scenario, hosts, listener);
+    return work(number, own, hosts, listener);
   }
 
   private synchronized void done(int number, CaseResult result, Listener listener) {
     listener.done(number, result);
   }
 
-  private HostPool.State work(int number, Scenario scenario, NodeHosts hosts, Listener listener) {
+  private HostPool.State work(int number, Case own, NodeHosts hosts, Listener listener) {
+    SimulatedChain there = chain.on(own.bench());
+    NodeConfiguration configuration = new NodeConfiguration(there, nodes);
     ScenarioRunner runner =
-        new ScenarioRunner(chain, nodes, Optional.empty(), hosts.session(), Map.of());
+        new ScenarioRunner(there, configuration, Optional.empty(), hosts.session(), Map.of());
     try {
-      done(number, judged(runner.run(scenario)), listener);
+      ScenarioJudge judge = new ScenarioJudge(there, List.of(), false);
+      done(number, judged(judge, runner.run(own.scenario())), listener);
       return HostPool.State.DONE;
     } catch (DiagnosticException e) {
       if (e.reason() != DiagnosticException.Reason.FINDINGS) {
@@ -109,7 +115,7 @@ public final class CaseSimulation {
    * Returns the result of a case: failed if a criterion failed, passed if one of the scenario was
    * met and none failed. Where the premise of another one never came true, this case is none of it.
    */
-  private CaseResult judged(ScenarioRun run) {
+  private static CaseResult judged(ScenarioJudge judge, ScenarioRun run) {
     List<CriterionMargin> criteria = new ArrayList<>();
     List<String> failures = new ArrayList<>();
     List<String> untested = new ArrayList<>();
@@ -172,7 +178,7 @@ public final class CaseSimulation {
   }
 
   private NodeHosts start(int turn) {
-    HostProgram program = new HostProgram(request.nodePackage(), python, Confinement.detect());
+    HostProgram program = new HostProgram(nodes, python, Confinement.detect());
     return new LockstepProcess(program, request.chain().getSoftware().size(), turn);
   }
 }

@@ -66,6 +66,12 @@ public record SimulationRequest(
         chain, packageFolder, manifest, messageFolders, bench, scenarios, change.apply(settings));
   }
 
+  /** Returns a copy with another bench. */
+  public SimulationRequest on(Bench other) {
+    return new SimulationRequest(
+        chain, packageFolder, manifest, messageFolders, other, scenarios, settings);
+  }
+
   /** Returns the description of the driver for users. */
   String driverWords() {
     return settings.driver().words()

@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Report;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.diagnostics.Suppressions.Suppressed;
+import dev.eventchain.diagnostics.Trial;
 import dev.eventchain.pipeline.files.WrittenFiles;
 import dev.eventchain.pipeline.run.RunResult;
 import java.util.ArrayList;
@@ -21,6 +22,7 @@ import java.util.stream.Stream;
  * @param failed true if the command could not do its work; the findings say why
  * @param run the run of the project's stages, when there was one
  * @param written the files written without a project, as readable text; may be empty
+ * @param trials the tests that the command made apart from a run
  */
 public record Outcome(
     int exitCode,
@@ -29,7 +31,25 @@ public record Outcome(
     List<Diagnostic> diagnostics,
     List<Suppressed> suppressed,
     Optional<RunResult> run,
-    String written) {
+    String written,
+    List<Trial> trials) {
+
+  private Outcome(
+      int exitCode,
+      boolean failed,
+      Coverage coverage,
+      List<Diagnostic> diagnostics,
+      List<Suppressed> suppressed,
+      Optional<RunResult> run,
+      String written) {
+    this(exitCode, failed, coverage, diagnostics, suppressed, run, written, List.of());
+  }
+
+  /** Returns the outcome with the tests that the command made apart from a run. */
+  public Outcome with(List<Trial> tests) {
+    return new Outcome(
+        exitCode, failed, coverage, diagnostics, suppressed, run, written, List.copyOf(tests));
+  }
 
   /** Returns the outcome of a command that did its work. */
   public static Outcome of(Coverage coverage, List<Diagnostic> found, List<Suppressed> suppressed) {
@@ -103,7 +123,7 @@ public record Outcome(
     }
     List<Diagnostic> all = new ArrayList<>(diagnostics);
     all.addAll(problems);
-    return new Outcome(ExitCode.INPUT, failed, coverage, all, suppressed, run, written);
+    return new Outcome(ExitCode.INPUT, failed, coverage, all, suppressed, run, written, trials);
   }
 
   /** Returns the combination of two outcomes: the worse exit code, and the findings of both. */
@@ -115,7 +135,8 @@ public record Outcome(
         joined(diagnostics, other.diagnostics),
         joined(suppressed, other.suppressed),
         run.or(other::run),
-        Stream.of(written, other.written).filter(text -> !text.isEmpty()).collect(joining("; ")));
+        Stream.of(written, other.written).filter(text -> !text.isEmpty()).collect(joining("; ")),
+        joined(trials, other.trials));
   }
 
   private static <T> List<T> joined(List<T> first, List<T> second) {
@@ -134,7 +155,7 @@ public record Outcome(
         coverage,
         diagnostics,
         suppressed,
-        run.map(RunResult::trials).orElse(List.of()));
+        run.map(RunResult::trials).orElse(trials));
   }
 
   /**

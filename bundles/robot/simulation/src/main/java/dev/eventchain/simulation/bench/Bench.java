@@ -3,6 +3,7 @@ package dev.eventchain.simulation.bench;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.MessageValue;
 import dev.eventchain.messages.QosSettings;
@@ -247,6 +248,12 @@ public final class Bench {
   public static Bench read(
       Optional<Path> file, List<dev.eventchain.model.Signal> declared, MessageCatalog messages) {
     return BenchReader.read(file, new DeclaredSignals(declared), messages);
+  }
+
+  /** Reads a text in memory as {@link #read} does a file. */
+  public static Bench parse(
+      SourceText text, List<dev.eventchain.model.Signal> declared, MessageCatalog messages) {
+    return BenchReader.parse(text, new DeclaredSignals(declared), messages);
   }
 
   /** Returns a bench with the topics of the CARLA ROS bridge, for software with unknown signals. */

@@ -67,10 +67,21 @@ public final class BenchReader {
     } else {
       reader.carla();
     }
-    if (!reader.problems.isEmpty()) {
-      throw new DiagnosticException(DiagnosticException.Reason.INPUT, reader.problems);
+    return reader.finished(file.map(SourceLocation::of).orElse(SourceLocation.NONE));
+  }
+
+  /** Reads a bench in memory likewise. */
+  static Bench parse(SourceText text, DeclaredSignals declared, MessageCatalog messages) {
+    BenchReader reader = new BenchReader(declared, messages);
+    reader.project(text);
+    return reader.finished(SourceLocation.of(text.name()));
+  }
+
+  private Bench finished(SourceLocation location) {
+    if (!problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
     }
-    return reader.bench(file.map(SourceLocation::of).orElse(SourceLocation.NONE));
+    return bench(location);
   }
 
   private Bench bench(SourceLocation location) {

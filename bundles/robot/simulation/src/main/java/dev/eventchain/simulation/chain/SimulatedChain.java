@@ -63,6 +63,11 @@ public final class SimulatedChain {
         .toList();
   }
 
+  /** Returns the same nodes on another bench. */
+  public SimulatedChain on(Bench other) {
+    return new SimulatedChain(chain, other, catalog, attached);
+  }
+
   /** Returns the connection of the nodes with the world. */
   public Bench bench() {
     return bench;

@@ -2,6 +2,7 @@ package dev.eventchain.pipeline.campaign;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
@@ -11,9 +12,15 @@ import java.util.OptionalInt;
  * @param dryRun whether cases are only counted, and a few of them timed
  * @param replayed the number of the only case that is simulated, from 1, as in the table
  * @param merged the folders of parts that are put together instead of simulating; usually none
+ * @param compared the folder of the results of another campaign
  */
 public record CampaignOptions(
-    Path file, boolean dryRun, Shard shard, OptionalInt replayed, List<Path> merged) {
+    Path file,
+    boolean dryRun,
+    Shard shard,
+    OptionalInt replayed,
+    List<Path> merged,
+    Optional<Path> compared) {
 
   public CampaignOptions {
     merged = List.copyOf(merged);

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
 
@@ -50,12 +51,17 @@ final class CampaignPage {
     this.summary = new CampaignSummary(plan, rows);
   }
 
-  static String of(Project project, CampaignPlan plan, List<CampaignRow> rows) {
+  static String of(
+      Project project,
+      CampaignPlan plan,
+      List<CampaignRow> rows,
+      Optional<CampaignComparison> comparison) {
     CampaignPage page = new CampaignPage(project, plan, rows);
     page.head();
     page.figures();
     page.map();
     page.boundary();
+    comparison.ifPresent(page::changes);
     page.nearest();
     page.failures();
     page.add("<footer>All cases are in %s.</footer>\n</body>\n</html>\n", CampaignStore.TABLE);
@@ -168,6 +174,23 @@ final class CampaignPage {
       raw("</tr>\n");
     }
     raw("</tbody></table></div></section>\n");
+  }
+
+  private void changes(CampaignComparison comparison) {
+    raw("<section><h2>Compared with another campaign</h2>\n");
+    add("<p>%s.</p>\n", comparison.text().strip());
+    for (boolean better : new boolean[] {false, true}) {
+      List<CampaignRow> rowsNow =
+          comparison.changes(better).stream()
+              .map(CampaignComparison.Change::now)
+              .limit(NEAREST)
+              .toList();
+      if (!rowsNow.isEmpty()) {
+        raw(better ? "<h3>Pass now</h3>\n" : "<h3>No longer pass</h3>\n");
+        table(rowsNow);
+      }
+    }
+    raw("</section>\n");
   }
 
   private void nearest() {

@@ -9,6 +9,7 @@ final class CampaignRules {
   static final Rule CASE_ERROR = Rule.error("campaign.case.error");
   static final Rule CASE_FAILED = Rule.error("campaign.case.failed");
   static final Rule CASE_UNTESTED = Rule.error("campaign.case.untested", CommonTrait.UNTESTED);
+  static final Rule COMPARISON = Rule.error("campaign.comparison");
   static final Rule CONDITION = Rule.error("campaign.condition");
   static final Rule CRITERION_UNTESTED =
       Rule.error("campaign.criterion.untested", CommonTrait.UNTESTED);

@@ -4,6 +4,8 @@ import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.Trial;
+import dev.eventchain.simulation.verdict.CaseResult;
 import dev.eventchain.simulation.verdict.CaseResult.CriterionMargin;
 import dev.eventchain.simulation.verdict.CaseResult.Label;
 import java.util.ArrayList;
@@ -83,6 +85,25 @@ final class CampaignSummary {
             number,
             row.id().words(plan),
             row.result().reason());
+  }
+
+  /**
+   * Returns a test for each case, which failed if it did not pass; none where a boundary is
+   * searched, since cases are to fail there.
+   */
+  List<Trial> trials() {
+    List<Trial> trials = new ArrayList<>();
+    if (plan.boundary().isPresent()) {
+      return trials;
+    }
+    for (CampaignRow row : rows) {
+      Trial.Outcome outcome = row.is(Label.PASSED) ? Trial.Outcome.PASSED : Trial.Outcome.FAILED;
+      String name = plan.name() + ": " + row.id().words(plan);
+      CaseResult result = row.result();
+      trials.add(
+          new Trial(Trial.Kind.CASE, name, outcome, result.reason(), result.end(), List.of()));
+    }
+    return trials;
   }
 
   /** Returns the flips along the boundary's factor; none without one. */

@@ -48,7 +48,7 @@ public final class Campaigns {
     List<Scenario> scenarios =
         Scenario.readFolder(run.project().scenarios(), run.chain().bench(), run::find);
     Path file = ScenarioTemplate.find(Scenario.filesIn(run.project().scenarios()), scenarios, plan);
-    this.template = new ScenarioTemplate(file, run.chain().bench(), plan);
+    this.template = new ScenarioTemplate(run, plan, file);
   }
 
   /**
@@ -195,12 +195,14 @@ public final class Campaigns {
   private CampaignOutcome outcome(CampaignStore store, int known, long nanos) {
     store.complete();
     List<CampaignRow> rows = List.copyOf(store.rows());
+    Optional<CampaignComparison> comparison =
+        options.compared().map(folder -> CampaignComparison.with(folder, rows));
     CampaignSummary summary = new CampaignSummary(plan, rows);
     CampaignTable table = new CampaignTable(plan.names(), rows);
     store.write(CampaignStore.TABLE, table.csv().getBytes(StandardCharsets.UTF_8));
     store.write(
         CampaignStore.PAGE,
-        CampaignPage.of(run.project(), plan, rows).getBytes(StandardCharsets.UTF_8));
+        CampaignPage.of(run.project(), plan, rows, comparison).getBytes(StandardCharsets.UTF_8));
     run.progress()
         .ended(
             Stage.SIMULATE,
@@ -214,7 +216,7 @@ public final class Campaigns {
     Suppressions.Parted parted = run.options().suppressions().part(found);
     String report = "Report: " + store.path(CampaignStore.PAGE) + "\n";
     return new CampaignOutcome(
-        Outcome.of(Coverage.NONE, parted.remaining(), parted.suppressed()),
-        summary.text() + report);
+        Outcome.of(Coverage.NONE, parted.remaining(), parted.suppressed()).with(summary.trials()),
+        summary.text() + comparison.map(CampaignComparison::text).orElse("") + report);
   }
 }

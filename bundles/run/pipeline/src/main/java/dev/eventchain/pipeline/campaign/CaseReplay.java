@@ -8,10 +8,10 @@ import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.simulate.SimulateStage;
 import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.simulation.CaseSimulation;
 import dev.eventchain.simulation.Simulation;
 import dev.eventchain.simulation.SimulationRequest;
 import dev.eventchain.simulation.SimulationResult;
-import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -63,14 +63,15 @@ final class CaseReplay {
     return new CampaignOutcome(outcome, words.toString());
   }
 
-  private SimulationResult simulate(Scenario scenario, String folder) {
+  private SimulationResult simulate(CaseSimulation.Case each, String folder) {
     try {
       Path scratch = Files.createDirectories(run.output().scratch());
       SimulationRequest request =
-          SimulateStage.request(run, List.of(scenario))
+          SimulateStage.request(run, List.of(each.scenario()))
+              .on(each.bench())
               .with(it -> it.withRecordings(scratch).withStrength(Optional.empty()));
       SimulationResult result = Simulation.run(request, run.python(Stage.SIMULATE), name -> {});
-      String name = scenario.name() + ".mcap";
+      String name = each.scenario().name() + ".mcap";
       store.write(folder + "/" + name, Files.readAllBytes(scratch.resolve(name)));
       return result;
     } catch (InterruptedException e) {

@@ -1,8 +1,5 @@
 package dev.eventchain.pipeline.campaign;
 
-import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.DecimalNode;
 import com.fasterxml.jackson.databind.node.LongNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -13,6 +10,8 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
 import dev.eventchain.documents.DocumentRules;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.simulation.CaseSimulation;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.math.BigDecimal;
@@ -20,14 +19,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 
 /**
- * A scenario file with the values of factors in place of its own. A path is the keys from the top,
- * with {@code [2]} or {@code [name]} for an element of a list; a key that the file does not have is
- * added.
+ * A scenario file, and the project's {@code bench.yaml}, with the values of factors in place of
+ * their own numbers.
  */
 final class ScenarioTemplate {
 
@@ -39,28 +35,37 @@ final class ScenarioTemplate {
           CampaignRules.KEY_MISSING,
           CampaignRules.KEY_UNKNOWN,
           CampaignRules.VALUE_RANGE);
-  private static final Pattern STEP = Pattern.compile("([^.\\[\\]]+)|\\[([^\\[\\]]+)]");
+  private static final String BENCH = "bench:";
   private static final int MOST_TRIED = 200;
-  private static final Pattern NUMBER = Pattern.compile("\\d{1,6}");
 
+  private final RunContext run;
+  private final CampaignPlan plan;
   private final Path file;
   private final ObjectNode scenario;
-  private final Bench bench;
-  private final CampaignPlan plan;
+  private final Optional<ObjectNode> bench;
+  private final boolean variesBench;
 
   /**
-   * Reads the file of a scenario.
+   * Reads the file of a scenario, and the bench.
    *
    * @throws DiagnosticException (INPUT) if the scenario itself is wrong
    */
-  ScenarioTemplate(Path file, Bench bench, CampaignPlan plan) {
-    Scenario.read(file, bench);
-    this.file = file;
-    this.bench = bench;
+  ScenarioTemplate(RunContext run, CampaignPlan plan, Path file) {
+    Scenario.read(file, run.chain().bench());
+    this.run = run;
     this.plan = plan;
-    this.scenario =
-        (ObjectNode)
-            Document.parse(SourceText.read(file), DocumentFormat.YAML, RULES, finding -> {}).root();
+    this.file = file;
+    this.scenario = tree(file);
+    this.bench = run.project().bench().map(ScenarioTemplate::tree);
+    this.variesBench =
+        plan.factors().stream()
+            .flatMap(factor -> factor.paths().stream())
+            .anyMatch(path -> path.startsWith(BENCH));
+  }
+
+  private static ObjectNode tree(Path file) {
+    return (ObjectNode)
+        Document.parse(SourceText.read(file), DocumentFormat.YAML, RULES, finding -> {}).root();
   }
 
   /** Returns a finding for each path that leads nowhere, or where another factor leads. */
@@ -68,9 +73,14 @@ final class ScenarioTemplate {
     List<Diagnostic> found = new ArrayList<>();
     List<String> taken = new ArrayList<>();
     ObjectNode copy = scenario.deepCopy();
+    Optional<ObjectNode> benchCopy = bench.map(ObjectNode::deepCopy);
     for (Factor factor : plan.factors()) {
       for (String path : factor.paths()) {
-        Optional<String> problem = set(copy, path, factor.levels().checked().get(0));
+        BigDecimal first = factor.levels().checked().get(0);
+        Optional<String> problem =
+            path.startsWith(BENCH) && bench.isEmpty()
+                ? Optional.of("The project has no bench.yaml for '" + path + "'.")
+                : set(path.startsWith(BENCH) ? benchCopy.orElseThrow() : copy, path, first);
         problem.ifPresent(it -> found.add(Diagnostic.of(CampaignRules.FACTOR, it, factor.place())));
         if (taken.contains(path)) {
           String message = "Two factors have '" + path + "'.";
@@ -126,22 +136,26 @@ final class ScenarioTemplate {
   }
 
   /**
-   * Returns the scenario of a case.
+   * Returns a case: the scenario, and the bench if a factor is one of its numbers.
    *
    * @throws DiagnosticException (INPUT) if its values do not fit together
    */
-  Scenario of(CampaignCase each) {
-    return Scenario.parse(SourceText.of(file.toString(), text(each)), bench);
+  CaseSimulation.Case of(CampaignCase each) {
+    Bench own = run.chain().bench();
+    if (variesBench) {
+      ObjectNode copy = bench.orElseThrow().deepCopy();
+      setAll(copy, true, each);
+      Path benchFile = run.project().bench().orElseThrow();
+      own = run.bench(SourceText.of(benchFile.toString(), copy.toPrettyString()));
+    }
+    return new CaseSimulation.Case(
+        Scenario.parse(SourceText.of(file.toString(), text(each)), own), own);
   }
 
   /** Returns the scenario of a case as JSON, which is YAML, too. */
   String text(CampaignCase each) {
     ObjectNode copy = scenario.deepCopy();
-    for (int i = 0; i < plan.factors().size(); i++) {
-      for (String path : plan.factors().get(i).paths()) {
-        set(copy, path, each.values().get(i));
-      }
-    }
+    setAll(copy, false, each);
     if (plan.repetitions() > 1) {
       long seed = scenario.path("seed").asLong(1);
       copy.set("seed", LongNode.valueOf(seed + each.repetition() - 1));
@@ -149,76 +163,19 @@ final class ScenarioTemplate {
     return copy.toPrettyString();
   }
 
-  /** Sets a number; returns what is wrong with its path. */
+  private void setAll(ObjectNode root, boolean ofBench, CampaignCase each) {
+    for (int i = 0; i < plan.factors().size(); i++) {
+      for (String path : plan.factors().get(i).paths()) {
+        if (path.startsWith(BENCH) == ofBench) {
+          set(root, path, each.values().get(i));
+        }
+      }
+    }
+  }
+
   private static Optional<String> set(ObjectNode root, String path, BigDecimal value) {
-    List<String> steps = steps(path);
-    if (steps.isEmpty()) {
-      return Optional.of("'" + path + "' is no path, such as actors[0].gap_m.");
-    }
-    JsonNode node = root;
-    for (int i = 0; i + 1 < steps.size(); i++) {
-      String step = steps.get(i);
-      Optional<JsonNode> next =
-          step.startsWith("[") ? element(node, step) : property(node, step, steps.get(i + 1));
-      if (next.isEmpty()) {
-        return Optional.of("The scenario has no " + step + " for the path '" + path + "'.");
-      }
-      node = next.get();
-    }
-    String last = steps.get(steps.size() - 1);
-    if (last.startsWith("[") || !(node instanceof ObjectNode owner)) {
-      return Optional.of("'" + path + "' is not the path of a number.");
-    }
-    JsonNode before = owner.get(last);
-    if (before != null && !before.isNumber()) {
-      return Optional.of("'" + path + "' is " + before.getNodeType() + ", and not a number.");
-    }
-    owner.set(last, DecimalNode.valueOf(value));
-    return Optional.empty();
-  }
-
-  /** Returns the keys and {@code [...]} of a path; none if it is no path. */
-  private static List<String> steps(String path) {
-    List<String> steps = new ArrayList<>();
-    Matcher step = STEP.matcher(path);
-    int end = 0;
-    while (step.find()) {
-      String between = path.substring(end, step.start());
-      boolean joined = between.isEmpty() ? step.group(1) == null || end == 0 : between.equals(".");
-      if (!joined) {
-        return List.of();
-      }
-      steps.add(step.group(1) != null ? step.group(1) : step.group());
-      end = step.end();
-    }
-    return end == path.length() ? steps : List.of();
-  }
-
-  private static Optional<JsonNode> element(JsonNode list, String step) {
-    String which = step.substring(1, step.length() - 1).strip();
-    if (!(list instanceof ArrayNode)) {
-      return Optional.empty();
-    }
-    if (NUMBER.matcher(which).matches()) {
-      return Optional.ofNullable(list.get(Integer.parseInt(which)));
-    }
-    for (JsonNode each : list) {
-      if (each.path("name").asText().equals(which)) {
-        return Optional.of(each);
-      }
-    }
-    return Optional.empty();
-  }
-
-  /** Returns the value of a key, which is added where a key of it follows. */
-  private static Optional<JsonNode> property(JsonNode node, String key, String following) {
-    if (!(node instanceof ObjectNode owner)) {
-      return Optional.empty();
-    }
-    if (!owner.has(key) && !following.startsWith("[")) {
-      owner.putObject(key);
-    }
-    return Optional.ofNullable(owner.get(key));
+    String inFile = path.startsWith(BENCH) ? path.substring(BENCH.length()) : path;
+    return new NumberPath(inFile).set(root, value);
   }
 
   /** Returns the file of a scenario of a project by its name. */

@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.FileReads;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.output.OutputFolder;
@@ -185,6 +186,14 @@ public final class RunContext {
 
   private Bench readBench() {
     return Bench.read(project.bench(), softwareBase().signals().orElse(List.of()), messages());
+  }
+
+  /**
+   * Returns the project's bench with another text, whose formulas can read outputs of the chain.
+   */
+  public Bench bench(SourceText text) {
+    return Bench.parse(text, softwareBase().signals().orElse(List.of()), messages())
+        .withOutputsOf(chain().chain());
   }
 
   /** Returns the valid message definitions: standard ones and the project's own. */

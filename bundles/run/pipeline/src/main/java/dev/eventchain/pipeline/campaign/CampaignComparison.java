@@ -1,0 +1,93 @@
+package dev.eventchain.pipeline.campaign;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.simulation.verdict.CaseResult.Label;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/** The cases of a campaign beside those of an earlier one, by their values. */
+final class CampaignComparison {
+
+  /** A case of both campaigns with different verdicts. */
+  record Change(CampaignRow before, CampaignRow now) {
+
+    boolean isBetter() {
+      return now.is(Label.PASSED);
+    }
+  }
+
+  private final List<Change> changes = new ArrayList<>();
+  private int same;
+  private int added;
+
+  private CampaignComparison(Map<CampaignCase, CampaignRow> before, List<CampaignRow> now) {
+    for (CampaignRow row : now) {
+      CampaignRow other = before.get(row.id());
+      if (other == null) {
+        added++;
+      } else if (other.is(Label.PASSED) == row.is(Label.PASSED)) {
+        same++;
+      } else {
+        changes.add(new Change(other, row));
+      }
+    }
+  }
+
+  /**
+   * Compares cases with those of a folder.
+   *
+   * @throws DiagnosticException (INPUT) {@code campaign.comparison} if there are none, or if they
+   *     have nothing in common
+   */
+  static CampaignComparison with(Path folder, List<CampaignRow> now) {
+    Optional<CampaignStore.Cases> earlier;
+    try {
+      earlier = CampaignStore.read(Files.readAllBytes(folder.resolve(CampaignStore.CASES)));
+    } catch (IOException e) {
+      throw refused(folder, "There is no " + CampaignStore.CASES + " in it.");
+    }
+    if (earlier.isEmpty()) {
+      throw refused(folder, "It is broken, or from another version of this program.");
+    }
+    Map<CampaignCase, CampaignRow> before = new TreeMap<>(CampaignCase.ORDER);
+    int factors = now.get(0).id().values().size();
+    earlier.get().rows().stream()
+        .filter(row -> row.id().values().size() == factors)
+        .forEach(row -> before.put(row.id(), row));
+    CampaignComparison comparison = new CampaignComparison(before, now);
+    if (comparison.added == now.size()) {
+      throw refused(folder, "It has none of the cases of this campaign.");
+    }
+    return comparison;
+  }
+
+  private static DiagnosticException refused(Path folder, String why) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT,
+        Diagnostic.of(CampaignRules.COMPARISON, why, SourceLocation.of(folder))
+            .withHint("Name the folder of a campaign's results, with its cases.json."));
+  }
+
+  /** Returns the cases that pass now, or no longer, in the order of their values. */
+  List<Change> changes(boolean better) {
+    return changes.stream().filter(each -> each.isBetter() == better).toList();
+  }
+
+  String text() {
+    return "%d pass now, %d no longer pass, %d as before%s%n"
+        .formatted(
+            changes(true).size(),
+            changes(false).size(),
+            same,
+            added == 0 ? "" : ", " + Coverage.counted(added, "case") + " not in the other one");
+  }
+}

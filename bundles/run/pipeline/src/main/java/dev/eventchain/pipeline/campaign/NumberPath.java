@@ -1,0 +1,125 @@
+package dev.eventchain.pipeline.campaign;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.DecimalNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * The way to a number in a file: keys from the top, with {@code [2]} or {@code [name]} for an
+ * element of a list. A key may have dots itself: the longest one that is there counts. One that is
+ * not there is added.
+ */
+final class NumberPath {
+
+  private static final Pattern STEP = Pattern.compile("([^.\\[\\]]+)|\\[([^\\[\\]]+)]");
+  private static final Pattern INDEX = Pattern.compile("\\d{1,6}");
+
+  private final String path;
+  private final List<String> steps;
+
+  NumberPath(String path) {
+    this.path = path;
+    this.steps = steps(path);
+  }
+
+  /** Returns the keys and {@code [...]} of a path; none if it is no path. */
+  private static List<String> steps(String path) {
+    List<String> steps = new ArrayList<>();
+    Matcher step = STEP.matcher(path);
+    int end = 0;
+    while (step.find()) {
+      String between = path.substring(end, step.start());
+      boolean joined = between.isEmpty() ? step.group(1) == null || end == 0 : between.equals(".");
+      if (!joined) {
+        return List.of();
+      }
+      steps.add(step.group(1) != null ? step.group(1) : step.group());
+      end = step.end();
+    }
+    return end == path.length() ? steps : List.of();
+  }
+
+  /** Sets the number; returns what is wrong with the path. */
+  Optional<String> set(ObjectNode root, BigDecimal value) {
+    if (steps.isEmpty()) {
+      return Optional.of("'" + path + "' is no path, such as actors[0].gap_m.");
+    }
+    JsonNode node = root;
+    int at = 0;
+    while (true) {
+      String step = steps.get(at);
+      if (isElement(step)) {
+        node = element(node, step);
+        at++;
+      } else if (node instanceof ObjectNode owner) {
+        int next = endOfKey(owner, at);
+        String key = String.join(".", steps.subList(at, next));
+        if (next == steps.size()) {
+          return set(owner, key, value);
+        }
+        node = value(owner, key, steps.get(next));
+        at = next;
+      } else {
+        node = null;
+      }
+      if (node == null) {
+        return Optional.of("There is no " + step + " for the path '" + path + "'.");
+      }
+      if (at == steps.size()) {
+        return Optional.of("'" + path + "' is not the path of a number.");
+      }
+    }
+  }
+
+  private Optional<String> set(ObjectNode owner, String key, BigDecimal value) {
+    JsonNode before = owner.get(key);
+    if (before != null && !before.isNumber()) {
+      return Optional.of("'" + path + "' is not the path of a number.");
+    }
+    owner.set(key, DecimalNode.valueOf(value));
+    return Optional.empty();
+  }
+
+  private static boolean isElement(String step) {
+    return step.startsWith("[");
+  }
+
+  /** Returns the end of the longest key that is there, from a step on; one step if none is. */
+  private int endOfKey(ObjectNode owner, int from) {
+    int end = from + 1;
+    for (int to = from + 1; to <= steps.size() && !isElement(steps.get(to - 1)); to++) {
+      end = owner.has(String.join(".", steps.subList(from, to))) ? to : end;
+    }
+    return end;
+  }
+
+  private static JsonNode value(ObjectNode owner, String key, String following) {
+    if (!owner.has(key) && !isElement(following)) {
+      owner.putObject(key);
+    }
+    return owner.get(key);
+  }
+
+  private static JsonNode element(JsonNode list, String step) {
+    String which = step.substring(1, step.length() - 1).strip();
+    if (!(list instanceof ArrayNode)) {
+      return null;
+    }
+    if (INDEX.matcher(which).matches()) {
+      return list.get(Integer.parseInt(which));
+    }
+    for (JsonNode each : list) {
+      if (each.path("name").asText().equals(which)) {
+        return each;
+      }
+    }
+    return null;
+  }
+}
