@@ -122,7 +122,7 @@ public final class CaseSimulation {
     Label label = Label.UNTESTED;
     for (CriterionResult each : judge.criteriaWithoutEvidence(run)) {
       Expectation criterion = criterion(run, each);
-      if (!each.tested() && run.scenario().isOptional(criterion)) {
+      if (judge.isUnasked(criterion, run)) {
         continue; // correct software need not come to it
       }
       Label own = label(criterion, each, run);
@@ -139,12 +139,14 @@ public final class CaseSimulation {
       failures.add("an impact, of which no criterion says anything");
     }
     failures.addAll(untested);
-    return new CaseResult(
-        label,
-        label == Label.PASSED || failures.isEmpty() ? "" : failures.get(0),
-        criteria,
-        run.trace().impactSpeed(),
-        run.trace().end().time() / 1e9);
+    String reason = label == Label.PASSED || failures.isEmpty() ? "" : failures.get(0);
+    return result(run, label, reason, criteria);
+  }
+
+  private static CaseResult result(
+      ScenarioRun run, Label label, String reason, List<CriterionMargin> criteria) {
+    double end = run.trace().end().time() / 1e9;
+    return new CaseResult(label, reason, criteria, run.trace().impactSpeed(), end);
   }
 
   private static boolean isUnjudgedImpact(ScenarioRun run) {
@@ -165,8 +167,8 @@ public final class CaseSimulation {
       boolean noImpact =
           criterion instanceof Criterion known
               && known.kind() == CriterionKind.NO_IMPACT
-              && run.trace().impactSpeed().isEmpty()
-              && run.trace().neverBegun().isEmpty();
+              && result.measured().equals(Criterion.NOTHING_AHEAD)
+              && run.trace().impactSpeed().isEmpty();
       return noImpact ? Label.PASSED : Label.UNTESTED;
     }
     return result.passed() ? Label.PASSED : Label.FAILED;

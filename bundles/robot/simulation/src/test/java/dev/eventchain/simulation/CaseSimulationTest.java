@@ -11,7 +11,7 @@ import dev.eventchain.simulation.verdict.CaseResult.CriterionMargin;
 import dev.eventchain.simulation.verdict.CaseResult.Label;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.SortedMap;
+import java.util.NavigableMap;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -41,7 +41,7 @@ class CaseSimulationTest {
   }
 
   private List<CaseResult> run(Scenario... scenarios) throws Exception {
-    SortedMap<Integer, CaseResult> results = new TreeMap<>();
+    NavigableMap<Integer, CaseResult> results = new TreeMap<>();
     SimulationRequest request = new AebProject(folder).request(List.of(scenarios));
     new CaseSimulation(request, PythonEnvironment.ensure(line -> {}))
         .run(

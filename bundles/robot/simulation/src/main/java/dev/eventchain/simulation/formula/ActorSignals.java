@@ -181,6 +181,11 @@ public final class ActorSignals implements Signal.Source {
   }
 
   @Override
+  public boolean readsOutputs() {
+    return others.readsOutputs();
+  }
+
+  @Override
   public String aboutTopics() {
     return others.aboutTopics();
   }

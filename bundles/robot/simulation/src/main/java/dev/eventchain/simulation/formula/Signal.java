@@ -47,6 +47,11 @@ public record Signal(
       return " Topics are known if signals.json or bench.yaml describes them.";
     }
 
+    /** Returns whether outputs of the software can be read here at all. */
+    default boolean readsOutputs() {
+      return true;
+    }
+
     /**
      * Returns the outputs of the software that satisfy a requirement.
      *

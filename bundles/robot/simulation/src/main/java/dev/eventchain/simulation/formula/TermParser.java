@@ -219,6 +219,9 @@ final class TermParser {
       throw tokens.syntax(token, message, "Put what follows into parentheses.");
     }
     Matcher output = FormulaTokens.OUTPUT.matcher(token.text());
+    if (output.matches() && !signals.readsOutputs()) {
+      throw tokens.unknownSignal(token, "Outputs of the software cannot be read here.", "");
+    }
     if (output.matches()) {
       return Term.of(output(output.group("id"), Optional.ofNullable(output.group("kind")), token));
     }

@@ -241,7 +241,7 @@ public final class ScenarioRunner {
 
   private static boolean othersRest(World world) {
     double now = World.seconds(world.now());
-    return world.actors().stream().allMatch(each -> each.restsFrom(now));
+    return !world.waits() && world.actors().stream().allMatch(each -> each.restsFrom(now));
   }
 
   private ScenarioRun finish(

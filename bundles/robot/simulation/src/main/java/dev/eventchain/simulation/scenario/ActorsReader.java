@@ -38,6 +38,10 @@ final class ActorsReader {
 
   private final double duration;
   private final Set<String> names = new HashSet<>();
+
+  /** The names that the file gives, which no numbered one may equal. */
+  private final Set<String> given = new HashSet<>();
+
   private final Map<String, Integer> unnamed = new HashMap<>();
   private final Map<String, SourceLocation> places = new HashMap<>();
   private final Map<String, ManeuversReader> scripts = new HashMap<>();
@@ -54,7 +58,9 @@ final class ActorsReader {
   /** Reads all actors and furniture, in the order of the file. */
   List<Actor> read(ObjectReader scenario) {
     List<Actor> actors = new ArrayList<>();
-    scenario.objects("actors").forEach(each -> actor(each).ifPresent(actors::add));
+    List<ObjectReader> sections = scenario.objects("actors");
+    sections.forEach(each -> each.value("name").ifPresent(name -> given.add(name.asText())));
+    sections.forEach(each -> actor(each).ifPresent(actors::add));
     scenario.objects("furniture").forEach(each -> actors.addAll(furniture(each)));
     return actors;
   }
@@ -193,7 +199,12 @@ final class ActorsReader {
 
   /** Returns a numbered name, such as "car 2". */
   private String numbered(ActorKind kind) {
-    return kind.id().replace('_', ' ') + " " + unnamed.merge(kind.id(), 1, Integer::sum);
+    String name;
+    do {
+      int number = unnamed.merge(kind.id(), 1, Integer::sum);
+      name = kind.id().replace('_', ' ') + " " + number;
+    } while (given.contains(name));
+    return name;
   }
 
   /** Reads the driver of the ego, whose script is among the ego's keys. */

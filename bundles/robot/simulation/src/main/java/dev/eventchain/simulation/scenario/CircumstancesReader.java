@@ -82,6 +82,11 @@ final class CircumstancesReader {
     }
 
     @Override
+    public boolean readsOutputs() {
+      return false;
+    }
+
+    @Override
     public String aboutTopics() {
       return " What is waited for happens on the road, and in no message.";
     }

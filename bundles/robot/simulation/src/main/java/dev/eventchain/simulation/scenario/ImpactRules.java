@@ -21,7 +21,7 @@ final class ImpactRules {
    * keep.
    */
   private static Outcome nothingAhead() {
-    return Outcome.untested("nothing ahead");
+    return Outcome.untested(Criterion.NOTHING_AHEAD);
   }
 
   static Outcome noImpact(Trace trace) {

@@ -74,6 +74,11 @@ public final class NumberConditions {
     }
 
     @Override
+    public boolean readsOutputs() {
+      return false;
+    }
+
+    @Override
     public Collection<String> names() {
       return signals.keySet();
     }

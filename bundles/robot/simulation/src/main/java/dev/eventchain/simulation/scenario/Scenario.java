@@ -160,7 +160,15 @@ public final class Scenario {
 
   /** Reads a text in memory as {@link #read} does. */
   public static Scenario parse(SourceText text, Bench bench) {
-    return ScenarioReader.read(text, bench);
+    return ScenarioReader.read(text, bench, true);
+  }
+
+  /**
+   * Reads a scenario of which other numbers were read before, as {@link #parse} does, but a formula
+   * may be true or false whatever the software does.
+   */
+  public static Scenario parseCase(SourceText text, Bench bench) {
+    return ScenarioReader.read(text, bench, false);
   }
 
   /**

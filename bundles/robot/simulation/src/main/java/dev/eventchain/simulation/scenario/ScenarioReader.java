@@ -11,6 +11,7 @@ import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.formula.ActorSignals;
+import dev.eventchain.simulation.formula.Range;
 import dev.eventchain.simulation.world.Script;
 import dev.eventchain.simulation.world.Situation;
 import java.util.ArrayList;
@@ -35,13 +36,13 @@ final class ScenarioReader {
 
   private ScenarioReader() {}
 
-  static Scenario read(SourceText text, Bench bench) {
+  static Scenario read(SourceText text, Bench bench, boolean varying) {
     List<Diagnostic> problems = new ArrayList<>();
     Document document = Document.parse(text, DocumentFormat.YAML, RULES, problems::add);
     Optional<Scenario> scenario =
         document
             .object("", problems::add)
-            .map(section -> scenario(section, text, bench, problems::isEmpty));
+            .map(section -> scenario(section, text, bench, varying, problems::isEmpty));
     if (!problems.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
     }
@@ -51,10 +52,11 @@ final class ScenarioReader {
   /**
    * Reads a scenario.
    *
+   * @param varying whether formulas are refused that are true or false in every run
    * @param sound returns whether there is no problem yet
    */
   private static Scenario scenario(
-      ObjectReader section, SourceText text, Bench bench, BooleanSupplier sound) {
+      ObjectReader section, SourceText text, Bench bench, boolean varying, BooleanSupplier sound) {
     String name = name(section);
     section.text("description"); // for people
     String title = section.requiredText("title");
@@ -71,7 +73,8 @@ final class ScenarioReader {
             new ActorSignals(bench.signals(), SituationReader.names(situation.actors())),
             longest(section),
             requirements,
-            Optional.of(new SignalRanges(situation, inputs, bench, longest(section))));
+            Optional.<Range.Source>of(new SignalRanges(situation, inputs, bench, longest(section)))
+                .filter(ranges -> varying));
     NodePhases phases = section.object("phases_ms").map(NodePhases::read).orElse(NodePhases.NONE);
     Scenario.Asked asked = asked(section, formulas);
     if (sound.getAsBoolean()) { // A criterion with an error may be the one that needs an input.

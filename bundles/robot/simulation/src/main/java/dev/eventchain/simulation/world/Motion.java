@@ -43,6 +43,9 @@ public record Motion(SpeedProfile speed, LateralProfile line, long latest, List<
   }
 
   private boolean begins(long now, Trace moment) {
+    if (now < latest) {
+      return false; // the one before it has not begun
+    }
     Maneuver.Start start = waiting.get(0).start();
     return start instanceof Maneuver.When when
         ? when.condition().test(moment)

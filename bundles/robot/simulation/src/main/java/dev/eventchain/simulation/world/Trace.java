@@ -163,6 +163,7 @@ public final class Trace {
     Trace moment = new Trace(inputs, road);
     moment.shape = shape;
     moment.actors = actors;
+    moment.fromBehind.addAll(fromBehind);
     moment.state(state);
     if (!commands.isEmpty()) {
       moment.commands.add(commands.get(commands.size() - 1));

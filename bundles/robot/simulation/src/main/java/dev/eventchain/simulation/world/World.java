@@ -86,6 +86,11 @@ public final class World {
     return ended || impacted();
   }
 
+  /** Returns whether the driver or an actor has a maneuver that has not begun. */
+  public boolean waits() {
+    return driver.motion().waits() || actors.stream().anyMatch(Actor::waits);
+  }
+
   /** Returns the trace up to now. */
   public Trace trace() {
     return trace;
@@ -218,7 +223,7 @@ public final class World {
 
   /** Lets maneuvers begin, or the scenario end, where what they wait for has come. */
   private void begin() {
-    if (driver.motion().waits() || actors.stream().anyMatch(Actor::waits)) {
+    if (waits()) {
       Trace moment = moment();
       driver = driver.continued(now, moment);
       actors = actors.stream().map(actor -> actor.continued(now, moment)).toList();

@@ -125,4 +125,38 @@ class ManeuversTest {
       assertEquals(keeps, heading == 0.0);
     }
   }
+
+  /** Its condition is true from the start, but the one before it begins after 2 s. */
+  @Test
+  void aManeuverWaitsForTheOneBeforeIt() {
+    Trace trace =
+        run(
+            "",
+            "{at_s: 2, speed_kmh: 3.6, acceleration_mps2: 2},"
+                + " {when: ego.speed > 1 m/s, speed_kmh: 7.2, acceleration_mps2: 2}",
+            "",
+            "");
+    assertEquals(-5, walker(trace).across(2.0));
+    assertTrue(walker(trace).across(3.0) > -4.6);
+  }
+
+  /** Numbered names avoid those that the file gives, by which maneuvers are known. */
+  @Test
+  void noTwoActorsHaveOneName() {
+    String text =
+        """
+        name: names
+        title: Names
+        duration_s: 5
+        ego: {speed_kmh: 36}
+        actors:
+          - {name: car 1, gap_m: 30, speed_kmh: 0}
+          - {gap_m: 60, speed_kmh: 0}
+        accept: {no_impact: true}
+        """;
+    Scenario scenario = Scenario.parse(SourceText.of("s.yaml", text), Bench.carla());
+    assertEquals(
+        List.of("car 1", "car 2"),
+        scenario.situation().actors().stream().map(Actor::name).toList());
+  }
 }

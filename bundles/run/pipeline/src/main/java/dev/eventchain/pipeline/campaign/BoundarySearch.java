@@ -46,6 +46,9 @@ final class BoundarySearch {
     Map<CampaignCase, CampaignRow> latest = new LinkedHashMap<>();
     List<Flip> flips = new ArrayList<>();
     for (CampaignRow row : rows) {
+      if (row.is(Label.ERROR)) {
+        continue; // neither side of a boundary
+      }
       CampaignRow before = latest.put(row.id().with(factor, BigDecimal.ZERO), row);
       if (before != null && before.is(Label.PASSED) != row.is(Label.PASSED)) {
         flips.add(new Flip(before, row));

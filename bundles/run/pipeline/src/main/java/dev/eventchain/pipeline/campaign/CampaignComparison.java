@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.TreeMap;
 
 /** The cases of a campaign beside those of an earlier one, by their values. */
@@ -42,32 +41,45 @@ final class CampaignComparison {
     }
   }
 
+  /** The cases of an earlier campaign. */
+  record Earlier(Path folder, List<CampaignRow> rows) {
+
+    /**
+     * Returns the comparison with cases of now.
+     *
+     * @throws DiagnosticException (INPUT) {@code campaign.comparison} if they have nothing in
+     *     common
+     */
+    CampaignComparison beside(List<CampaignRow> now) {
+      Map<CampaignCase, CampaignRow> before = new TreeMap<>(CampaignCase.ORDER);
+      for (CampaignRow row : rows) {
+        if (!now.isEmpty() && row.id().values().size() == now.get(0).id().values().size()) {
+          before.put(row.id(), row);
+        }
+      }
+      CampaignComparison comparison = new CampaignComparison(before, now);
+      if (!now.isEmpty() && comparison.added == now.size()) {
+        throw refused(folder, "It has none of the cases of this campaign.");
+      }
+      return comparison;
+    }
+  }
+
   /**
-   * Compares cases with those of a folder.
+   * Reads the cases of a campaign's results.
    *
-   * @throws DiagnosticException (INPUT) {@code campaign.comparison} if there are none, or if they
-   *     have nothing in common
+   * @throws DiagnosticException (INPUT) {@code campaign.comparison} if there are none
    */
-  static CampaignComparison with(Path folder, List<CampaignRow> now) {
-    Optional<CampaignStore.Cases> earlier;
+  static Earlier read(Path folder) {
     try {
-      earlier = CampaignStore.read(Files.readAllBytes(folder.resolve(CampaignStore.CASES)));
+      byte[] bytes = Files.readAllBytes(folder.resolve(CampaignStore.CASES));
+      return CampaignStore.read(bytes)
+          .map(cases -> new Earlier(folder, cases.rows()))
+          .orElseThrow(
+              () -> refused(folder, "It is broken, or from another version of this program."));
     } catch (IOException e) {
       throw refused(folder, "There is no " + CampaignStore.CASES + " in it.");
     }
-    if (earlier.isEmpty()) {
-      throw refused(folder, "It is broken, or from another version of this program.");
-    }
-    Map<CampaignCase, CampaignRow> before = new TreeMap<>(CampaignCase.ORDER);
-    int factors = now.get(0).id().values().size();
-    earlier.get().rows().stream()
-        .filter(row -> row.id().values().size() == factors)
-        .forEach(row -> before.put(row.id(), row));
-    CampaignComparison comparison = new CampaignComparison(before, now);
-    if (comparison.added == now.size()) {
-      throw refused(folder, "It has none of the cases of this campaign.");
-    }
-    return comparison;
   }
 
   private static DiagnosticException refused(Path folder, String why) {

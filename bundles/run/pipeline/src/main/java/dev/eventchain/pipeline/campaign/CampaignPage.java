@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.report.ReportPage;
+import dev.eventchain.simulation.verdict.CaseResult.CriterionMargin;
 import dev.eventchain.simulation.verdict.CaseResult.Label;
 import java.math.BigDecimal;
 import java.util.ArrayList;
@@ -21,6 +22,7 @@ import java.util.stream.IntStream;
 final class CampaignPage {
 
   private static final int NEAREST = 10;
+  private static final int NEAREST_OF_ONE = 3;
 
   /** More values than these would make a table that nobody sees as a whole. */
   private static final int WIDEST = 60;
@@ -40,11 +42,13 @@ final class CampaignPage {
 
   private final Project project;
   private final CampaignPlan plan;
+  private final Shard shard;
   private final List<CampaignRow> rows;
   private final CampaignSummary summary;
   private final StringBuilder out = new StringBuilder();
 
-  private CampaignPage(Project project, CampaignPlan plan, List<CampaignRow> rows) {
+  private CampaignPage(Project project, CampaignPlan plan, Shard shard, List<CampaignRow> rows) {
+    this.shard = shard;
     this.project = project;
     this.plan = plan;
     this.rows = rows;
@@ -54,9 +58,10 @@ final class CampaignPage {
   static String of(
       Project project,
       CampaignPlan plan,
+      Shard shard,
       List<CampaignRow> rows,
       Optional<CampaignComparison> comparison) {
-    CampaignPage page = new CampaignPage(project, plan, rows);
+    CampaignPage page = new CampaignPage(project, plan, shard, rows);
     page.head();
     page.figures();
     page.map();
@@ -194,12 +199,32 @@ final class CampaignPage {
   }
 
   private void nearest() {
-    List<CampaignRow> nearest = summary.nearest(NEAREST);
-    if (!nearest.isEmpty()) {
-      raw("<section><h2>Passed, but nearest to failing</h2>\n");
-      table(nearest);
-      raw("</section>\n");
+    List<CampaignSummary.Near> nearest = summary.nearest(NEAREST_OF_ONE);
+    if (nearest.isEmpty()) {
+      return;
     }
+    raw("<section><h2>Passed, but nearest to failing</h2>\n");
+    raw("<div class=\"scroll\"><table><thead><tr><th>Criterion</th><th>Margin</th>");
+    raw("<th>Case</th><th>Values</th><th>Once more</th></tr></thead><tbody>\n");
+    for (CampaignSummary.Near near : nearest) {
+      int number = rows.indexOf(near.row()) + 1;
+      add("<tr><td>%s</td><td>%s</td>", near.margin().name(), margin(near.margin()));
+      add("<td>%s</td><td>%s</td>", number, near.row().id().words(plan));
+      onceMore(number);
+    }
+    raw("</tbody></table></div></section>\n");
+  }
+
+  private static String margin(CriterionMargin margin) {
+    String unit = margin.unit().equals("1") ? "" : " " + margin.unit();
+    return String.format(Locale.ROOT, "%.3g%s", margin.margin().orElseThrow(), unit);
+  }
+
+  private void onceMore(int number) {
+    String part = shard.isAll() ? "" : " --shard " + shard.number() + "/" + shard.count();
+    add(
+        "<td><code>eventchain campaign DIR %s%s --case %s</code></td></tr>\n",
+        plan.file(), part, number);
   }
 
   private void failures() {
@@ -214,33 +239,14 @@ final class CampaignPage {
 
   private void table(List<CampaignRow> shown) {
     raw("<div class=\"scroll\"><table><thead><tr><th>Case</th><th>Values</th><th>Verdict</th>");
-    raw("<th>Smallest margin</th>");
-    raw(shown.get(0).is(Label.PASSED) ? "" : "<th>Reason</th>");
-    raw("<th>Once more</th></tr></thead><tbody>\n");
+    raw("<th>Reason</th><th>Once more</th></tr></thead><tbody>\n");
     for (CampaignRow row : shown) {
       int number = rows.indexOf(row) + 1;
       add("<tr><td>%s</td><td>%s</td>", number, row.id().words(plan));
-      add("<td>%s</td>", word(row));
-      add("<td>%s</td>", margin(row));
-      add(row.is(Label.PASSED) ? "" : "<td>%s</td>", row.result().reason());
-      add("<td><code>eventchain campaign DIR %s --case %s</code></td></tr>\n", plan.file(), number);
+      add("<td>%s</td><td>%s</td>", word(row), row.result().reason());
+      onceMore(number);
     }
     raw("</tbody></table></div>\n");
-  }
-
-  private static String margin(CampaignRow row) {
-    return row.result().criteria().stream()
-        .filter(each -> each.margin().stream().anyMatch(it -> it == row.nearest()))
-        .map(
-            each ->
-                String.format(
-                    Locale.ROOT,
-                    "%.3g%s: %s",
-                    row.nearest(),
-                    each.unit().equals("1") ? "" : " " + each.unit(),
-                    each.name()))
-        .findFirst()
-        .orElse("");
   }
 
   private static String word(CampaignRow row) {

@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline.campaign;
 
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.stage.RunContext;
@@ -11,6 +12,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
 
 /**
  * The folder of a campaign's results. Cases are kept in numbered files while it runs, so that one
@@ -24,7 +29,7 @@ final class CampaignStore implements AutoCloseable {
   static final String PAGE = "report.html";
 
   private static final String PARTS = "parts";
-  private static final long PAUSE = 500_000_000L;
+  private static final long PAUSE = 500;
 
   /**
    * Cases of one state of all that they depend on.
@@ -53,7 +58,9 @@ final class CampaignStore implements AutoCloseable {
   private final Map<CampaignCase, CampaignRow> rows = new TreeMap<>(CampaignCase.ORDER);
   private final List<CampaignRow> unsaved = new ArrayList<>();
   private int parts;
-  private long saved = System.nanoTime();
+  private final ScheduledExecutorService saving =
+      Executors.newSingleThreadScheduledExecutor(CampaignStore::thread);
+  private Optional<Future<?>> saved = Optional.empty();
 
   /** Opens the folder, with the results of an interrupted campaign with the same inputs. */
   CampaignStore(Path results, Cases empty) {
@@ -61,15 +68,31 @@ final class CampaignStore implements AutoCloseable {
     this.output = OutputFolder.open(folder);
     this.empty = empty;
     output.write(RunContext.IGNORE, new byte[0], OutputFolder.OnEdit.OVERWRITE);
-    boolean same = recall(CASES);
+    recall(CASES);
     while (recall(part(parts + 1)) || output.read(part(parts + 1)).isPresent()) {
       parts++;
     }
-    if (!same && rows.isEmpty()) {
+  }
+
+  /** Removes what is of other inputs, and lets results be kept from now on. */
+  void begin() {
+    boolean same =
+        output
+            .read(CASES)
+            .flatMap(CampaignStore::read)
+            .filter(it -> it.inputs().equals(empty.inputs()))
+            .isPresent();
+    if (!same) {
       List.of(CASES, TABLE, PAGE).forEach(output::remove);
-      output.removeAll(PARTS);
-      parts = 0;
     }
+    saved =
+        Optional.of(saving.scheduleAtFixedRate(this::save, PAUSE, PAUSE, TimeUnit.MILLISECONDS));
+  }
+
+  private static Thread thread(Runnable work) {
+    Thread thread = new Thread(work, "campaign results");
+    thread.setDaemon(true);
+    return thread;
   }
 
   private static String part(int number) {
@@ -97,31 +120,34 @@ final class CampaignStore implements AutoCloseable {
   }
 
   /** Returns the result of a case, if it is known. */
-  Optional<CampaignRow> find(CampaignCase id) {
+  synchronized Optional<CampaignRow> find(CampaignCase id) {
     return Optional.ofNullable(rows.get(id));
   }
 
   /** Returns all results, in the order of their values. */
-  Collection<CampaignRow> rows() {
-    return rows.values();
+  synchronized List<CampaignRow> rows() {
+    return List.copyOf(rows.values());
   }
 
-  /** Keeps a result, at the latest half a second later in a file. */
-  void add(CampaignRow row) {
+  /**
+   * Keeps a result, which is in a file half a second later.
+   *
+   * @throws DiagnosticException if results can no longer be written
+   */
+  synchronized void add(CampaignRow row) {
     rows.put(row.id(), row);
     unsaved.add(row);
-    if (System.nanoTime() - saved > PAUSE) {
+    if (saved.filter(Future::isDone).isPresent()) { // It failed; this says why.
       save();
     }
   }
 
   /** Writes the results that are in no file. */
-  void save() {
+  synchronized void save() {
     if (!unsaved.isEmpty()) {
       write(part(++parts), ResultJson.bytes(with(unsaved, false)));
       unsaved.clear();
     }
-    saved = System.nanoTime();
   }
 
   private Cases with(Collection<CampaignRow> some, boolean complete) {
@@ -135,7 +161,7 @@ final class CampaignStore implements AutoCloseable {
   }
 
   /** Writes all cases into one file, after which nothing is missing. */
-  void complete() {
+  synchronized void complete() {
     write(CASES, ResultJson.bytes(with(rows.values(), true)));
     output.removeAll(PARTS);
   }
@@ -146,6 +172,9 @@ final class CampaignStore implements AutoCloseable {
 
   @Override
   public void close() {
-    output.close();
+    saving.shutdownNow();
+    synchronized (this) {
+      output.close();
+    }
   }
 }

@@ -11,8 +11,10 @@ import dev.eventchain.simulation.verdict.CaseResult.Label;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
@@ -37,8 +39,8 @@ final class CampaignSummary {
    */
   List<Diagnostic> findings(SourceLocation place) {
     List<Diagnostic> found = new ArrayList<>();
-    add(found, Label.ERROR, "ended", CampaignRules.CASE_ERROR, place);
-    if (plan.boundary().isEmpty()) {
+    add(found, Label.ERROR, "ended by an error", CampaignRules.CASE_ERROR, place);
+    if (plan.boundary().isEmpty() || count(Label.PASSED) == 0) {
       add(found, Label.FAILED, "failed", CampaignRules.CASE_FAILED, place);
     }
     add(found, Label.UNTESTED, "not tested", CampaignRules.CASE_UNTESTED, place);
@@ -111,12 +113,32 @@ final class CampaignSummary {
     return plan.boundary().map(it -> new BoundarySearch(it).flips(rows)).orElse(List.of());
   }
 
-  /** Returns the passed cases with the smallest margins, the nearest to failing first. */
-  List<CampaignRow> nearest(int most) {
-    return rows.stream()
-        .filter(row -> row.is(Label.PASSED) && Double.isFinite(row.nearest()))
-        .sorted(Comparator.comparingDouble(CampaignRow::nearest).thenComparing(CampaignRow.ORDER))
-        .limit(most)
+  /** A case that passed, with the margin of one of its criteria. */
+  record Near(CampaignRow row, CriterionMargin margin) {}
+
+  /**
+   * Returns the passed cases with the smallest margins of each criterion: margins of different
+   * criteria have no order.
+   *
+   * @param most of one criterion
+   */
+  List<Near> nearest(int most) {
+    Map<String, List<Near>> byCriterion = new LinkedHashMap<>();
+    for (CampaignRow row : rows) {
+      for (CriterionMargin each : row.result().criteria()) {
+        if (row.is(Label.PASSED) && each.margin().isPresent()) {
+          byCriterion
+              .computeIfAbsent(each.name() + "\n" + each.unit(), key -> new ArrayList<>())
+              .add(new Near(row, each));
+        }
+      }
+    }
+    return byCriterion.values().stream()
+        .flatMap(
+            near ->
+                near.stream()
+                    .sorted(Comparator.comparingDouble(it -> it.margin().margin().getAsDouble()))
+                    .limit(most))
         .toList();
   }
 

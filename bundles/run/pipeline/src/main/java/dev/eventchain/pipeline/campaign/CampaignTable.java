@@ -4,11 +4,11 @@ import dev.eventchain.simulation.verdict.CaseResult;
 import dev.eventchain.simulation.verdict.CaseResult.CriterionMargin;
 import java.math.BigDecimal;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
@@ -20,25 +20,28 @@ final class CampaignTable {
   private final List<String> factors;
   private final List<CampaignRow> rows;
 
-  /** Units of the margins by the names of the criteria, in the order of the scenario. */
-  private final Map<String, String> units = new LinkedHashMap<>();
+  /** A column: that of a criterion whose margin has a unit. A criterion may have several. */
+  private record Column(String criterion, String unit) {}
+
+  private final Set<Column> columns = new LinkedHashSet<>();
 
   CampaignTable(List<String> factors, List<CampaignRow> rows) {
     this.factors = factors;
     this.rows = rows;
     for (CampaignRow row : rows) {
       for (CriterionMargin each : row.result().criteria()) {
-        units.merge(each.name(), each.unit(), (one, other) -> one.isEmpty() ? other : one);
+        if (each.margin().isPresent()) {
+          columns.add(new Column(each.name(), each.unit()));
+        }
       }
     }
-    units.values().removeIf(String::isEmpty);
   }
 
   String csv() {
     List<String> head = new ArrayList<>(List.of("case"));
     head.addAll(factors);
     head.addAll(List.of("repetition", "verdict", "impact_speed_mps", "end_s"));
-    units.forEach((name, unit) -> head.add("margin of " + name + " in " + unit));
+    columns.forEach(it -> head.add("margin of " + it.criterion() + " in " + it.unit()));
     head.add("reason");
     StringBuilder text = new StringBuilder(line(head));
     for (int i = 0; i < rows.size(); i++) {
@@ -55,10 +58,10 @@ final class CampaignTable {
     cells.add(result.label().name().toLowerCase(Locale.ROOT));
     cells.add(cell(result.impactSpeed()));
     cells.add(Double.toString(result.end()));
-    for (String name : units.keySet()) {
+    for (Column column : columns) {
       cells.add(
           result.criteria().stream()
-              .filter(each -> each.name().equals(name))
+              .filter(each -> column.equals(new Column(each.name(), each.unit())))
               .map(each -> cell(each.margin()))
               .findFirst()
               .orElse(""));

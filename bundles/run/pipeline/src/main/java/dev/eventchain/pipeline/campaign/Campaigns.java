@@ -14,6 +14,7 @@ import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.RunResult;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.simulate.SimulateStage;
+import dev.eventchain.pipeline.simulate.SimulationChecks;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.CaseSimulation;
@@ -39,7 +40,9 @@ public final class Campaigns {
   private final RunContext run;
   private final CampaignOptions options;
   private final CampaignPlan plan;
+  private final Scenario scenario;
   private final ScenarioTemplate template;
+  private Optional<CaseSimulation> simulation = Optional.empty();
 
   private Campaigns(RunContext run, CampaignOptions options, CampaignPlan plan) {
     this.run = run;
@@ -47,8 +50,8 @@ public final class Campaigns {
     this.plan = plan;
     List<Scenario> scenarios =
         Scenario.readFolder(run.project().scenarios(), run.chain().bench(), run::find);
-    Path file = ScenarioTemplate.find(Scenario.filesIn(run.project().scenarios()), scenarios, plan);
-    this.template = new ScenarioTemplate(run, plan, file);
+    this.scenario = ScenarioTemplate.find(scenarios, plan);
+    this.template = new ScenarioTemplate(run, plan, Path.of(scenario.location().file()));
   }
 
   /**
@@ -68,6 +71,7 @@ public final class Campaigns {
     }
     try (OutputFolder output = OutputFolder.open(settings.output())) {
       RunContext run = new RunContext(project, settings, output, progress, Optional.empty());
+      generated.diagnostics().forEach(run::find);
       return new Campaigns(run, options, plan).run();
     }
   }
@@ -83,11 +87,11 @@ public final class Campaigns {
 
   private CampaignOutcome run() {
     long start = System.nanoTime();
-    List<Diagnostic> problems = template.check();
-    if (!problems.isEmpty()) {
-      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
-    }
-    List<CampaignCase> all = new CaseList(plan).cases();
+    requireSound();
+    CaseList list = new CaseList(plan);
+    List<CampaignCase> all = list.cases();
+    // First, since it may be the folder that is written into.
+    Optional<CampaignComparison.Earlier> earlier = options.compared().map(CampaignComparison::read);
     CampaignStore.Cases empty =
         new CampaignStore.Cases(
             plan.name(), inputs(), options.shard(), all.size(), false, List.of());
@@ -100,13 +104,22 @@ public final class Campaigns {
         return estimate(own, store);
       }
       int known = store.rows().size();
+      store.begin();
       if (!options.merged().isEmpty()) {
         CampaignMerge.rows(options.merged(), empty.inputs()).forEach(store::add);
       }
       simulate(own, store);
-      plan.boundary().ifPresent(boundary -> search(new BoundarySearch(boundary), store));
-      return outcome(store, known, System.nanoTime() - start);
+      plan.boundary().ifPresent(it -> search(new BoundarySearch(it), list, store));
+      return outcome(store, known, earlier, System.nanoTime() - start);
     }
+  }
+
+  private void requireSound() {
+    List<Diagnostic> problems = template.check();
+    if (!problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
+    }
+    SimulationChecks.requireSound(run, List.of(scenario)).forEach(run::find);
   }
 
   /** Returns a hash of all that a result depends on: what a simulation does, and the campaign. */
@@ -133,12 +146,15 @@ public final class Campaigns {
     return own;
   }
 
-  private void search(BoundarySearch search, CampaignStore store) {
-    for (List<CampaignCase> next = search.next(store.rows());
-        !next.isEmpty();
-        next = search.next(store.rows())) {
+  private void search(BoundarySearch search, CaseList list, CampaignStore store) {
+    List<CampaignCase> next;
+    do {
+      next =
+          search.next(store.rows()).stream()
+              .filter(each -> store.find(each).isEmpty() && list.keeps(each))
+              .toList();
       simulate(next, store);
-    }
+    } while (!next.isEmpty());
   }
 
   private void simulate(List<CampaignCase> cases, CampaignStore store) {
@@ -166,10 +182,16 @@ public final class Campaigns {
   }
 
   private CaseSimulation simulation() {
-    int processes = Runtime.getRuntime().availableProcessors();
-    return new CaseSimulation(
-        SimulateStage.request(run).with(it -> it.withProcesses(processes)),
-        run.python(Stage.SIMULATE));
+    if (simulation.isEmpty()) {
+      int processes = Runtime.getRuntime().availableProcessors();
+      simulation =
+          Optional.of(
+              new CaseSimulation(
+                  SimulateStage.request(run, List.of(scenario))
+                      .with(it -> it.withProcesses(processes)),
+                  run.python(Stage.SIMULATE)));
+    }
+    return simulation.get();
   }
 
   /** Simulates a few cases, evenly from all, to say how long all take. */
@@ -192,17 +214,18 @@ public final class Campaigns {
     return new CampaignOutcome(Outcome.of(Coverage.NONE, run.takeFindings(), List.of()), text);
   }
 
-  private CampaignOutcome outcome(CampaignStore store, int known, long nanos) {
+  private CampaignOutcome outcome(
+      CampaignStore store, int known, Optional<CampaignComparison.Earlier> earlier, long nanos) {
     store.complete();
     List<CampaignRow> rows = List.copyOf(store.rows());
-    Optional<CampaignComparison> comparison =
-        options.compared().map(folder -> CampaignComparison.with(folder, rows));
+    Optional<CampaignComparison> comparison = earlier.map(it -> it.beside(rows));
     CampaignSummary summary = new CampaignSummary(plan, rows);
     CampaignTable table = new CampaignTable(plan.names(), rows);
     store.write(CampaignStore.TABLE, table.csv().getBytes(StandardCharsets.UTF_8));
     store.write(
         CampaignStore.PAGE,
-        CampaignPage.of(run.project(), plan, rows, comparison).getBytes(StandardCharsets.UTF_8));
+        CampaignPage.of(run.project(), plan, options.shard(), rows, comparison)
+            .getBytes(StandardCharsets.UTF_8));
     run.progress()
         .ended(
             Stage.SIMULATE,

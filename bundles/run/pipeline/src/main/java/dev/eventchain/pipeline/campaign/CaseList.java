@@ -14,6 +14,7 @@ import java.util.SplittableRandom;
 final class CaseList {
 
   private static final long MOST = 1_000_000;
+  private static final long MOST_PAIRS = 20_000;
   private static final int[] PRIMES = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53};
 
   private final CampaignPlan plan;
@@ -30,6 +31,7 @@ final class CaseList {
    * @throws DiagnosticException (INPUT) if there are none, or too many
    */
   List<CampaignCase> cases() {
+    requireFew();
     Set<List<BigDecimal>> combinations =
         switch (plan.sampling().kind()) {
           case GRID -> grid();
@@ -52,6 +54,40 @@ final class CaseList {
     }
     cases.sort(CampaignCase.ORDER);
     return cases;
+  }
+
+  /** Refuses what takes too much memory or time before anything is simulated. */
+  private void requireFew() {
+    Sampling.Kind kind = plan.sampling().kind();
+    double drawn = (double) plan.sampling().cases() * plan.repetitions();
+    if (kind.isDrawn() && drawn > MOST) {
+      throw tooMany("These are %.3g cases".formatted(drawn), "Draw or repeat fewer.");
+    }
+    if (kind == Sampling.Kind.HALTON && plan.factors().size() > PRIMES.length) {
+      throw tooMany(
+          "A Halton sequence has at most %d factors here".formatted(PRIMES.length),
+          "Use `sampling: {latin_hypercube: 1000}`.");
+    }
+    if (kind == Sampling.Kind.PAIRS && pairs() > MOST_PAIRS) {
+      throw tooMany("There are %.3g pairs of values".formatted(pairs()), "Use fewer values.");
+    }
+  }
+
+  private double pairs() {
+    double pairs = 0;
+    double before = 0;
+    for (Factor factor : plan.factors()) {
+      int values = factor.levels().checked().size();
+      pairs += before * values;
+      before += values;
+    }
+    return pairs;
+  }
+
+  private DiagnosticException tooMany(String what, String hint) {
+    return refused(
+        Diagnostic.of(CampaignRules.SIZE, what + ".", SourceLocation.of(plan.file()))
+            .withHint(hint));
   }
 
   private boolean keep(List<BigDecimal> values) {
@@ -85,6 +121,11 @@ final class CaseList {
     }
     combinations.removeIf(values -> !keep(values));
     return combinations;
+  }
+
+  /** Returns whether the conditions keep a case. */
+  boolean keeps(CampaignCase each) {
+    return conditions.keep(each);
   }
 
   /** Draws combinations; those that the conditions refuse are not drawn again. */

@@ -7,7 +7,6 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -46,14 +45,36 @@ final class NumberPath {
     return end == path.length() ? steps : List.of();
   }
 
-  /** Sets the number; returns what is wrong with the path. */
-  Optional<String> set(ObjectNode root, BigDecimal value) {
+  /** A place for a number: what owns it, and its key. */
+  record Place(ObjectNode owner, String key) {
+
+    void set(BigDecimal value) {
+      owner.set(key, DecimalNode.valueOf(value));
+    }
+  }
+
+  /** A path that leads to no number. */
+  static final class WrongPathException extends Exception {
+
+    private static final long serialVersionUID = 1L;
+
+    WrongPathException(String message) {
+      super(message);
+    }
+  }
+
+  /**
+   * Returns where it leads in a file.
+   *
+   * @throws WrongPathException with the reason, for users
+   */
+  Place in(ObjectNode root) throws WrongPathException {
     if (steps.isEmpty()) {
-      return Optional.of("'" + path + "' is no path, such as actors[0].gap_m.");
+      throw new WrongPathException("'" + path + "' is no path, such as actors[0].gap_m.");
     }
     JsonNode node = root;
     int at = 0;
-    while (true) {
+    while (at < steps.size()) {
       String step = steps.get(at);
       if (isElement(step)) {
         node = element(node, step);
@@ -62,7 +83,7 @@ final class NumberPath {
         int next = endOfKey(owner, at);
         String key = String.join(".", steps.subList(at, next));
         if (next == steps.size()) {
-          return set(owner, key, value);
+          return place(owner, key);
         }
         node = value(owner, key, steps.get(next));
         at = next;
@@ -70,21 +91,18 @@ final class NumberPath {
         node = null;
       }
       if (node == null) {
-        return Optional.of("There is no " + step + " for the path '" + path + "'.");
-      }
-      if (at == steps.size()) {
-        return Optional.of("'" + path + "' is not the path of a number.");
+        throw new WrongPathException("There is no " + step + " for the path '" + path + "'.");
       }
     }
+    throw new WrongPathException("'" + path + "' is not the path of a number.");
   }
 
-  private Optional<String> set(ObjectNode owner, String key, BigDecimal value) {
+  private Place place(ObjectNode owner, String key) throws WrongPathException {
     JsonNode before = owner.get(key);
     if (before != null && !before.isNumber()) {
-      return Optional.of("'" + path + "' is not the path of a number.");
+      throw new WrongPathException("'" + path + "' is not the path of a number.");
     }
-    owner.set(key, DecimalNode.valueOf(value));
-    return Optional.empty();
+    return new Place(owner, key);
   }
 
   private static boolean isElement(String step) {

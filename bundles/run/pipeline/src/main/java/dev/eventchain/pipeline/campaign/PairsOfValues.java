@@ -45,18 +45,39 @@ final class PairsOfValues {
     while (!open.isEmpty()) {
       Pair first = open.iterator().next();
       int[] chosen = begunWith(first);
-      List<BigDecimal> values = new ArrayList<>();
-      for (int i = 0; i < chosen.length; i++) {
-        values.add(levels.get(i).get(chosen[i]));
-      }
-      if (keep.test(values)) {
-        combinations.add(values);
-        open.removeIf(pair -> closes(pair, chosen));
-      } else {
+      if (!keep.test(values(chosen)) && !search(chosen, first, 0)) {
         open.remove(first);
+        continue;
       }
+      combinations.add(values(chosen));
+      open.removeIf(pair -> closes(pair, chosen));
     }
     return combinations;
+  }
+
+  private List<BigDecimal> values(int[] chosen) {
+    List<BigDecimal> values = new ArrayList<>();
+    for (int i = 0; i < chosen.length; i++) {
+      values.add(levels.get(i).get(chosen[i]));
+    }
+    return values;
+  }
+
+  /** Looks for values of the other factors with which a pair is kept, in their order. */
+  private boolean search(int[] chosen, Pair first, int factor) {
+    if (factor == chosen.length) {
+      return keep.test(values(chosen));
+    }
+    if (factor == first.factor() || factor == first.otherFactor()) {
+      return search(chosen, first, factor + 1);
+    }
+    for (int value = 0; value < levels.get(factor).size(); value++) {
+      chosen[factor] = value;
+      if (search(chosen, first, factor + 1)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private static boolean closes(Pair pair, int[] chosen) {

@@ -19,6 +19,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 
 /**
@@ -38,7 +39,12 @@ final class ScenarioTemplate {
   private static final String BENCH = "bench:";
   private static final int MOST_TRIED = 200;
 
-  private final RunContext run;
+  /** Larger than any number of a scenario or a bench. */
+  private static final long FIRST_MARK = 1L << 60;
+
+  private final Bench usualBench;
+  private final Function<SourceText, Bench> benches;
+  private final Optional<Path> benchFile;
   private final CampaignPlan plan;
   private final Path file;
   private final ObjectNode scenario;
@@ -51,12 +57,14 @@ final class ScenarioTemplate {
    * @throws DiagnosticException (INPUT) if the scenario itself is wrong
    */
   ScenarioTemplate(RunContext run, CampaignPlan plan, Path file) {
-    Scenario.read(file, run.chain().bench());
-    this.run = run;
+    this.usualBench = run.chain().bench();
+    this.benches = run.benches();
+    this.benchFile = run.project().bench();
+    Scenario.read(file, usualBench);
     this.plan = plan;
     this.file = file;
     this.scenario = tree(file);
-    this.bench = run.project().bench().map(ScenarioTemplate::tree);
+    this.bench = benchFile.map(ScenarioTemplate::tree);
     this.variesBench =
         plan.factors().stream()
             .flatMap(factor -> factor.paths().stream())
@@ -68,28 +76,40 @@ final class ScenarioTemplate {
         Document.parse(SourceText.read(file), DocumentFormat.YAML, RULES, finding -> {}).root();
   }
 
-  /** Returns a finding for each path that leads nowhere, or where another factor leads. */
+  /** Returns a finding for each path that leads nowhere, or where another one leads. */
   List<Diagnostic> check() {
     List<Diagnostic> found = new ArrayList<>();
-    List<String> taken = new ArrayList<>();
     ObjectNode copy = scenario.deepCopy();
     Optional<ObjectNode> benchCopy = bench.map(ObjectNode::deepCopy);
+    long mark = FIRST_MARK;
     for (Factor factor : plan.factors()) {
       for (String path : factor.paths()) {
-        BigDecimal first = factor.levels().checked().get(0);
         Optional<String> problem =
             path.startsWith(BENCH) && bench.isEmpty()
                 ? Optional.of("The project has no bench.yaml for '" + path + "'.")
-                : set(path.startsWith(BENCH) ? benchCopy.orElseThrow() : copy, path, first);
+                : taking(path.startsWith(BENCH) ? benchCopy.orElseThrow() : copy, path, mark++);
         problem.ifPresent(it -> found.add(Diagnostic.of(CampaignRules.FACTOR, it, factor.place())));
-        if (taken.contains(path)) {
-          String message = "Two factors have '" + path + "'.";
-          found.add(Diagnostic.of(CampaignRules.FACTOR, message, factor.place()));
-        }
-        taken.add(path);
       }
     }
     return found.isEmpty() ? values() : found;
+  }
+
+  /** Marks the number of a path; returns what is wrong with the path. */
+  private static Optional<String> taking(ObjectNode root, String path, long mark) {
+    try {
+      NumberPath.Place place = numberPath(path).in(root);
+      long before = place.owner().path(place.key()).asLong();
+      place.set(BigDecimal.valueOf(mark));
+      return before >= FIRST_MARK
+          ? Optional.of("Two factors have '" + path + "'.")
+          : Optional.empty();
+    } catch (NumberPath.WrongPathException e) {
+      return Optional.of(e.getMessage());
+    }
+  }
+
+  private static NumberPath numberPath(String path) {
+    return new NumberPath(path.startsWith(BENCH) ? path.substring(BENCH.length()) : path);
   }
 
   /**
@@ -141,15 +161,15 @@ final class ScenarioTemplate {
    * @throws DiagnosticException (INPUT) if its values do not fit together
    */
   CaseSimulation.Case of(CampaignCase each) {
-    Bench own = run.chain().bench();
+    Bench own = usualBench;
     if (variesBench) {
       ObjectNode copy = bench.orElseThrow().deepCopy();
       setAll(copy, true, each);
-      Path benchFile = run.project().bench().orElseThrow();
-      own = run.bench(SourceText.of(benchFile.toString(), copy.toPrettyString()));
+      String name = benchFile.orElseThrow().toString();
+      own = benches.apply(SourceText.of(name, copy.toPrettyString()));
     }
     return new CaseSimulation.Case(
-        Scenario.parse(SourceText.of(file.toString(), text(each)), own), own);
+        Scenario.parseCase(SourceText.of(file.toString(), text(each)), own), own);
   }
 
   /** Returns the scenario of a case as JSON, which is YAML, too. */
@@ -157,7 +177,7 @@ final class ScenarioTemplate {
     ObjectNode copy = scenario.deepCopy();
     setAll(copy, false, each);
     if (plan.repetitions() > 1) {
-      long seed = scenario.path("seed").asLong(1);
+      long seed = copy.path("seed").asLong(1);
       copy.set("seed", LongNode.valueOf(seed + each.repetition() - 1));
     }
     return copy.toPrettyString();
@@ -173,13 +193,16 @@ final class ScenarioTemplate {
     }
   }
 
-  private static Optional<String> set(ObjectNode root, String path, BigDecimal value) {
-    String inFile = path.startsWith(BENCH) ? path.substring(BENCH.length()) : path;
-    return new NumberPath(inFile).set(root, value);
+  private static void set(ObjectNode root, String path, BigDecimal value) {
+    try {
+      numberPath(path).in(root).set(value);
+    } catch (NumberPath.WrongPathException e) {
+      throw new IllegalStateException("a path that was checked", e);
+    }
   }
 
-  /** Returns the file of a scenario of a project by its name. */
-  static Path find(List<Path> files, List<Scenario> scenarios, CampaignPlan plan) {
+  /** Returns the scenario that a campaign names. */
+  static Scenario find(List<Scenario> scenarios, CampaignPlan plan) {
     List<String> names = scenarios.stream().map(Scenario::name).toList();
     int index = names.indexOf(plan.scenario());
     if (index < 0) {
@@ -191,6 +214,6 @@ final class ScenarioTemplate {
                   SourceLocation.of(plan.file()))
               .withHint(NearestName.hint(plan.scenario(), names)));
     }
-    return files.get(index);
+    return scenarios.get(index);
   }
 }

@@ -112,7 +112,7 @@ public final class EarlierRun {
     long other = now.criteria().stream().filter(before::differs).count();
     return other == 0
         ? "; as before"
-        : "; another outcome of %d of %d criteria".formatted(other, now.criteria().size());
+        : "; other figures in %d of %d criteria".formatted(other, now.criteria().size());
   }
 
   /** Returns the scenarios of this run, each with its earlier measurements, if any. */

@@ -17,11 +17,9 @@ import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.results.RequirementOutcome;
 import dev.eventchain.pipeline.results.Simulated;
 import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.stage.ComponentSources;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.ProjectChecks;
 import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.stage.SimulationInputs;
 import dev.eventchain.pipeline.stage.StageResult;
 import dev.eventchain.pipeline.stage.StageWork;
 import dev.eventchain.project.AcceptedTexts;
@@ -95,7 +93,7 @@ public final class SimulateStage implements StageWork {
   public StageResult execute(RunContext run) {
     EventChain chain = run.chain().chain();
     List<Scenario> scenarios = ProjectScenarios.selected(run);
-    List<Diagnostic> found = inputs(run);
+    List<Diagnostic> found = SimulationChecks.inputs(run, scenarios);
     SimulationResult result = simulate(run, chain, scenarios, found);
     EventChain measured = result.measuredModel(chain);
     Function<EObject, SourceLocation> locator = new Origins()::locate;
@@ -130,42 +128,6 @@ public final class SimulateStage implements StageWork {
 
   private static List<String> results(RunContext run) {
     return run.options().isPartial() ? List.of() : RESULTS;
-  }
-
-  /** Returns the findings in what is simulated and its surroundings, of which no error is left. */
-  private static List<Diagnostic> inputs(RunContext run) {
-    List<Diagnostic> found = new ArrayList<>(sources(run));
-    found.addAll(connections(run));
-    return found;
-  }
-
-  /**
-   * Returns the findings in the source of components, unless the validation of this run has checked
-   * it. Errors end the stage unless suppressed.
-   */
-  private static List<Diagnostic> sources(RunContext run) {
-    if (run.options().runs(Stage.VALIDATE)) {
-      return List.of();
-    }
-    List<Diagnostic> found = ComponentSources.of(run).check(Stage.SIMULATE);
-    refuseErrors(run, found);
-    return found;
-  }
-
-  /**
-   * Returns the findings about unconnected parts of the bench. They end the stage unless
-   * suppressed, since a simulation would prove nothing about the chain.
-   */
-  private static List<Diagnostic> connections(RunContext run) {
-    List<Diagnostic> found = SimulationInputs.connections(run);
-    refuseErrors(run, found);
-    return found;
-  }
-
-  private static void refuseErrors(RunContext run, List<Diagnostic> found) {
-    if (Diagnostic.anyError(run.options().suppressions().part(found).remaining())) {
-      throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
-    }
   }
 
   private static String measuredFile(RunContext run) {

@@ -8,7 +8,9 @@ import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.model.Signal;
 import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.output.OutputRules;
 import dev.eventchain.pipeline.project.Project;
@@ -27,6 +29,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 
 /** The shared context of a run's stages: project, output folder and Python environment. */
 public final class RunContext {
@@ -189,11 +192,14 @@ public final class RunContext {
   }
 
   /**
-   * Returns the project's bench with another text, whose formulas can read outputs of the chain.
+   * Returns what reads other texts of the project's bench, whose formulas can read outputs of the
+   * chain: with signals, messages and chain as they are now, on any thread.
    */
-  public Bench bench(SourceText text) {
-    return Bench.parse(text, softwareBase().signals().orElse(List.of()), messages())
-        .withOutputsOf(chain().chain());
+  public Function<SourceText, Bench> benches() {
+    List<Signal> signals = softwareBase().signals().orElse(List.of());
+    MessageCatalog messages = messages();
+    EventChain chain = chain().chain();
+    return text -> Bench.parse(text, signals, messages).withOutputsOf(chain);
   }
 
   /** Returns the valid message definitions: standard ones and the project's own. */

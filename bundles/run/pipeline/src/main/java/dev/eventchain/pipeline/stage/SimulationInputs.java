@@ -77,14 +77,19 @@ public final class SimulationInputs {
     Bench bench = withChain ? run.chain().bench() : run.bench();
     List<Scenario> scenarios = Scenario.readFolder(run.project().scenarios(), bench, warnings);
     if (withChain) {
-      List<String> nodes =
-          run.chain().chain().getSoftware().stream().map(node -> node.getName()).toList();
-      for (Scenario scenario : scenarios) {
-        scenario.unresolved().forEach(warnings);
-        scenario.unknownNodes(nodes).forEach(warnings);
-      }
+      scenarios.forEach(each -> each.unresolved().forEach(warnings));
+      unknownNodes(run, scenarios).forEach(warnings);
     }
     return scenarios;
+  }
+
+  /**
+   * Returns a finding for each node whose phase a scenario sets and that the chain does not have.
+   */
+  public static List<Diagnostic> unknownNodes(RunContext run, List<Scenario> scenarios) {
+    List<String> nodes =
+        run.chain().chain().getSoftware().stream().map(node -> node.getName()).toList();
+    return scenarios.stream().flatMap(each -> each.unknownNodes(nodes).stream()).toList();
   }
 
   private static List<Diagnostic> named(RunContext run, List<Scenario> scenarios) {

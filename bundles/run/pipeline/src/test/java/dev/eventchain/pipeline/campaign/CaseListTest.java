@@ -153,6 +153,36 @@ class CaseListTest {
     assertTrue(cases.size() < 32, cases.size() + " of 1024, at least 16");
   }
 
+  /** The first completion of a pair is refused here, another one is not. */
+  @Test
+  void pairsAreTriedInOtherCombinationsWhereOneIsRefused() throws IOException {
+    String text =
+        """
+        scenario: s
+        factors:
+          a: {path: a, values: [1, 2]}
+          b: {path: b, values: [1, 2]}
+          c: {path: c, values: [1, 2]}
+        where: ["c > 1"]
+        sampling: {pairs: true}
+        """;
+    assertEquals(
+        List.of("[1, 1, 2] 1", "[1, 2, 2] 1", "[2, 1, 2] 1", "[2, 2, 2] 1"), values(cases(text)));
+  }
+
+  @Test
+  void whatTakesTooMuchIsRefused() {
+    String long200 = "{path: a, from: 1, to: 200, step: 1}";
+    String pairs = "scenario: s\nfactors: {a: %s, b: %s}\nsampling: {pairs: true}\n";
+    for (String text :
+        List.of(
+            DRAWN + "sampling: {random: 1000000}\nrepetitions: 2\n",
+            pairs.formatted(long200, long200.replace("path: a", "path: b")))) {
+      DiagnosticException refused = assertThrows(DiagnosticException.class, () -> cases(text));
+      assertEquals("campaign.size", refused.diagnostics().get(0).id());
+    }
+  }
+
   @Test
   void aTableGivesTheValuesOfAColumn() throws IOException {
     Files.writeString(folder.resolve("t.csv"), "x,gap\n1,10\n2, 12.50\n3,10\n");

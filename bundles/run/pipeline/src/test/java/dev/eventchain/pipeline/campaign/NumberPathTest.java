@@ -1,12 +1,12 @@
 package dev.eventchain.pipeline.campaign;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.math.BigDecimal;
-import java.util.Optional;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -37,9 +37,9 @@ class NumberPathTest {
         "inputs.radar.reach.value; /inputs/radar.reach/value",
         "provides./radar/target.rate; /provides/~1radar~1target/rate",
       })
-  void aPathLeadsToItsNumber(String path, String pointer) throws IOException {
+  void aPathLeadsToItsNumber(String path, String pointer) throws Exception {
     ObjectNode file = (ObjectNode) new ObjectMapper().readTree(FILE);
-    assertEquals(Optional.empty(), new NumberPath(path).set(file, new BigDecimal("1234")));
+    new NumberPath(path).in(file).set(new BigDecimal("1234"));
     assertEquals(1234, file.at(pointer).intValue(), file::toString);
   }
 
@@ -61,6 +61,8 @@ class NumberPathTest {
       })
   void whatIsWrongWithAPathIsSaid(String path, String problem) throws IOException {
     ObjectNode file = (ObjectNode) new ObjectMapper().readTree(FILE);
-    assertEquals(Optional.of(problem), new NumberPath(path).set(file, BigDecimal.ONE));
+    NumberPath.WrongPathException wrong =
+        assertThrows(NumberPath.WrongPathException.class, () -> new NumberPath(path).in(file));
+    assertEquals(problem, wrong.getMessage());
   }
 }

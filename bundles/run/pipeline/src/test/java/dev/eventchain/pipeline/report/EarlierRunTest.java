@@ -85,7 +85,7 @@ class EarlierRunTest {
     Criterion stops = criterion("stops", "0 km/h");
     assertEquals("; as before", before.words(scenario("b", criterion("gap", "3 m"), stops)));
     assertEquals(
-        "; another outcome of 1 of 2 criteria",
+        "; other figures in 1 of 2 criteria",
         before.words(scenario("b", criterion("gap", "2 m"), stops)));
     assertEquals("", EarlierRun.read(Optional.empty()).words(scenario("a")));
   }
