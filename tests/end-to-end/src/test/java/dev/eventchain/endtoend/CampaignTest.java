@@ -3,9 +3,11 @@ package dev.eventchain.endtoend;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import dev.eventchain.fixtures.InTurn;
 import dev.eventchain.fixtures.Projects;
+import dev.eventchain.fixtures.Thorough;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -97,6 +99,24 @@ class CampaignTest {
     campaign("--merge", results("approach-1-of-2"), results("approach-2-of-2"))
         .expect(2)
         .says("another state");
+  }
+
+  @Test
+  void theCampaignOfAnExampleFindsWhatItsReadmeSays() throws IOException {
+    assumeTrue(Thorough.IS_ON, "takes a minute");
+    ProjectCopy example = ProjectCopy.of("aeb", folder);
+    Path file = example.path().resolve("campaigns/stopped-vehicle.yaml");
+    new Program()
+        .run("campaign", example.path(), file)
+        .expect(1)
+        .says("200 cases: 194 passed, 6 failed, 0 not tested, 0 ended by an error");
+    List<String> rows =
+        Files.readAllLines(example.path().resolve("out/campaigns/stopped-vehicle/cases.csv"));
+    List<String> failed = rows.stream().filter(row -> row.contains(",failed,")).toList();
+    assertEquals(6, failed.size());
+    assertTrue(
+        failed.stream().allMatch(row -> row.matches("\\d+,4[123]\\.\\d+,.*no full braking.*")),
+        failed::toString);
   }
 
   private void delete(String name) throws IOException {
