@@ -1,24 +1,18 @@
 package dev.eventchain.pipeline.campaign;
 
-import dev.eventchain.diagnostics.Printable;
-import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.pipeline.project.Project;
-import dev.eventchain.pipeline.report.ReportPage;
+import dev.eventchain.pipeline.report.StaticPage;
 import dev.eventchain.simulation.verdict.CaseResult.CriterionMargin;
 import dev.eventchain.simulation.verdict.CaseResult.Label;
 import java.math.BigDecimal;
 import java.util.ArrayList;
-import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
 
-/**
- * The results of a campaign as one self-contained HTML file without scripts, whose
- * Content-Security-Policy allows only exactly its style.
- */
+/** The results of a campaign as one HTML file without scripts. */
 final class CampaignPage {
 
   private static final int NEAREST = 10;
@@ -45,7 +39,7 @@ final class CampaignPage {
   private final Shard shard;
   private final List<CampaignRow> rows;
   private final CampaignSummary summary;
-  private final StringBuilder out = new StringBuilder();
+  private final StaticPage page;
 
   private CampaignPage(Project project, CampaignPlan plan, Shard shard, List<CampaignRow> rows) {
     this.shard = shard;
@@ -53,6 +47,7 @@ final class CampaignPage {
     this.plan = plan;
     this.rows = rows;
     this.summary = new CampaignSummary(plan, rows);
+    this.page = new StaticPage("Campaign " + plan.name(), STYLE);
   }
 
   static String of(
@@ -69,21 +64,10 @@ final class CampaignPage {
     comparison.ifPresent(page::changes);
     page.nearest();
     page.failures();
-    page.add("<footer>All cases are in %s.</footer>\n</body>\n</html>\n", CampaignStore.TABLE);
-    return page.out.toString();
+    return page.page.end("All cases are in " + CampaignStore.TABLE + ".");
   }
 
   private void head() {
-    String style = "\n" + ReportPage.resource("report.css") + STYLE;
-    String hash = Base64.getEncoder().encodeToString(Sha256.of(style).bytes());
-    raw("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
-    raw(
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src"
-            + " 'sha256-");
-    raw(hash + "'; base-uri 'none'; form-action 'none'\">\n");
-    raw("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n");
-    add("<title>Campaign %s · Eventchain</title>\n", plan.name());
-    raw("<style>" + style + "</style>\n</head>\n<body>\n");
     add("<p class=\"kicker\">Eventchain campaign · %s</p>\n", project.configuration().name());
     add("<h1>%s: cases of %s</h1>\n", plan.name(), plan.scenario());
   }
@@ -156,8 +140,8 @@ final class CampaignPage {
     } else {
       String kind = passed + untested == 0 ? "failed" : "mixed";
       String words = "%d of %d did not pass".formatted(cases.size() - passed, cases.size());
-      add("<td class=\"%s\" title=\"%s\">", kind, words);
-      add(cases.size() == 1 ? "</td>" : "%s</td>", cases.size() - passed);
+      String shown = cases.size() == 1 ? "" : Long.toString(cases.size() - passed);
+      add("<td class=\"%s\" title=\"%s\">%s</td>", kind, words, shown);
     }
   }
 
@@ -259,23 +243,10 @@ final class CampaignPage {
   }
 
   private void raw(String html) {
-    out.append(html);
+    page.raw(html);
   }
 
-  /** Adds HTML with texts, which are escaped. */
   private void add(String html, Object... texts) {
-    Object[] escaped = new Object[texts.length];
-    for (int i = 0; i < texts.length; i++) {
-      escaped[i] = escaped(texts[i].toString());
-    }
-    out.append(String.format(Locale.ROOT, html, escaped));
-  }
-
-  private static String escaped(String text) {
-    return Printable.clean(text)
-        .replace("&", "&amp;")
-        .replace("<", "&lt;")
-        .replace(">", "&gt;")
-        .replace("\"", "&quot;");
+    page.add(html, texts);
   }
 }

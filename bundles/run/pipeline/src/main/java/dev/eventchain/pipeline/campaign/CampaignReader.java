@@ -8,7 +8,6 @@ import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import java.math.BigDecimal;
@@ -22,14 +21,6 @@ import java.util.OptionalInt;
 /** Reads campaign files. */
 final class CampaignReader {
 
-  private static final DocumentRules RULES =
-      new DocumentRules(
-          CampaignRules.SYNTAX,
-          CampaignRules.KEY_DUPLICATE,
-          CampaignRules.VALUE_TYPE,
-          CampaignRules.KEY_MISSING,
-          CampaignRules.KEY_UNKNOWN,
-          CampaignRules.VALUE_RANGE);
   private static final NumberRange CASES = NumberRange.of(1, 1_000_000);
   private static final NumberRange SEED = NumberRange.of(0, 1L << 52);
   private static final NumberRange REPETITIONS = NumberRange.of(1, 1000);
@@ -53,7 +44,8 @@ final class CampaignReader {
 
   private CampaignPlan read() {
     List<Diagnostic> problems = new ArrayList<>();
-    Document document = Document.parse(text, DocumentFormat.YAML, RULES, problems::add);
+    Document document =
+        Document.parse(text, DocumentFormat.YAML, CampaignRules.OF_DOCUMENTS, problems::add);
     Optional<CampaignPlan> plan = document.object("", problems::add).map(this::plan);
     if (!problems.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);

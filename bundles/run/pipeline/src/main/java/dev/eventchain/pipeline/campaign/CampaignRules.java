@@ -2,6 +2,7 @@ package dev.eventchain.pipeline.campaign;
 
 import dev.eventchain.diagnostics.CommonTrait;
 import dev.eventchain.diagnostics.Rule;
+import dev.eventchain.documents.DocumentRules;
 
 /** Rules of the findings about campaigns. */
 final class CampaignRules {
@@ -23,6 +24,9 @@ final class CampaignRules {
   static final Rule SYNTAX = Rule.error("campaign.syntax", CommonTrait.UNSUPPRESSIBLE);
   static final Rule VALUE_RANGE = Rule.error("campaign.value.range");
   static final Rule VALUE_TYPE = Rule.error("campaign.value.type");
+
+  static final DocumentRules OF_DOCUMENTS =
+      new DocumentRules(SYNTAX, KEY_DUPLICATE, VALUE_TYPE, KEY_MISSING, KEY_UNKNOWN, VALUE_RANGE);
 
   private CampaignRules() {}
 }

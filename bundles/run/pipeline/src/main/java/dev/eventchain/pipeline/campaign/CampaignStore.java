@@ -36,16 +36,10 @@ final class CampaignStore implements AutoCloseable {
    *
    * @param campaign the campaign's name
    * @param inputs a hash of all that the results depend on
-   * @param combinations the combinations of the whole campaign, before a boundary is searched
    * @param complete false while the campaign runs
    */
   record Cases(
-      String campaign,
-      String inputs,
-      Shard shard,
-      int combinations,
-      boolean complete,
-      List<CampaignRow> rows) {
+      String campaign, String inputs, Shard shard, boolean complete, List<CampaignRow> rows) {
 
     Cases {
       rows = List.copyOf(rows);
@@ -151,13 +145,7 @@ final class CampaignStore implements AutoCloseable {
   }
 
   private Cases with(Collection<CampaignRow> some, boolean complete) {
-    return new Cases(
-        empty.campaign(),
-        empty.inputs(),
-        empty.shard(),
-        empty.combinations(),
-        complete,
-        List.copyOf(some));
+    return new Cases(empty.campaign(), empty.inputs(), empty.shard(), complete, List.copyOf(some));
   }
 
   /** Writes all cases into one file, after which nothing is missing. */

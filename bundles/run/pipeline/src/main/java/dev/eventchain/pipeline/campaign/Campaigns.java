@@ -93,8 +93,7 @@ public final class Campaigns {
     // First, since it may be the folder that is written into.
     Optional<CampaignComparison.Earlier> earlier = options.compared().map(CampaignComparison::read);
     CampaignStore.Cases empty =
-        new CampaignStore.Cases(
-            plan.name(), inputs(), options.shard(), all.size(), false, List.of());
+        new CampaignStore.Cases(plan.name(), inputs(), options.shard(), false, List.of());
     try (CampaignStore store = new CampaignStore(run.options().output(), empty)) {
       List<CampaignCase> own = own(all);
       if (options.replayed().isPresent()) {

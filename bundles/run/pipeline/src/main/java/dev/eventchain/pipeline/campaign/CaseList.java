@@ -100,12 +100,9 @@ final class CaseList {
       all *= factor.levels().checked().size();
     }
     if (all > MOST) {
-      throw refused(
-          Diagnostic.of(
-                  CampaignRules.SIZE,
-                  "The grid has %.3g cases, and at most %d can be simulated.".formatted(all, MOST),
-                  SourceLocation.of(plan.file()))
-              .withHint("Draw some of them: `sampling: {latin_hypercube: 1000}`."));
+      throw tooMany(
+          "The grid has %.3g cases, and at most %d can be simulated".formatted(all, MOST),
+          "Draw some of them: `sampling: {latin_hypercube: 1000}`.");
     }
     Set<List<BigDecimal>> combinations = new LinkedHashSet<>(List.of(List.of()));
     for (Factor factor : plan.factors()) {

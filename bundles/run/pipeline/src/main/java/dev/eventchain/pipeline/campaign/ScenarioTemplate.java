@@ -9,7 +9,6 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.CaseSimulation;
 import dev.eventchain.simulation.bench.Bench;
@@ -28,14 +27,6 @@ import java.util.stream.IntStream;
  */
 final class ScenarioTemplate {
 
-  private static final DocumentRules RULES =
-      new DocumentRules(
-          CampaignRules.SYNTAX,
-          CampaignRules.KEY_DUPLICATE,
-          CampaignRules.VALUE_TYPE,
-          CampaignRules.KEY_MISSING,
-          CampaignRules.KEY_UNKNOWN,
-          CampaignRules.VALUE_RANGE);
   private static final String BENCH = "bench:";
   private static final int MOST_TRIED = 200;
 
@@ -73,7 +64,12 @@ final class ScenarioTemplate {
 
   private static ObjectNode tree(Path file) {
     return (ObjectNode)
-        Document.parse(SourceText.read(file), DocumentFormat.YAML, RULES, finding -> {}).root();
+        Document.parse(
+                SourceText.read(file),
+                DocumentFormat.YAML,
+                CampaignRules.OF_DOCUMENTS,
+                finding -> {})
+            .root();
   }
 
   /** Returns a finding for each path that leads nowhere, or where another one leads. */

@@ -1,25 +1,19 @@
 package dev.eventchain.pipeline.evaluation;
 
-import dev.eventchain.diagnostics.Printable;
-import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Grade;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Score;
 import dev.eventchain.pipeline.evaluation.EvaluationRow.Rate;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.report.ReportPage;
+import dev.eventchain.pipeline.report.StaticPage;
 import java.util.ArrayList;
-import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 
-/**
- * The results of an evaluation as one self-contained HTML file without scripts; its
- * Content-Security-Policy allows only exactly this style. Names of models and findings are escaped
- * as text.
- */
+/** The results of an evaluation as one HTML file without scripts. */
 final class EvaluationPage {
 
   private static final List<String> TITLES = List.of("Chain model", "Function code", "Overall");
@@ -33,7 +27,7 @@ final class EvaluationPage {
   private final EvaluationOptions options;
   private final List<EvaluationRow> rows;
   private final List<EvaluatedRun> runs;
-  private final StringBuilder out = new StringBuilder();
+  private final StaticPage page;
 
   private EvaluationPage(
       Project project,
@@ -44,6 +38,7 @@ final class EvaluationPage {
     this.options = options;
     this.rows = rows;
     this.runs = runs;
+    this.page = new StaticPage("Evaluation · " + project.configuration().title(), "");
   }
 
   static String of(
@@ -60,8 +55,7 @@ final class EvaluationPage {
       page.failures();
     }
     page.allRuns();
-    page.add("<footer>%s</footer>\n</body>\n</html>\n", HOW_TO_READ);
-    return page.out.toString();
+    return page.page.end(HOW_TO_READ);
   }
 
   private boolean anyCounted() {
@@ -69,19 +63,8 @@ final class EvaluationPage {
   }
 
   private void head() {
-    String style = "\n" + ReportPage.resource("report.css");
-    String hash = Base64.getEncoder().encodeToString(Sha256.of(style).bytes());
-    String title = project.configuration().title();
-    add("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
-    raw(
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src"
-            + " 'sha256-");
-    raw(hash + "'; base-uri 'none'; form-action 'none'\">\n");
-    add("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n");
-    add("<title>Evaluation · %s · Eventchain</title>\n", title);
-    raw("<style>" + style + "</style>\n</head>\n<body>\n");
     add("<p class=\"kicker\">Eventchain evaluation · %s</p>\n", project.configuration().name());
-    add("<h1>%s: language models compared</h1>\n", title);
+    add("<h1>%s: language models compared</h1>\n", project.configuration().title());
   }
 
   /** Writes the statement that precedes all numbers. */
@@ -267,27 +250,7 @@ final class EvaluationPage {
     add("<td class=\"%s\">%s</td>", tone, word);
   }
 
-  /** Adds HTML with escaped values. */
-  private void add(String html, Object... values) {
-    int from = 0;
-    for (Object value : values) {
-      int place = html.indexOf("%s", from);
-      out.append(html, from, place).append(text(String.valueOf(value)));
-      from = place + 2;
-    }
-    out.append(html, from, html.length());
-  }
-
-  private void raw(String html) {
-    out.append(html);
-  }
-
-  private static String text(String value) {
-    return Printable.clean(value)
-        .replace("&", "&amp;")
-        .replace("<", "&lt;")
-        .replace(">", "&gt;")
-        .replace("\"", "&quot;")
-        .replace("'", "&#39;");
+  private void add(String html, Object... texts) {
+    page.add(html, texts);
   }
 }
