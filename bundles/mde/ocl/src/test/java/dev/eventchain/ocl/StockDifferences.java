@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.eclipse.emf.common.util.Enumerator;
+import org.eclipse.ocl.expressions.UnlimitedNaturalLiteralExp;
 import org.eclipse.ocl.util.Bag;
 import org.eclipse.ocl.utilities.PredefinedType;
 
@@ -41,6 +42,7 @@ final class StockDifferences {
           "no number in a collection",
           "part of a tuple without a value",
           "place in the empty string",
+          "the unlimited number beside -1",
           FAILING_PART);
 
   private StockDifferences() {}
@@ -96,7 +98,14 @@ final class StockDifferences {
             && (part.contains(null) || part.contains(Values.INVALID)));
   }
 
-  private static Optional<String> ofNumbers(Collection<Object> operands) {
+  /** Returns the difference of the unlimited number, which Eclipse OCL stores as -1. */
+  static Optional<String> ofUnlimited(boolean occurred, Collection<Object> operands) {
+    int unlimited = UnlimitedNaturalLiteralExp.UNLIMITED;
+    boolean twice = numbers(operands).stream().filter(each -> each.equals(unlimited)).count() > 1;
+    return when("the unlimited number beside -1", occurred && twice);
+  }
+
+  static Optional<String> ofNumbers(Collection<Object> operands) {
     return when("large numbers", numbers(operands).stream().anyMatch(StockDifferences::isLarge))
         .or(() -> when("equal numbers", holdsEqualNumbers(operands)));
   }

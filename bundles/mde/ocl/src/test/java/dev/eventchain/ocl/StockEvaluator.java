@@ -17,11 +17,15 @@ import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.ocl.ecore.EcoreEnvironmentFactory;
 import org.eclipse.ocl.ecore.EcoreEvaluationEnvironment;
 import org.eclipse.ocl.ecore.EvaluationVisitorImpl;
+import org.eclipse.ocl.expressions.CollectionLiteralExp;
+import org.eclipse.ocl.expressions.CollectionLiteralPart;
+import org.eclipse.ocl.expressions.CollectionRange;
 import org.eclipse.ocl.expressions.IteratorExp;
 import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.OperationCallExp;
 import org.eclipse.ocl.expressions.PropertyCallExp;
 import org.eclipse.ocl.expressions.TupleLiteralExp;
+import org.eclipse.ocl.expressions.UnlimitedNaturalLiteralExp;
 import org.eclipse.ocl.types.BagType;
 import org.eclipse.ocl.types.SetType;
 import org.eclipse.ocl.types.TupleType;
@@ -35,6 +39,9 @@ final class StockEvaluator {
   private final OclEnvironment environment;
   private final Set<String> differences = new TreeSet<>();
 
+  /** Whether the unlimited number occurred in the latest evaluation. */
+  private boolean unlimited;
+
   StockEvaluator(OclEnvironment environment) {
     this.environment = environment;
   }
@@ -46,6 +53,7 @@ final class StockEvaluator {
 
   Object evaluate(OCLExpression<EClassifier> expression, EObject self) {
     differences.clear();
+    unlimited = false;
     EcoreEvaluationEnvironment values =
         new Environment((EcoreEnvironmentFactory) environment.getFactory());
     values.add("self", self);
@@ -93,6 +101,8 @@ final class StockEvaluator {
 
     private Object noted(OCLExpression<EClassifier> expression, Object value) {
       StockDifferences.ofValue(value).ifPresent(differences::add);
+      unlimited |=
+          expression instanceof UnlimitedNaturalLiteralExp<?> literal && literal.isUnlimited();
       // Each element of a loop has a value of the body.
       boolean first = !parts.element().containsKey(expression);
       parts.element().put(first ? expression : new Object(), value);
@@ -109,6 +119,7 @@ final class StockEvaluator {
         Object source = known.get(call.getSource());
         StockDifferences.ofCall(call.getOperationCode(), source, known.values())
             .ifPresent(differences::add);
+        StockDifferences.ofUnlimited(unlimited, known.values()).ifPresent(differences::add);
       }
     }
 
@@ -118,6 +129,21 @@ final class StockEvaluator {
       if (call.getSource().getType() instanceof TupleType) {
         StockDifferences.ofPart(value).ifPresent(differences::add);
       }
+      return value;
+    }
+
+    /** Notes sets that are the sources of loops, and ends of ranges, which are not noted there. */
+    @Override
+    public Object visitCollectionLiteralExp(CollectionLiteralExp<EClassifier> literal) {
+      for (CollectionLiteralPart<EClassifier> part : literal.getPart()) {
+        if (part instanceof CollectionRange<EClassifier> range) {
+          List<OCLExpression<EClassifier>> ends = List.of(range.getFirst(), range.getLast());
+          StockDifferences.ofNumbers(ends.stream().map(this::safeVisitExpression).toList())
+              .ifPresent(differences::add);
+        }
+      }
+      Object value = super.visitCollectionLiteralExp(literal);
+      StockDifferences.ofValue(value).ifPresent(differences::add);
       return value;
     }
 
