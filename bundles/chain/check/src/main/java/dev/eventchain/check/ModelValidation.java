@@ -16,6 +16,7 @@ import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.uml.Uml;
 import dev.eventchain.xmi.EcoreChecks;
 import dev.eventchain.xmi.LoadedModel;
 import dev.eventchain.xmi.Origins;
@@ -41,6 +42,9 @@ public final class ModelValidation {
   /** The named models, and those that they refer to. */
   private final List<LoadedModel> all;
 
+  /** Whether one of them is a model of UML, which is known without being named. */
+  private final boolean usesUml;
+
   private final Origins origins;
   private final EcoreChecks ecore;
 
@@ -50,8 +54,21 @@ public final class ModelValidation {
     packages = load(store, metamodels);
     this.models = store.loadAll(models);
     all = XmiStore.withReferred(this.models);
+    usesUml = roots(all).stream().anyMatch(root -> Uml.isMetamodel(root.eClass().getEPackage()));
+    if (usesUml) {
+      addPackagesOf(roots(all));
+    }
     origins = all.get(0).origins();
     ecore = EcoreChecks.of(all, timeLimit);
+  }
+
+  /** Adds UML, and the profiles whose stereotypes the models apply. */
+  private void addPackagesOf(List<EObject> roots) {
+    roots.stream()
+        .map(root -> root.eClass().getEPackage())
+        .distinct()
+        .filter(used -> !packages.contains(used))
+        .forEach(packages::add);
   }
 
   /** Loads metamodels in any order: one may refer to a later one by its namespace. */
@@ -136,7 +153,7 @@ public final class ModelValidation {
    * metamodels are checked.
    *
    * @param metamodels the models' metamodels; none for event chains, which are checked against the
-   *     standard constraints and the contracts inside each chain, too
+   *     standard constraints and the contracts inside each chain, too; UML need not be named
    * @param map the folders by the reference prefixes that they replace: {@code platform:/resource/}
    * @param messages folders of {@code PACKAGE/msg/NAME.msg} that event chains use, next to the
    *     standard types of ROS 2 and to those of the projects in which the models are
@@ -153,7 +170,8 @@ public final class ModelValidation {
       Duration timeLimit) {
     ModelValidation any = read(metamodels, map, models, timeLimit);
     List<SourceText> documents = new ArrayList<>();
-    if (metamodels.isEmpty()) {
+    boolean aboutChains = metamodels.isEmpty() && !any.usesUml;
+    if (aboutChains) {
       documents.add(EventChainMetamodel.constraints());
     }
     List<Path> rulesIn = OclRules.files(constraints);
@@ -171,7 +189,7 @@ public final class ModelValidation {
     List<Diagnostic> found =
         any.aboutConstraints(rules, result, onlyMetamodel && isMetamodelChecked);
     found.addAll(any.ecore.diagnostics());
-    if (metamodels.isEmpty()) {
+    if (aboutChains) {
       Validation contracts = any.contracts(messages);
       coverage = coverage.and(contracts.coverage());
       found.addAll(contracts.diagnostics());

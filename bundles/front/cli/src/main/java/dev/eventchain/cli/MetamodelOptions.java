@@ -10,8 +10,11 @@ final class MetamodelOptions {
 
   @Option(
       names = "--metamodel",
-      paramLabel = "FILE",
-      description = "An Ecore metamodel of the models (default: event chains); may be repeated.")
+      paramLabel = "FILE|URI",
+      description =
+          "An Ecore metamodel of the models (default: event chains), or the nsURI of one that is"
+              + " known, such as http://www.eclipse.org/uml2/5.0.0/UML; may be repeated. Models of"
+              + " UML need no metamodel to be named.")
   List<Path> metamodels = List.of();
 
   @Option(

@@ -3,6 +3,7 @@ package dev.eventchain.xmi;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.uml.Uml;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.Iterator;
@@ -69,7 +70,10 @@ final class Faults {
     for (Statements.End end : file.statements().ends()) {
       Link link = linkOf(file, end);
       EReference opposite = end.feature().getEOpposite();
-      if (link.to != null && !links.contains(new Link(link.to, opposite, link.from))) {
+      boolean derivable = Uml.isMetamodel(opposite.getEContainingClass().getEPackage());
+      if (link.to != null
+          && !derivable // UML's files may leave out one end
+          && !links.contains(new Link(link.to, opposite, link.from))) {
         String message =
             "`%s` of %s names %s, but `%s` there does not name it back."
                 .formatted(

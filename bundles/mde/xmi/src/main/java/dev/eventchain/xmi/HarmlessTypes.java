@@ -1,5 +1,6 @@
 package dev.eventchain.xmi;
 
+import dev.eventchain.uml.Uml;
 import java.util.HashSet;
 import java.util.Set;
 import org.eclipse.emf.ecore.EClassifier;
@@ -82,6 +83,7 @@ final class HarmlessTypes {
   private static boolean isBuiltIn(EPackage ePackage) {
     return ePackage == EcorePackage.eINSTANCE
         || ePackage == XMLTypePackage.eINSTANCE
-        || ePackage == XMLNamespacePackage.eINSTANCE;
+        || ePackage == XMLNamespacePackage.eINSTANCE
+        || Uml.isMetamodel(ePackage);
   }
 }

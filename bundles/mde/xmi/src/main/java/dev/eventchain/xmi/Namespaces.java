@@ -1,6 +1,7 @@
 package dev.eventchain.xmi;
 
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.uml.Uml;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
@@ -20,16 +21,8 @@ final class Namespaces {
 
   private static final String LOAD = "Name its metamodel with --metamodel FILE.ecore.";
 
-  /**
-   * The namespaces of UML2. Maven Central only has its classes of 2010, for models of version 3;
-   * without them, features that UML derives, such as {@code ownedElement}, would silently be empty.
-   */
-  private static final String UML2 = "http://www.eclipse.org/uml2/";
-
   private static final String UML2_HINT =
-      "It is a UML2 model, which this program cannot read: the derived features of UML need UML2's"
-          + " own classes. In Eclipse, export it as Ecore, or copy what you need into a model of"
-          + " another metamodel.";
+      "It is a UML2 model, which needs the classes of Eclipse UML2: install that.";
 
   /** The key of the metamodel of models without namespace. */
   static final String NONE = "";
@@ -81,7 +74,7 @@ final class Namespaces {
 
   /** Names the loaded version of the same metamodel, else the nearest namespace. */
   static String hint(String unknown, Collection<String> registered) {
-    if (unknown.startsWith(UML2)) {
+    if (Uml.isNamespace(unknown)) {
       return UML2_HINT;
     }
     List<String> known = registered.stream().filter(uri -> !OF_TYPES.contains(uri)).toList();

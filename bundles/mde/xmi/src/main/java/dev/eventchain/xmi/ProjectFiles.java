@@ -1,5 +1,6 @@
 package dev.eventchain.xmi;
 
+import dev.eventchain.uml.Uml;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
@@ -68,12 +69,16 @@ final class ProjectFiles {
 
   /** Returns a reference with a mapped prefix as one to a file or a metamodel. */
   String mapped(URI base, String reference) {
+    String known = Uml.withKnownLibrary(reference);
+    if (!known.equals(reference)) {
+      return known;
+    }
     int hash = reference.indexOf('#');
     String target = hash < 0 ? reference : reference.substring(0, hash);
     String fragment = hash < 0 ? "" : reference.substring(hash);
-    Matcher known = IN_ECLIPSE.matcher(target);
-    if (known.matches() && NAMESPACES.containsKey(known.group(1))) {
-      return NAMESPACES.get(known.group(1)) + fragment;
+    Matcher standard = IN_ECLIPSE.matcher(target);
+    if (standard.matches() && NAMESPACES.containsKey(standard.group(1))) {
+      return NAMESPACES.get(standard.group(1)) + fragment;
     }
     if (target.isEmpty() || registry.containsKey(target) || !base.isFile()) {
       return reference;
@@ -115,7 +120,7 @@ final class ProjectFiles {
     } catch (IllegalArgumentException e) {
       return Optional.of("`" + reference + "` is not a URI.");
     }
-    if (target.isEmpty() || isKnownMetamodel(target)) {
+    if (target.isEmpty() || isKnownMetamodel(target) || Uml.isLibrary(target)) {
       return Optional.empty();
     }
     if (target.scheme() != null && !target.isFile()) {

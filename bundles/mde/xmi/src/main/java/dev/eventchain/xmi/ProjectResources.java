@@ -1,6 +1,7 @@
 package dev.eventchain.xmi;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.uml.Uml;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -10,11 +11,8 @@ import java.util.Map;
 import java.util.Optional;
 import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EPackage;
-import org.eclipse.emf.ecore.EcorePackage;
 import org.eclipse.emf.ecore.resource.Resource;
 import org.eclipse.emf.ecore.resource.impl.ResourceSetImpl;
-import org.eclipse.emf.ecore.xml.namespace.XMLNamespacePackage;
-import org.eclipse.emf.ecore.xml.type.XMLTypePackage;
 
 /** The files of one project that are loaded together; none lies outside the project. */
 final class ProjectResources extends ResourceSetImpl {
@@ -55,6 +53,9 @@ final class ProjectResources extends ResourceSetImpl {
   public Resource getResource(URI uri, boolean loadOnDemand) {
     if (files.isKnownMetamodel(uri)) {
       return getPackageRegistry().getEPackage(uri.toString()).eResource();
+    }
+    if (Uml.isLibrary(uri)) {
+      return Uml.library(uri).orElse(null);
     }
     Optional<XmiResource> loaded = find(uri);
     if (loaded.isPresent()) {
@@ -103,12 +104,5 @@ final class ProjectResources extends ResourceSetImpl {
     getResources().add(resource);
     resource.load(Map.of());
     return resource;
-  }
-
-  /** Registers the metamodels that are always available. */
-  static void registerStandard(EPackage.Registry registry) {
-    registry.put(EcorePackage.eNS_URI, EcorePackage.eINSTANCE);
-    registry.put(XMLTypePackage.eNS_URI, XMLTypePackage.eINSTANCE);
-    registry.put(XMLNamespacePackage.eNS_URI, XMLNamespacePackage.eINSTANCE);
   }
 }

@@ -140,10 +140,13 @@ final class XmiHandler extends SAXXMIHandler {
     return file.problems().tagEndingAt(getLineNumber(), getColumnNumber());
   }
 
-  /** Returns registered packages only; EMF would load files and Java classes that a URI names. */
+  /** Returns registered packages and profiles only; EMF would load files and Java classes that a URI names. */
   @Override
   protected EPackage getPackageForURI(String uri) {
     EPackage known = packageRegistry.getEPackage(uri == null ? Namespaces.NONE : uri);
+    if (known == null && uri != null) {
+      known = file.profiles().definition(uri).orElse(null);
+    }
     if (known == null && uri != null) {
       error(new PackageNotFoundException(uri, getLocation(), getLineNumber(), getColumnNumber()));
     }
@@ -265,12 +268,12 @@ final class XmiHandler extends SAXXMIHandler {
 
   @Override
   protected void handleXSISchemaLocation(String schemaLocations) {
-    // Metamodels come from the caller, never from a place that a model names.
+    file.profiles().note(schemaLocations);
   }
 
   @Override
   protected void handleXSINoNamespaceSchemaLocation(String schemaLocation) {
-    // As above.
+    // Metamodels come from the caller, never from a place that a model names.
   }
 
   @Override

@@ -7,6 +7,8 @@ import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.eclipse.emf.ecore.EClass;
@@ -30,11 +32,19 @@ final class XmiProblems {
 
   private final SourceText text;
   private final EPackage.Registry registry;
+  private final Function<String, Optional<String>> profiles;
   private final List<Diagnostic> found = new ArrayList<>();
 
-  XmiProblems(SourceText text, EPackage.Registry registry) {
+  /**
+   * Creates an empty list of findings about a text.
+   *
+   * @param profiles returns a hint for a namespace that the file itself says the place of
+   */
+  XmiProblems(
+      SourceText text, EPackage.Registry registry, Function<String, Optional<String>> profiles) {
     this.text = text;
     this.registry = registry;
+    this.profiles = profiles;
   }
 
   List<Diagnostic> found() {
@@ -222,7 +232,9 @@ final class XmiProblems {
         XmiRules.PACKAGE_UNKNOWN,
         "No metamodel with the namespace `" + problem.uri() + "` is loaded.",
         tag,
-        Namespaces.hint(problem.uri(), registry.keySet()));
+        profiles
+            .apply(problem.uri())
+            .orElseGet(() -> Namespaces.hint(problem.uri(), registry.keySet())));
   }
 
   private void addIllegalValue(IllegalValueException problem, int tag) {

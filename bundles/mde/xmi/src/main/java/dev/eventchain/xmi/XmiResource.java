@@ -36,6 +36,7 @@ final class XmiResource extends XMIResourceImpl {
   private final IdentityHashMap<EObject, Integer> owners = new IdentityHashMap<>();
   private final Map<String, EObject> ids = new HashMap<>();
   private final Statements statements = new Statements();
+  private final AppliedProfiles profiles = new AppliedProfiles(this);
   private XmiProblems problems;
   private Offsets offsets;
 
@@ -44,7 +45,7 @@ final class XmiResource extends XMIResourceImpl {
     this.files = files;
     this.registry = registry;
     this.origins = origins;
-    this.problems = new XmiProblems(SourceText.of("", ""), registry);
+    this.problems = new XmiProblems(SourceText.of("", ""), registry, profiles::hint);
     this.offsets = new Offsets(problems.text());
   }
 
@@ -86,6 +87,10 @@ final class XmiResource extends XMIResourceImpl {
 
   ProjectFiles files() {
     return files;
+  }
+
+  AppliedProfiles profiles() {
+    return profiles;
   }
 
   XmiProblems problems() {
@@ -152,7 +157,7 @@ final class XmiResource extends XMIResourceImpl {
   private void read() {
     Path path = Path.of(getURI().toFileString());
     try {
-      problems = new XmiProblems(XmlText.read(path, place().file()), registry);
+      problems = new XmiProblems(XmlText.read(path, place().file()), registry, profiles::hint);
       offsets = origins.of(problems.text());
       load(new InputSource(new StringReader(problems.text().text())), Map.of());
       refuseCircles();

@@ -3,6 +3,7 @@ package dev.eventchain.xmi;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.uml.Uml;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -11,7 +12,6 @@ import java.util.Map;
 import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
-import org.eclipse.emf.ecore.impl.EPackageRegistryImpl;
 
 /**
  * Reads and writes the XMI files of one project, for models of any Ecore metamodel.
@@ -23,14 +23,14 @@ import org.eclipse.emf.ecore.impl.EPackageRegistryImpl;
  */
 public final class XmiStore {
 
-  private final EPackage.Registry registry = new EPackageRegistryImpl();
+  private final EPackage.Registry registry = new KnownPackages();
   private final ProjectFiles files;
 
   /** The resource set of all metamodels: a class is one object, whichever file refers to it. */
   private final ProjectResources metamodels;
 
   /**
-   * Creates a store for the files below a folder. Ecore is registered.
+   * Creates a store for the files below a folder. Ecore and UML are known.
    *
    * @param projectRoot the folder that references must not leave
    */
@@ -62,7 +62,6 @@ public final class XmiStore {
    * of. A loaded metamodel replaces a known one with the same nsURI.
    */
   public XmiStore(Collection<Path> folders, Map<String, Path> map, Collection<EPackage> known) {
-    ProjectResources.registerStandard(registry);
     known.forEach(each -> registry.put(each.getNsURI(), each));
     List<Path> all = new ArrayList<>(folders);
     all.addAll(map.values());
@@ -76,10 +75,16 @@ public final class XmiStore {
    * package without nsURI gets the name of its file, and a subpackage a path below its package;
    * models of such a metamodel have that namespace or none.
    *
+   * @param ecore a file; or the nsURI of a metamodel that is known, such as UML
    * @return the packages at the top of the file, at least one
    * @throws DiagnosticException (INPUT) with all findings about it
    */
   public List<EPackage> loadMetamodel(Path ecore) {
+    // As a path, a URI has lost one of its slashes.
+    EPackage known = registry.getEPackage(ecore.toString().replaceFirst("^(https?):/", "$1://"));
+    if (known != null) {
+      return List.of(known);
+    }
     int before = metamodels.getResources().size();
     try {
       return register(read(ecore, metamodels), before);
@@ -174,7 +179,7 @@ public final class XmiStore {
 
   /**
    * Returns models that were loaded together, and those in other files that they refer to, except
-   * for metamodels.
+   * for metamodels and profiles.
    *
    * @param models at least one, all of one {@link #loadAll}
    */
@@ -184,11 +189,15 @@ public final class XmiStore {
     for (XmiResource file : resources.loaded()) {
       boolean named = models.stream().anyMatch(model -> model.resource() == file);
       List<EObject> roots = file.getContents(); // none if all are contained elsewhere
-      if (!named && !roots.isEmpty() && !(roots.get(0) instanceof EPackage)) {
+      if (!named && !roots.isEmpty() && !isMetamodel(roots.get(0))) {
         all.add(new LoadedModel(file, resources.origins()));
       }
     }
     return all;
+  }
+
+  private static boolean isMetamodel(EObject root) {
+    return root instanceof EPackage || Uml.isProfile(root);
   }
 
   private static XmiResource read(Path path, ProjectResources resources) {

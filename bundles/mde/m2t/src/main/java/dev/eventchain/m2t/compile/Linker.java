@@ -1,5 +1,6 @@
 package dev.eventchain.m2t.compile;
 
+import dev.eventchain.uml.Uml;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
@@ -100,7 +101,8 @@ public final class Linker {
           Stream.concat(packages.stream(), Stream.of(EcorePackage.eINSTANCE))
               .flatMap(Linker::withNested)
               .filter(each -> bare.equals(each.getNsURI()))
-              .findFirst();
+              .findFirst()
+              .or(() -> Uml.metamodel(bare));
       metamodel.ifPresentOrElse(
           found::add,
           () ->

@@ -1,0 +1,109 @@
+package dev.eventchain.uml;
+
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.eclipse.emf.common.util.URI;
+import org.eclipse.emf.ecore.EAnnotation;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.resource.Resource;
+
+/**
+ * The metamodel of UML 2.5, whose derived features and operations are those of Eclipse UML2, and
+ * what comes with it. Its classes are loaded when a model or a template first names them.
+ * Thread-safe.
+ */
+public final class Uml {
+
+  private static final String ECLIPSE = "http://www.eclipse.org/uml2/";
+
+  /** The namespaces of UML by Eclipse UML2 (2.0.0 to 5.0.0) and by the OMG. */
+  private static final Pattern METAMODEL =
+      Pattern.compile(
+          "http://www\\.eclipse\\.org/uml2/[2-5](\\.\\d+)*/UML"
+              + "|http://(www|schema)\\.omg\\.org/spec/UML/(20\\d{6}|2(\\.\\d+)*)(/uml\\.xml)?");
+
+  /** The primitive types in files of the OMG, such as {@code .../PrimitiveTypes.xmi#String}. */
+  private static final Pattern PRIMITIVE_TYPES =
+      Pattern.compile(
+          "http://(?:www|schema)\\.omg\\.org/spec/(?:UML/[^/#]+|PrimitiveTypes/[^/#]+)"
+              + "/(?:PrimitiveTypes|uml)\\.xml?i?(#.*)?");
+
+  private static final Pattern LIBRARIES =
+      Pattern.compile("pathmap://UML_(LIBRARIES|METAMODELS|PROFILES)/\\w+\\.[a-z]+\\.uml");
+
+  private static final String LIBRARY = "pathmap://UML_LIBRARIES/UMLPrimitiveTypes.library.uml";
+
+  private Uml() {}
+
+  /** Returns whether a namespace is that of UML, of any version 2. */
+  public static boolean isNamespace(String nsUri) {
+    return METAMODEL.matcher(nsUri).matches();
+  }
+
+  /**
+   * Returns the metamodel of a namespace: UML itself, its data types, or one of the profiles that
+   * come with it. All versions of UML have one metamodel, that of UML 2.5.
+   *
+   * @return empty if the namespace is of something else, or if Eclipse UML2 is not installed
+   */
+  public static Optional<EPackage> metamodel(String nsUri) {
+    if (nsUri == null || !(nsUri.startsWith(ECLIPSE) || isNamespace(nsUri))) {
+      return Optional.empty();
+    }
+    try {
+      return UmlClasses.metamodel(nsUri, isNamespace(nsUri));
+    } catch (LinkageError e) {
+      return Optional.empty();
+    }
+  }
+
+  /** Returns whether a metamodel is UML itself, of Eclipse UML2. */
+  public static boolean isMetamodel(EPackage metamodel) {
+    return metamodel != null
+        && isNamespace(String.valueOf(metamodel.getNsURI()))
+        && metamodel(metamodel.getNsURI()).filter(uml -> uml == metamodel).isPresent();
+  }
+
+  /** Returns a reference to a primitive type in a file of the OMG as one to Eclipse UML2's. */
+  public static String withKnownLibrary(String reference) {
+    Matcher types = PRIMITIVE_TYPES.matcher(reference);
+    return types.matches() ? LIBRARY + (types.group(1) == null ? "" : types.group(1)) : reference;
+  }
+
+  /** Returns whether a URI names a file that comes with UML2: {@code pathmap://UML_...}. */
+  public static boolean isLibrary(URI file) {
+    return LIBRARIES.matcher(file.toString()).matches();
+  }
+
+  /**
+   * Returns a file that comes with UML2, such as {@code
+   * pathmap://UML_LIBRARIES/UMLPrimitiveTypes.library.uml}. It is shared, and must not be changed.
+   *
+   * @return empty if there is no such file, or if Eclipse UML2 is not installed
+   */
+  public static Optional<Resource> library(URI file) {
+    if (!isLibrary(file)) {
+      return Optional.empty();
+    }
+    try {
+      return UmlClasses.library(file);
+    } catch (LinkageError e) {
+      return Optional.empty();
+    }
+  }
+
+  /** Returns whether an element is a profile of UML, which extends the metamodel. */
+  public static boolean isProfile(EObject element) {
+    return element != null
+        && element.eClass().getName().equals("Profile")
+        && isMetamodel(element.eClass().getEPackage());
+  }
+
+  /** Returns whether a package defines the stereotypes of a profile, as UML2 stores it there. */
+  public static boolean isDefinition(EPackage definition) {
+    return definition.eContainer() instanceof EAnnotation annotation
+        && isProfile(annotation.getEModelElement());
+  }
+}
