@@ -97,6 +97,16 @@ final class MutantRun {
     return new Trial(mutant, scenario.orElseThrow());
   }
 
+  /** Checks that all mutants can be put into the components, also those that are not simulated. */
+  void requireComponentsOf(List<Mutant> mutants) throws IOException {
+    Path components = generated.resolve(chain.getName()).resolve("components");
+    for (Mutant mutant : mutants) {
+      Path copy = Files.createTempDirectory(folder, "components");
+      Projects.copy(components, copy);
+      mutant.putInto(copy);
+    }
+  }
+
   /** Returns the verdicts, in the order of the trials. */
   List<ScenarioVerdict> simulate(List<Trial> trials) throws IOException {
     List<CompletableFuture<List<ScenarioVerdict>>> parts = new ArrayList<>();

@@ -38,6 +38,7 @@ class MutantsTest {
     assertEquals(mutants.size(), ids.size(), "two have the same id");
     long turn = Thorough.turn() % Thorough.DAYS;
     MutantRun run = MutantRun.of(example, folder);
+    run.requireComponentsOf(mutants);
     List<MutantRun.Trial> trials =
         IntStream.range(0, mutants.size())
             .filter(index -> index % Thorough.DAYS == turn)
