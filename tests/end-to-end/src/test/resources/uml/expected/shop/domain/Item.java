@@ -1,0 +1,6 @@
+package domain;
+
+public abstract class Item {
+    private Integer id; // key
+
+}
