@@ -120,7 +120,10 @@ class UmlModelsTest {
         "pathmap://OTHER/UMLPrimitiveTypes.library.uml",
       })
   void libraryThatDoesNotExistIsAFinding(String library) throws IOException {
-    validate(changed("pathmap://UML_LIBRARIES/UMLPrimitiveTypes.library.uml#String", library + "#String"))
+    validate(
+            changed(
+                "pathmap://UML_LIBRARIES/UMLPrimitiveTypes.library.uml#String",
+                library + "#String"))
         .expect(2)
         .says("changed.uml:17:")
         .says(library);

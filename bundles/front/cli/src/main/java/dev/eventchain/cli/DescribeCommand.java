@@ -23,7 +23,10 @@ final class DescribeCommand extends ProjectCommand {
 
   private final Console console;
 
-  @Parameters(arity = "0..*", paramLabel = "FILE.ecore|URI", description = "The metamodels, by their files or their nsURIs.")
+  @Parameters(
+      arity = "0..*",
+      paramLabel = "FILE.ecore|URI",
+      description = "The metamodels, by their files or their nsURIs.")
   private List<Path> metamodels = List.of();
 
   @Option(

@@ -1,4 +1,2 @@
-/**
- * The metamodel of UML, its libraries and profiles. Start with {@link dev.eventchain.uml.Uml}.
- */
+/** The metamodel of UML, its libraries and profiles. Start with {@link dev.eventchain.uml.Uml}. */
 package dev.eventchain.uml;

@@ -25,7 +25,7 @@ final class AppliedProfiles {
 
   /** Notes the value of {@code xsi:schemaLocation}: pairs of a namespace and a place. */
   void note(String schemaLocations) {
-    String[] parts = schemaLocations.strip().split("\\s+");
+    String[] parts = schemaLocations.strip().split("\\s+", -1);
     for (int i = 0; i + 1 < parts.length; i += 2) {
       places.putIfAbsent(parts[i], parts[i + 1]);
     }

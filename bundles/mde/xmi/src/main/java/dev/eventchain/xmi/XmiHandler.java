@@ -140,7 +140,10 @@ final class XmiHandler extends SAXXMIHandler {
     return file.problems().tagEndingAt(getLineNumber(), getColumnNumber());
   }
 
-  /** Returns registered packages and profiles only; EMF would load files and Java classes that a URI names. */
+  /**
+   * Returns registered packages and profiles only; EMF would load files and Java classes that a URI
+   * names.
+   */
   @Override
   protected EPackage getPackageForURI(String uri) {
     EPackage known = packageRegistry.getEPackage(uri == null ? Namespaces.NONE : uri);

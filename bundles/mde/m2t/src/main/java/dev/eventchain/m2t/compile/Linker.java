@@ -1,6 +1,5 @@
 package dev.eventchain.m2t.compile;
 
-import dev.eventchain.uml.Uml;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
@@ -24,6 +23,7 @@ import dev.eventchain.m2t.template.Template;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.Scope;
+import dev.eventchain.uml.Uml;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;
