@@ -13,6 +13,7 @@ import dev.eventchain.simulation.formula.Formula;
 import dev.eventchain.simulation.formula.SampledRun;
 import dev.eventchain.simulation.formula.Signal;
 import dev.eventchain.simulation.formula.Term;
+import dev.eventchain.simulation.sensor.LaserScanner;
 import dev.eventchain.simulation.sensor.ObjectSensor;
 import dev.eventchain.simulation.world.Actuator;
 import dev.eventchain.simulation.world.EgoVehicle;
@@ -120,7 +121,8 @@ public final class Bench {
    * @param type the full name of the message type
    * @param rate in Hz
    * @param lidar true if its messages are the scans of the roof lidar
-   * @param objects the sensor of the objects ahead that its messages list
+   * @param objects the sensor of the objects that its messages list
+   * @param scanner the scanner whose scans its messages are
    * @param transfer the transfer of its messages to the nodes
    */
   public record Provided(
@@ -129,6 +131,7 @@ public final class Bench {
       double rate,
       boolean lidar,
       Optional<ObjectSensor> objects,
+      Optional<LaserScanner> scanner,
       List<Field> fields,
       Transfer transfer,
       SourceLocation location) {
@@ -138,11 +141,16 @@ public final class Bench {
       return Math.round(1e9 / rate);
     }
 
-    /** Returns the fields of its messages that get values; for a lidar, all of them. */
+    /** Returns whether its messages are scans, all of whose fields have values. */
+    boolean scans() {
+      return lidar || scanner.isPresent();
+    }
+
+    /** Returns the fields of its messages that get values, unless they are scans. */
     Stream<String> paths() {
       return Stream.concat(
           fields.stream().map(Field::path),
-          objects.stream().flatMap(it -> it.columns().stream()).map(ObjectSensor.Column::path));
+          objects.stream().flatMap(it -> it.paths().stream()));
     }
   }
 

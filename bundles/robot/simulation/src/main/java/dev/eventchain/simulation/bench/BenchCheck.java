@@ -95,7 +95,7 @@ final class BenchCheck {
   private void checkField(Provided provided, Data data) {
     String path = data.getFieldName();
     checkType(data, provided.topic(), provided.type());
-    if (path == null || provided.lidar() || isStamp(path)) {
+    if (path == null || provided.scans() || isStamp(path)) {
       return;
     }
     provided.fields().stream()

@@ -164,7 +164,7 @@ final class BenchFields {
         || (value instanceof Number number && Double.isFinite(number.doubleValue()));
   }
 
-  private static Object plain(JsonNode value) {
+  static Object plain(JsonNode value) {
     if (value.isArray()) {
       List<Object> values = new ArrayList<>();
       value.forEach(each -> values.add(plain(each)));

@@ -35,7 +35,8 @@ final class BenchListing {
     bench.signals().inputs().values().forEach(it -> row(it.name(), it.unit(), it.meaning()));
     line("and these sensors:");
     row("lidar", "", "roof lidar, sensor_msgs/msg/PointCloud2");
-    row("objects", "", "list of the objects ahead that are not completely hidden, with for each:");
+    row("laser_scan", "", "scanner in one plane, sensor_msgs/msg/LaserScan");
+    row("objects", "", "list of the objects that are not completely hidden, with for each:");
     for (ObjectSensor.Property property : ObjectSensor.Property.values()) {
       row("  " + property.id(), property.unitText(), property.meaning());
     }
@@ -64,13 +65,10 @@ final class BenchListing {
     if (topic.lidar()) {
       row("*", "", "scans of the lidar");
     }
-    topic
-        .objects()
-        .ifPresent(
-            it ->
-                it.columns()
-                    .forEach(
-                        each -> row(each.path(), "", each.property().id() + " of each object")));
+    if (topic.scanner().isPresent()) {
+      row("*", "", "scans of a laser scanner");
+    }
+    topic.objects().ifPresent(this::objects);
     for (Field field : topic.fields()) {
       if (field.source() instanceof Bench.Quantity quantity) {
         row(field.path(), "", quantity.text());
@@ -80,6 +78,14 @@ final class BenchListing {
         row(field.path(), "", "always " + constant.value());
       }
     }
+  }
+
+  private void objects(ObjectSensor sensor) {
+    sensor
+        .columns()
+        .forEach(each -> row(each.path(), "", each.property().id() + " of each object"));
+    sensor.constants().forEach(each -> row(each.path(), "", "always " + each.value()));
+    sensor.count().ifPresent(path -> row(path, "", "number of objects"));
   }
 
   private void consumed(Consumed topic) {

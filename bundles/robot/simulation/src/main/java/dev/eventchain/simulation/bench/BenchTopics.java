@@ -14,6 +14,7 @@ import dev.eventchain.simulation.bench.Bench.Consumed;
 import dev.eventchain.simulation.bench.Bench.Effect;
 import dev.eventchain.simulation.bench.Bench.Provided;
 import dev.eventchain.simulation.formula.Signal;
+import dev.eventchain.simulation.sensor.LaserScanner;
 import dev.eventchain.simulation.sensor.ObjectSensor;
 import dev.eventchain.simulation.world.Actuator;
 import java.util.ArrayList;
@@ -33,6 +34,7 @@ final class BenchTopics {
   private static final String SENSOR = "sensor";
   private static final String LIDAR = "lidar";
   private static final String OBJECTS = "objects";
+  private static final String LASER_SCAN = "laser_scan";
   private static final NumberRange LATENCY = NumberRange.of(0, 2000);
   private static final String POINT_CLOUD = "sensor_msgs/msg/PointCloud2";
 
@@ -98,7 +100,8 @@ final class BenchTopics {
   private Provided provided(ObjectReader section, String topic) {
     double rate = section.requiredNumber("rate_hz", RATE);
     boolean lidar = isLidar(section);
-    String type = type(section, topic, lidar ? POINT_CLOUD : "");
+    boolean scans = section.has(LASER_SCAN);
+    String type = type(section, topic, lidar ? POINT_CLOUD : scans ? LaserScanReader.MESSAGES : "");
     Optional<MessageType> message = message(section, type);
     List<Bench.Field> read = new ArrayList<>();
     section
@@ -109,17 +112,18 @@ final class BenchTopics {
                     .forEach(path -> fields.read(part, topic, path, message).ifPresent(read::add)));
     Optional<ObjectSensor> objects =
         section.object(OBJECTS).map(part -> new ObjectsReader(declared, topic, message).read(part));
+    Optional<LaserScanner> scanner = section.object(LASER_SCAN).map(LaserScanReader::read);
     double latency = section.number("latency_ms", LATENCY).orElse(0);
     Bench.Transfer transfer =
         new Bench.Transfer(Math.round(latency * 1e6), fields.part(section, "lost"));
-    if (isEmpty(section) && !section.has(SENSOR) && !section.has(OBJECTS)) {
+    if (isEmpty(section) && !section.has(SENSOR) && !section.has(OBJECTS) && !scans) {
       section.find(
           BenchRules.BENCH_KEY_MISSING,
           "No field of " + topic + " has a source.",
           section.location());
     }
     section.refuseOthers();
-    return new Provided(topic, type, rate, lidar, objects, read, transfer, place);
+    return new Provided(topic, type, rate, lidar, objects, scanner, read, transfer, place);
   }
 
   private static boolean isEmpty(ObjectReader section) {
@@ -162,13 +166,17 @@ final class BenchTopics {
                       + " are "
                       + type
                       + " here, but "
-                      + (type.equals(expected)
-                          ? usual + " for a lidar."
+                      + (known.isEmpty() || type.equals(expected)
+                          ? usual + (lidarType(usual) ? " for a lidar." : " for a laser scanner.")
                           : expected + " in signals.json."),
                   section.has("type") ? section.at("type") : section.location())
               .withHint("Write the same type in both."));
     }
     return type;
+  }
+
+  private static boolean lidarType(String type) {
+    return type.equals(POINT_CLOUD);
   }
 
   private Optional<MessageType> message(ObjectReader section, String type) {

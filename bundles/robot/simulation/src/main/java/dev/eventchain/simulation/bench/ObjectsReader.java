@@ -10,22 +10,31 @@ import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.Unit;
 import dev.eventchain.simulation.sensor.ObjectSensor;
 import dev.eventchain.simulation.sensor.ObjectSensor.Column;
+import dev.eventchain.simulation.sensor.ObjectSensor.Constant;
 import dev.eventchain.simulation.sensor.ObjectSensor.Property;
+import dev.eventchain.simulation.world.ActorKind;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /** Reads the section {@code objects} of a topic that is a list of objects. */
 final class ObjectsReader {
 
   private static final NumberRange RANGE = NumberRange.of(1, 500);
-  private static final NumberRange VIEW = NumberRange.of(1, 180);
+  private static final NumberRange VIEW = NumberRange.of(1, 360);
   private static final NumberRange PERCENT = NumberRange.of(0, 100);
   private static final NumberRange NOISE = NumberRange.of(0, 1e6);
 
+  private static final String FIELDS = "fields";
+  private static final String COUNT = "count";
+  private static final String CONSTANT = "constant";
+
   private final DeclaredSignals declared;
   private final String topic;
-  private final Optional<MessageType> message;
+  private final ListedFields listed;
+  private final List<Column> columns = new ArrayList<>();
+  private final List<Constant> constants = new ArrayList<>();
 
   /**
    * Creates a reader.
@@ -35,46 +44,83 @@ final class ObjectsReader {
   ObjectsReader(DeclaredSignals declared, String topic, Optional<MessageType> message) {
     this.declared = declared;
     this.topic = topic;
-    this.message = message;
+    this.listed = new ListedFields(message);
   }
 
   ObjectSensor read(ObjectReader section) {
     double range = section.number("range_m", RANGE).orElse(150);
     double view = section.number("view_deg", VIEW).orElse(90);
     double missed = section.number("missed_percent", PERCENT).orElse(0);
-    List<Column> columns = new ArrayList<>();
     section
-        .requiredObject("fields")
-        .ifPresent(
-            part -> part.names().forEach(path -> column(part, path).ifPresent(columns::add)));
-    if (section.has("fields") && section.value("fields").map(JsonNode::isEmpty).orElse(false)) {
-      section.find(BenchRules.BENCH_KEY_MISSING, "No field gets a value.", section.at("fields"));
+        .requiredObject(FIELDS)
+        .ifPresent(part -> part.names().forEach(path -> field(part, path)));
+    if (section.has(FIELDS) && section.value(FIELDS).map(JsonNode::isEmpty).orElse(false)) {
+      section.find(BenchRules.BENCH_KEY_MISSING, "No field gets a value.", section.at(FIELDS));
     }
+    Optional<String> count = section.text(COUNT).filter(path -> listed.counts(section, path));
+    ObjectSensor sensor =
+        new ObjectSensor(
+            MountingReader.read(section),
+            range,
+            StrictMath.toRadians(view / 2),
+            missed / 100,
+            columns,
+            constants,
+            count);
     section.refuseOthers();
-    return new ObjectSensor(range, StrictMath.toRadians(view / 2), missed / 100, columns);
+    return sensor;
   }
 
-  private Optional<Column> column(ObjectReader part, String path) {
-    Optional<String> written = Optional.empty();
-    double noise = 0.0;
-    Optional<String> name;
-    if (part.value(path).map(JsonNode::isObject).orElse(false)) {
-      ObjectReader section = part.object(path).orElseThrow();
-      name = Optional.of(section.requiredText("value"));
-      written = section.text("unit");
-      noise = section.number("noise", NOISE).orElse(0);
-      section.refuseOthers();
-    } else {
-      name = part.text(path);
+  private void field(ObjectReader part, String path) {
+    if (!part.value(path).map(JsonNode::isObject).orElse(false)) {
+      part.text(path)
+          .flatMap(name -> property(part, path, name))
+          .ifPresent(property -> column(part, path, property, Optional.empty(), 0.0, Map.of()));
+      return;
     }
-    Optional<Property> property = name.flatMap(it -> property(part, path, it));
-    boolean fits = property.isPresent() && fits(part, path, property.get() == Property.ID);
-    double deviation = noise;
-    Optional<String> text = written.or(() -> declared.unit(topic, path));
-    return property
-        .filter(it -> fits)
-        .flatMap(
-            it -> unit(part, path, it, text).map(unit -> new Column(path, it, unit, deviation)));
+    ObjectReader section = part.object(path).orElseThrow();
+    if (section.has(CONSTANT)) {
+      constant(part, section, path);
+    } else {
+      column(part, section, path);
+    }
+    section.refuseOthers();
+  }
+
+  private void constant(ObjectReader part, ObjectReader section, String path) {
+    Optional<Object> value = section.value(CONSTANT).map(BenchFields::plain);
+    if (value.isEmpty()) {
+      section.find(BenchRules.BENCH_VALUE_RANGE, BenchFields.NO_VALUE, section.at(CONSTANT));
+    } else if (listed.takes(part, path, value.get())) {
+      constants.add(new Constant(path, value.get()));
+    }
+  }
+
+  private void column(ObjectReader part, ObjectReader section, String path) {
+    Optional<Property> property =
+        Optional.of(section.requiredText("value")).flatMap(name -> property(part, path, name));
+    Optional<String> unit = section.text("unit");
+    double noise = section.number("noise", NOISE).orElse(0);
+    Map<ActorKind, Integer> classes =
+        section.object("classes").map(ClassNumbers::read).orElse(Map.of());
+    property.ifPresent(it -> column(part, path, it, unit, noise, classes));
+  }
+
+  private void column(
+      ObjectReader part,
+      String path,
+      Property property,
+      Optional<String> unit,
+      double noise,
+      Map<ActorKind, Integer> classes) {
+    if (property != Property.CLASS && !classes.isEmpty()) {
+      part.find(
+          BenchRules.BENCH_VALUE_RANGE, "Only `class` has classes.", part.at(path));
+    } else if (listed.takes(part, path, property, !classes.isEmpty())) {
+      Optional<String> text = unit.or(() -> declared.unit(topic, path));
+      unit(part, path, property, text)
+          .ifPresent(it -> columns.add(new Column(path, property, it, noise, classes)));
+    }
   }
 
   private static Optional<Property> property(ObjectReader part, String path, String name) {
@@ -91,7 +137,7 @@ final class ObjectsReader {
     return property;
   }
 
-  private static boolean isFloat(FieldType type) {
+  static boolean isFloat(FieldType type) {
     return type.kind() == FieldType.Kind.FLOAT32 || type.kind() == FieldType.Kind.FLOAT64;
   }
 
@@ -109,32 +155,5 @@ final class ObjectsReader {
           part.at(path));
     }
     return unit.filter(it -> fits);
-  }
-
-  /** Checks that a field is a sequence of numbers of the right kind. */
-  private boolean fits(ObjectReader part, String path, boolean isId) {
-    if (message.isEmpty()) {
-      return true;
-    }
-    MessageType.Resolution found = message.get().resolve(path);
-    if (found.type().isEmpty()) {
-      part.find(
-          Diagnostic.of(BenchRules.MESSAGE_FIELD_MISSING, found.problem(), part.atKey(path))
-              .withHint(found.hint()));
-      return false;
-    }
-    FieldType type = found.type().get();
-    boolean numbers =
-        type.shape() == FieldType.Shape.SEQUENCE && type.size() == 0 && isFloat(type) != isId;
-    if (!numbers) {
-      part.find(
-          Diagnostic.of(
-                  BenchRules.BENCH_VALUE_TYPE,
-                  "'%s' is %s, but here it has to be %s."
-                      .formatted(path, type, isId ? "uint32[]" : "float32[] or float64[]"),
-                  part.atKey(path))
-              .withHint("Each field of a list of objects holds a number for each of them."));
-    }
-    return numbers;
   }
 }

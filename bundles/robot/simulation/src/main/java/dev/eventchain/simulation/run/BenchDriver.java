@@ -199,9 +199,8 @@ final class BenchDriver {
     if (provided.lidar()) {
       Lidar.describe(message);
     }
-    provided
-        .objects()
-        .ifPresent(it -> it.columns().forEach(each -> message.set(each.path(), List.of())));
+    provided.scanner().ifPresent(it -> it.describe(message, 1.0 / provided.rate()));
+    provided.objects().ifPresent(it -> it.clear(message));
     for (Bench.Field field : provided.fields()) {
       message.set(field.path(), field.source().example());
     }

@@ -12,6 +12,7 @@ import dev.eventchain.simulation.bench.TypedTopic;
 import dev.eventchain.simulation.formula.SampledRun;
 import dev.eventchain.simulation.formula.Signal;
 import dev.eventchain.simulation.sensor.Lidar;
+import dev.eventchain.simulation.sensor.ObjectSensor;
 import dev.eventchain.simulation.sensor.RoadScene;
 import dev.eventchain.simulation.world.World;
 import java.util.ArrayList;
@@ -32,7 +33,7 @@ final class Publisher {
   private final TypedTopic topic;
   private final Optional<Provided> provided;
   private final MessageValue message;
-  private final List<String> stamps = new ArrayList<>();
+  private final List<String> stamps;
   private final List<Signal> recorded;
   private final SplittableRandom random;
   private final long period;
@@ -50,18 +51,24 @@ final class Publisher {
     this.recorded = recorded;
     this.random = new SplittableRandom(seed + topic.name().hashCode());
     this.period = provided.map(Provided::period).orElse(CLOCK_PERIOD);
-    stamps(message.type(), "");
+    this.stamps = stamps(message.type());
   }
 
-  /** Collects the paths of all headers in the message, including nested messages. */
-  private void stamps(MessageType type, String prefix) {
+  /** Returns the paths of the stamps of all headers in a message, including nested messages. */
+  private static List<String> stamps(MessageType type) {
+    List<String> stamps = new ArrayList<>();
+    addStamps(type, "", stamps);
+    return stamps;
+  }
+
+  private static void addStamps(MessageType type, String prefix, List<String> stamps) {
     for (MessageType.Field field : type.fields()) {
       if (field.type().shape() == FieldType.Shape.SINGLE && field.type().message().isPresent()) {
         MessageType inner = field.type().message().get();
         if (inner.name().equals(HEADER)) {
           stamps.add(prefix + field.name() + ".stamp");
         } else {
-          stamps(inner, prefix + field.name() + ".");
+          addStamps(inner, prefix + field.name() + ".", stamps);
         }
       }
     }
@@ -124,12 +131,23 @@ final class Publisher {
         world.trace().outline(lidar.outline(scene, World.seconds(world.now())));
       }
     }
-    provided.get().objects().ifPresent(it -> it.fill(world, random, message));
+    provided.get().scanner().ifPresent(it -> it.scan(world, random, message));
+    provided.get().objects().ifPresent(it -> list(it, world, shown));
     for (Bench.Field field : provided.get().fields()) {
       if (field.source() instanceof Bench.Quantity quantity) {
         send(message, field, quantity.at(moment, random));
       } else if (field.source() instanceof Bench.Truth truth) {
         message.set(field.path(), truth.formula().holds(moment));
+      }
+    }
+  }
+
+  private void list(ObjectSensor objects, World world, long shown) {
+    objects.fill(world, random, message);
+    for (String list : objects.messageLists()) {
+      for (Object each : (List<?>) message.get(list)) {
+        MessageValue element = (MessageValue) each;
+        stamps(element.type()).forEach(path -> stamp(element, path, shown));
       }
     }
   }

@@ -3,46 +3,72 @@ package dev.eventchain.simulation.sensor;
 import dev.eventchain.messages.MessageValue;
 import dev.eventchain.messages.Unit;
 import dev.eventchain.simulation.world.Actor;
-import dev.eventchain.simulation.world.Body;
+import dev.eventchain.simulation.world.ActorKind;
 import dev.eventchain.simulation.world.Road;
 import dev.eventchain.simulation.world.World;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
 
 /**
- * A list of the objects ahead, as from radars and cameras. Each field is a sequence with a number
- * for each object, the nearest first. Overhead structures and flat plates are no objects. Objects
- * wholly hidden behind others ({@link Sight}), as seen from the middle of the front bumper, are
- * left out; walls and posts hide nothing.
+ * A list of the objects around, as from radars and cameras, the nearest first. Overhead structures
+ * and flat plates are no objects. Objects wholly hidden behind others ({@link Sight}), as seen from
+ * the sensor, are left out; walls, posts and the vehicle itself hide nothing.
  *
- * @param range maximum distance, in m
+ * @param mounting where it is, and where it looks
+ * @param range maximum distance, in m: along its direction, or with a view of more than half a
+ *     circle to the nearest point
  * @param halfView half of the field of view, in rad
  * @param missed fraction of the objects that a message randomly omits, 0 to 1
+ * @param columns what is said of each object
+ * @param constants what is the same for each object
+ * @param count the field that holds the number of objects
  */
-public record ObjectSensor(double range, double halfView, double missed, List<Column> columns) {
+public record ObjectSensor(
+    Mounting mounting,
+    double range,
+    double halfView,
+    double missed,
+    List<Column> columns,
+    List<Constant> constants,
+    Optional<String> count) {
 
   /** Height of the sensor over the road, in m: behind the bumper, as for radars. Assumed. */
   private static final double MOUNTED = 0.5;
 
   public ObjectSensor {
     columns = List.copyOf(columns);
+    constants = List.copyOf(constants);
   }
 
   /**
-   * Quantities of a column, in the frame of the ego: x ahead from the front bumper, y to the left.
+   * Quantities of a column, in the frame of the sensor: x in its direction, y to the left of it. A
+   * sensor in the middle of the front bumper looks along the vehicle's axis.
    */
   public enum Property {
     ID("1", "number of the object, the same in all messages"),
-    DISTANCE("m", "from the front bumper ahead to its nearest point"),
-    LATERAL("m", "its middle to the left of the ego's axis"),
-    RELATIVE_SPEED("m/s", "along the ego's axis, negative if it comes nearer"),
-    SPEED("m/s", "along the ego's axis, over ground"),
-    LATERAL_SPEED("m/s", "across the ego's axis, over ground, to the left"),
+    DISTANCE("m", "from the sensor in its direction to the object's nearest point"),
+    LATERAL("m", "its middle to the left of the sensor's direction"),
+    RELATIVE_SPEED("m/s", "in the sensor's direction, negative if it comes nearer"),
+    SPEED("m/s", "in the sensor's direction, over ground"),
+    LATERAL_SPEED("m/s", "to the left of the sensor's direction, over ground"),
+    X("m", "its middle, in the sensor's direction"),
+    Y("m", "its middle, to the left of the sensor's direction"),
+    RANGE("m", "from the sensor to the object's nearest point"),
+    AZIMUTH("rad", "direction of its middle, to the left of the sensor's"),
+    RANGE_RATE("m/s", "change of the distance to its middle"),
+    HEADING("rad", "its front, to the left of the sensor's direction"),
+    ORIENTATION_Z("1", "z of its heading as a quaternion"),
+    ORIENTATION_W("1", "w of its heading as a quaternion"),
+    CLASS("1", "what it is: a string field gets its kind, another one the number in classes"),
     LENGTH("m", "its length"),
     WIDTH("m", "its width"),
     HEIGHT("m", "its height");
@@ -87,63 +113,114 @@ public record ObjectSensor(double range, double halfView, double missed, List<Co
    *
    * @param unit the unit of the field
    * @param noise standard deviation, in the field's unit
+   * @param classes the values of {@link Property#CLASS}; empty for the names of the kinds
    */
-  public record Column(String path, Property property, Unit unit, double noise) {}
+  public record Column(
+      String path,
+      Property property,
+      Unit unit,
+      double noise,
+      Map<ActorKind, Integer> classes) {
 
-  /** An object in the frame of the ego, in coherent units. */
-  private record Seen(
-      Actor actor,
-      double id,
-      double distance,
-      double lateral,
-      double relative,
-      double speed,
-      double lateralSpeed) {
-
-    double value(Property property) {
-      return switch (property) {
-        case ID -> id;
-        case DISTANCE -> distance;
-        case LATERAL -> lateral;
-        case RELATIVE_SPEED -> relative;
-        case SPEED -> speed;
-        case LATERAL_SPEED -> lateralSpeed;
-        case LENGTH -> actor.size().length();
-        case WIDTH -> actor.size().width();
-        case HEIGHT -> actor.size().top();
-      };
+    /** Creates a column of a number. */
+    public Column(String path, Property property, Unit unit, double noise) {
+      this(path, property, unit, noise, Map.of());
     }
+  }
+
+  /** A field that is the same for each object. */
+  public record Constant(String path, Object value) {}
+
+  /** Returns the fields that are filled. */
+  public List<String> paths() {
+    return Stream.of(
+            columns.stream().map(Column::path),
+            constants.stream().map(Constant::path),
+            count.stream())
+        .flatMap(each -> each)
+        .toList();
+  }
+
+  /** Returns the lists of messages that are filled. */
+  public List<String> messageLists() {
+    return paths().stream()
+        .map(Listed::of)
+        .filter(Listed::ofMessages)
+        .map(Listed::list)
+        .distinct()
+        .toList();
+  }
+
+  /** Writes a list without objects into a message. */
+  public void clear(MessageValue message) {
+    write(List.of(), null, message);
   }
 
   /** Writes the current list of objects into a message. */
   public void fill(World world, SplittableRandom random, MessageValue message) {
-    List<Seen> seen = new ArrayList<>();
-    for (Seen each : around(world)) {
-      double azimuth = StrictMath.atan2(each.lateral(), Math.max(each.distance(), 0.1));
-      boolean inView = each.distance() <= range && Math.abs(azimuth) <= halfView;
-      boolean hidden = hidden(world, each.actor());
+    Road.Place eye = mounting.place(world.ego().front(), world.ego().shape());
+    List<SeenObject> seen = new ArrayList<>();
+    for (SeenObject each : around(world, eye)) {
+      boolean hidden = hidden(world, eye, each.actor());
       boolean found = !(missed > 0.0) || random.nextDouble() >= missed;
-      if (inView && found && !hidden) {
+      if (isInView(each) && found && !hidden) {
         seen.add(each);
       }
     }
+    write(seen, random, message);
+  }
+
+  private void write(List<SeenObject> seen, SplittableRandom random, MessageValue message) {
+    int size = seen.size();
+    for (String path : paths()) {
+      if (count.filter(path::equals).isEmpty()) {
+        size = Math.min(size, Listed.of(path).capacity(message.type()));
+      }
+    }
+    for (String list : messageLists()) {
+      new Listed(list, "").make(message, size);
+    }
     for (Column column : columns) {
       List<Object> values = new ArrayList<>();
-      for (Seen each : seen) {
-        double exact = column.unit().ofCoherent(each.value(column.property()));
-        double noise = column.noise() > 0.0 ? column.noise() * random.nextGaussian() : 0.0;
-        values.add(column.property() == Property.ID ? (Object) (long) exact : exact + noise);
+      for (SeenObject each : seen) {
+        values.add(value(column, each, random));
       }
-      message.set(column.path(), values);
+      Listed.of(column.path()).write(message, values.subList(0, size));
     }
+    for (Constant constant : constants) {
+      Listed.of(constant.path()).write(message, Collections.nCopies(size, constant.value()));
+    }
+    if (count.isPresent()) {
+      message.set(count.get(), size);
+    }
+  }
+
+  private static Object value(Column column, SeenObject object, SplittableRandom random) {
+    if (column.property() == Property.CLASS) {
+      ActorKind kind = object.actor().kind();
+      return column.classes().isEmpty() ? kind.id() : column.classes().get(kind);
+    }
+    double exact = column.unit().ofCoherent(object.value(column.property()));
+    double noise = column.noise() > 0.0 ? column.noise() * random.nextGaussian() : 0.0;
+    return column.property() == Property.ID ? (Object) (long) exact : exact + noise;
+  }
+
+  /** Returns whether the view is of no more than half a circle, so that all of it is ahead. */
+  private boolean looksAhead() {
+    return halfView <= Math.PI / 2;
+  }
+
+  private boolean isInView(SeenObject object) {
+    return looksAhead()
+        ? object.distance() <= range && Math.abs(object.azimuthOfEnd()) <= halfView
+        : object.range() <= range && Math.abs(object.azimuth()) <= halfView;
   }
 
   /**
    * Returns whether an actor is hidden; those beside the ego, flat or overhead may hide it, too.
    */
-  private static boolean hidden(World world, Actor actor) {
+  private static boolean hidden(World world, Road.Place eye, Actor actor) {
     double seconds = World.seconds(world.now());
-    Road.Place eye = world.ego().front();
     List<Sight> others =
         world.actors().stream()
             .filter(each -> each != actor)
@@ -152,45 +229,22 @@ public record ObjectSensor(double range, double halfView, double missed, List<Co
     return Sight.of(actor.body(world.road(), seconds), eye).isHidden(others, MOUNTED);
   }
 
-  /** Returns all objects ahead, the nearest first. */
-  private static List<Seen> around(World world) {
-    double seconds = World.seconds(world.now());
-    Road.Place ego = world.ego().front();
-    List<Seen> seen = new ArrayList<>();
+  /** Returns all objects on the side of the view, the nearest first. */
+  private List<SeenObject> around(World world, Road.Place eye) {
+    List<SeenObject> seen = new ArrayList<>();
     int id = 0;
     for (Actor actor : world.allActors()) {
       id++;
       if (actor.obstructs(world.ego().shape()) && world.actors().contains(actor)) {
-        Seen each = seen(world, actor, ego, id, seconds);
-        if (each.distance() > 0.0) {
+        SeenObject each = SeenObject.of(world, actor, eye, mounting.direction(), id);
+        if (!looksAhead() || each.distance() > 0.0) {
           seen.add(each);
         }
       }
     }
-    seen.sort(Comparator.comparingDouble(Seen::distance).thenComparingDouble(Seen::id));
+    ToDoubleFunction<SeenObject> nearness =
+        looksAhead() ? SeenObject::distance : SeenObject::range;
+    seen.sort(Comparator.comparingDouble(nearness).thenComparingDouble(SeenObject::id));
     return seen;
-  }
-
-  private static Seen seen(World world, Actor actor, Road.Place ego, int id, double seconds) {
-    Body body = actor.body(world.road(), seconds);
-    double cos = StrictMath.cos(ego.heading());
-    double sin = StrictMath.sin(ego.heading());
-    double x = body.place().x() - ego.x();
-    double y = body.place().y() - ego.y();
-    double ahead = x * cos + y * sin - body.extent(ego.heading() - body.place().heading());
-    double turned = world.road().heading(actor.along(seconds)) - ego.heading();
-    double turnedCos = StrictMath.cos(turned);
-    double turnedSin = StrictMath.sin(turned);
-    double along = actor.speedAlong(seconds);
-    double across = actor.speedAcross(seconds);
-    double speed = along * turnedCos - across * turnedSin;
-    return new Seen(
-        actor,
-        id,
-        ahead,
-        y * cos - x * sin,
-        speed - world.ego().velocity(),
-        speed,
-        along * turnedSin + across * turnedCos);
   }
 }

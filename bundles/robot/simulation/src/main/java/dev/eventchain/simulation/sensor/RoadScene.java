@@ -24,7 +24,26 @@ public record RoadScene(Road road, Road.Place ego, List<Body> bodies) {
   /** Height of the walls, in m. */
   static final double WALL_HEIGHT = 2.0;
 
-  /** Returns the current surroundings of the ego. */
+  /**
+   * Returns what is around the ego in all directions.
+   *
+   * @param reach from the ego, in m; somewhat more is included
+   */
+  static RoadScene around(World world, double reach) {
+    List<Body> bodies = new ArrayList<>();
+    double along = world.station().along();
+    double seconds = World.seconds(world.now());
+    double far = reach + world.ego().shape().length();
+    for (Actor actor : world.actors()) {
+      if (Math.abs(actor.along(seconds) - along) < far + actor.reach(seconds)) {
+        bodies.add(actor.body(world.road(), seconds));
+      }
+    }
+    addPosts(world.road(), along - far, along + far, bodies);
+    return new RoadScene(world.road(), world.ego().front(), bodies);
+  }
+
+  /** Returns the current surroundings ahead of the ego. */
   public static RoadScene of(World world) {
     List<Body> bodies = new ArrayList<>();
     double along = world.station().along();
@@ -36,12 +55,16 @@ public record RoadScene(Road road, Road.Place ego, List<Body> bodies) {
         bodies.add(actor.body(world.road(), seconds));
       }
     }
-    double first = Math.floor(along / POST_SPACING) * POST_SPACING + POST_SPACING;
-    for (double rear = first; rear < along + VIEW; rear += POST_SPACING) {
-      bodies.add(post(world.road(), rear, POST_DISTANCE));
-      bodies.add(post(world.road(), rear, -POST_DISTANCE));
-    }
+    addPosts(world.road(), along, along + VIEW, bodies);
     return new RoadScene(world.road(), world.ego().front(), bodies);
+  }
+
+  private static void addPosts(Road road, double from, double to, List<Body> bodies) {
+    double first = Math.floor(from / POST_SPACING) * POST_SPACING + POST_SPACING;
+    for (double rear = first; rear < to; rear += POST_SPACING) {
+      bodies.add(post(road, rear, POST_DISTANCE));
+      bodies.add(post(road, rear, -POST_DISTANCE));
+    }
   }
 
   private static Body post(Road road, double rear, double across) {

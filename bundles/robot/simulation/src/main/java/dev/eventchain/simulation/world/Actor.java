@@ -117,6 +117,10 @@ public final class Actor {
     return name;
   }
 
+  public ActorKind kind() {
+    return kind;
+  }
+
   public Size size() {
     return size;
   }

@@ -57,6 +57,9 @@ class BenchTest {
           signal("/radar/objects", "demo_msgs/msg/ObjectList", Direction.PROVIDED),
           signal("/camera/left", "std_msgs/msg/Float32", Direction.PROVIDED),
           signal("/radar/roof", "sensor_msgs/msg/PointCloud2", Direction.PROVIDED),
+          signal("/radar/rear", "demo_msgs/msg/Detections", Direction.PROVIDED),
+          signal("/radar/around", "demo_msgs/msg/Detections", Direction.PROVIDED),
+          signal("/scan", "sensor_msgs/msg/LaserScan", Direction.PROVIDED),
           signal("/lamp", "std_msgs/msg/Bool", Direction.CONSUMED),
           signal(
               "/brake/request",

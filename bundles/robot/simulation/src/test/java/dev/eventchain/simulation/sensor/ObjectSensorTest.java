@@ -19,6 +19,7 @@ import java.lang.reflect.Array;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -37,6 +38,7 @@ class ObjectSensorTest {
   private static MessageValue seen(World world, double missed, double noise, long seed) {
     ObjectSensor sensor =
         new ObjectSensor(
+            Mounting.FRONT,
             100,
             StrictMath.toRadians(30),
             missed,
@@ -44,7 +46,9 @@ class ObjectSensorTest {
                 column("id", Property.ID, "1", 0),
                 column("distance", Property.DISTANCE, "m", noise),
                 column("lateral", Property.LATERAL, "m", 0),
-                column("relative_speed", Property.RELATIVE_SPEED, "km/h", 0)));
+                column("relative_speed", Property.RELATIVE_SPEED, "km/h", 0)),
+            List.of(),
+            Optional.empty());
     MessageValue message = MessageValue.of(TYPE);
     sensor.fill(world, new SplittableRandom(seed), message);
     return message;

@@ -1,0 +1,48 @@
+package dev.eventchain.simulation.bench;
+
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.documents.NumberRange;
+import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.simulation.sensor.LaserScanner;
+
+/** Reads the section {@code laser_scan} of a topic. */
+final class LaserScanReader {
+
+  static final String MESSAGES = "sensor_msgs/msg/LaserScan";
+
+  private static final NumberRange RANGE = NumberRange.of(1, 500);
+  private static final NumberRange NEAREST = NumberRange.of(0, 10);
+  private static final NumberRange VIEW = NumberRange.of(1, 360);
+  private static final NumberRange STEP = NumberRange.of(0.05, 30);
+  private static final NumberRange HEIGHT = NumberRange.of(0.05, 3);
+  private static final NumberRange NOISE = NumberRange.of(0, 10);
+
+  private LaserScanReader() {}
+
+  static LaserScanner read(ObjectReader section) {
+    double range = section.number("range_m", RANGE).orElse(30);
+    double nearest = section.number("nearest_m", NEAREST).orElse(0.1);
+    double view = section.number("view_deg", VIEW).orElse(180);
+    double step = section.number("step_deg", STEP).orElse(0.5);
+    SourceLocation place = section.location();
+    if (nearest >= range || step > view) {
+      section.find(
+          BenchRules.BENCH_VALUE_RANGE,
+          nearest >= range
+              ? "The nearest distance is not less than the range."
+              : "The step is larger than the view.",
+          place);
+    }
+    LaserScanner scanner =
+        new LaserScanner(
+            MountingReader.read(section),
+            range,
+            nearest,
+            StrictMath.toRadians(view / 2),
+            StrictMath.toRadians(step),
+            section.number("height_m", HEIGHT).orElse(0.5),
+            section.number("noise_m", NOISE).orElse(0));
+    section.refuseOthers();
+    return scanner;
+  }
+}

@@ -1,0 +1,170 @@
+package dev.eventchain.simulation.bench;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.messages.FieldType;
+import dev.eventchain.messages.FieldType.Kind;
+import dev.eventchain.messages.FieldType.Shape;
+import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.MessageValue;
+import dev.eventchain.simulation.sensor.Listed;
+import dev.eventchain.simulation.sensor.ObjectSensor.Property;
+import java.util.EnumSet;
+import java.util.Optional;
+import java.util.Set;
+
+/** Checks the fields that are filled for each object of a list against the message type. */
+final class ListedFields {
+
+  private static final Set<Kind> NO_INTEGERS =
+      EnumSet.of(Kind.BOOL, Kind.FLOAT32, Kind.FLOAT64, Kind.STRING, Kind.MESSAGE);
+
+  private final Optional<MessageType> message;
+
+  /** Creates a check; without a type, everything passes. */
+  ListedFields(Optional<MessageType> message) {
+    this.message = message;
+  }
+
+  /**
+   * Returns whether a field can hold a property of each object; reports one that cannot.
+   *
+   * @param numbered true if kinds of objects are sent as numbers
+   */
+  boolean takes(ObjectReader part, String path, Property property, boolean numbered) {
+    if (message.isEmpty()) {
+      return true;
+    }
+    Optional<FieldType> type = type(part, path);
+    if (type.isEmpty()) {
+      return false;
+    }
+    boolean isWhole = property == Property.ID || (property == Property.CLASS && numbered);
+    boolean isName = property == Property.CLASS && !numbered;
+    Kind kind = type.get().kind();
+    boolean fits =
+        isWhole
+            ? !NO_INTEGERS.contains(kind)
+            : isName ? kind == Kind.STRING : ObjectsReader.isFloat(type.get());
+    if (!fits) {
+      String wanted = isWhole ? "integers" : isName ? "strings" : "float32 or float64";
+      part.find(
+          Diagnostic.of(
+                  BenchRules.BENCH_VALUE_TYPE,
+                  "'%s' is %s, but '%s' needs %s."
+                      .formatted(path, type.get(), property.id(), wanted),
+                  part.atKey(path))
+              .withHint(hint(property, numbered)));
+    }
+    return fits;
+  }
+
+  private static String hint(Property property, boolean numbered) {
+    if (property != Property.CLASS) {
+      return "Each field of a list of objects holds a number for each of them.";
+    }
+    return numbered
+        ? "Leave out the classes: a string gets the name of the kind."
+        : "Give the numbers of the kinds: {value: class, classes: {car: 1, other: 0}}.";
+  }
+
+  /** Returns whether a field can hold a constant for each object; reports one that cannot. */
+  boolean takes(ObjectReader part, String path, Object value) {
+    Optional<FieldType> type = message.flatMap(it -> type(part, path));
+    if (message.isEmpty() || type.isEmpty()) {
+      return message.isEmpty();
+    }
+    Listed listed = Listed.of(path);
+    if (!listed.ofMessages()) {
+      part.find(
+          Diagnostic.of(
+                  BenchRules.BENCH_VALUE_TYPE,
+                  "'%s' is %s, which has no messages.".formatted(path, type.get()),
+                  part.at(path))
+              .withHint("Give it its value in `fields` of the topic."));
+      return false;
+    }
+    try {
+      MessageValue.of(listed.messages(message.get()).orElseThrow()).set(listed.inner(), value);
+      return true;
+    } catch (IllegalArgumentException e) {
+      part.find(BenchRules.BENCH_VALUE_TYPE, e.getMessage(), part.at(path));
+      return false;
+    }
+  }
+
+  /** Returns whether a field can hold the number of objects; reports one that cannot. */
+  boolean counts(ObjectReader section, String path) {
+    if (message.isEmpty()) {
+      return true;
+    }
+    MessageType.Resolution found = message.get().resolve(path);
+    boolean fits =
+        found
+            .type()
+            .filter(it -> it.shape() == Shape.SINGLE && !NO_INTEGERS.contains(it.kind()))
+            .isPresent();
+    if (!fits) {
+      section.find(
+          Diagnostic.of(
+                  BenchRules.BENCH_VALUE_TYPE,
+                  found.type().isEmpty()
+                      ? found.problem()
+                      : "'%s' is %s, but the number of objects needs an integer."
+                          .formatted(path, found.type().get()),
+                  section.at("count"))
+              .withHint(found.hint()));
+    }
+    return fits;
+  }
+
+  /** Returns the type of a single value in a list; reports a path that leads to none. */
+  private Optional<FieldType> type(ObjectReader part, String path) {
+    Listed listed = Listed.of(path);
+    MessageType.Resolution list = message.orElseThrow().resolve(listed.list());
+    if (list.type().isEmpty()) {
+      return missing(part, path, list);
+    }
+    boolean isList = list.type().get().shape() != Shape.SINGLE;
+    boolean hasMessages = list.type().get().kind() == Kind.MESSAGE;
+    if (!isList || hasMessages != listed.ofMessages()) {
+      part.find(
+          Diagnostic.of(
+                  BenchRules.BENCH_VALUE_TYPE,
+                  "'%s' is %s, but has to be a list of %s."
+                      .formatted(
+                          listed.list(),
+                          list.type().get(),
+                          listed.ofMessages() ? "messages" : "numbers"),
+                  part.atKey(path))
+              .withHint(
+                  isList && hasMessages
+                      ? "Name a field of its messages: `%s[].NAME`.".formatted(listed.list())
+                      : "Each field of a list of objects holds a value for each of them."));
+      return Optional.empty();
+    }
+    if (!listed.ofMessages()) {
+      return list.type();
+    }
+    MessageType.Resolution inner =
+        listed.messages(message.get()).orElseThrow().resolve(listed.inner());
+    if (inner.type().isPresent() && inner.type().get().shape() == Shape.SINGLE) {
+      return inner.type();
+    } else if (inner.type().isPresent()) {
+      part.find(
+          BenchRules.BENCH_VALUE_TYPE,
+          "'%s' is %s, which holds more than one value.".formatted(path, inner.type().get()),
+          part.atKey(path));
+      return Optional.empty();
+    }
+    return missing(part, path, inner);
+  }
+
+  private static Optional<FieldType> missing(
+      ObjectReader part, String path, MessageType.Resolution found) {
+    part.find(
+        Diagnostic.of(BenchRules.MESSAGE_FIELD_MISSING, found.problem(), part.atKey(path))
+            .withHint(found.hint()));
+    return Optional.empty();
+  }
+}
