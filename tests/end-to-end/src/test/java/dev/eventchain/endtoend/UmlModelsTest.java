@@ -8,23 +8,24 @@ import dev.eventchain.model.EventChainMetamodel;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
-import java.util.stream.Stream;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.resource.Resource;
 import org.eclipse.emf.ecore.resource.ResourceSet;
 import org.eclipse.emf.ecore.resource.impl.ResourceSetImpl;
-import org.eclipse.uml2.uml.Class;
-import org.eclipse.uml2.uml.Element;
-import org.eclipse.uml2.uml.NamedElement;
-import org.eclipse.uml2.uml.Property;
+import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.eclipse.uml2.uml.resources.util.UMLResourcesUtil;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
@@ -162,6 +163,40 @@ class UmlModelsTest {
   @Test
   void oneEndOfAnAssociationMayBeLeftOut() throws IOException {
     validate(changed(" association=\"_0", " xmi:uuid=\"_0")).expect(1).says("1 error, 0 warnings");
+    validate(changed(" memberEnd=\"_", " xmi:uuid=\"_")).expect(1).says("1 error, 0 warnings");
+  }
+
+  @Test
+  void standardProfileOfOlderVersionsIsTheStandardProfile() throws IOException {
+    Files.writeString(
+        folder.resolve("standard.uml"),
+        """
+        <xmi:XMI xmi:version="2.1" xmlns:xmi="http://schema.omg.org/spec/XMI/2.1" xmlns:uml="http://www.eclipse.org/uml2/4.0.0/UML" xmlns:ecore="http://www.eclipse.org/emf/2002/Ecore" xmlns:s="http://www.eclipse.org/uml2/4.0.0/UML/Profile/L2">
+          <uml:Model xmi:id="m" name="m">
+            <packagedElement xmi:type="uml:Class" xmi:id="c" name="C"/>
+            <profileApplication xmi:id="p">
+              <eAnnotations xmi:id="e" source="http://www.eclipse.org/uml2/2.0.0/UML">
+                <references xmi:type="ecore:EPackage" href="http://www.eclipse.org/uml2/4.0.0/UML/Profile/L2#/"/>
+              </eAnnotations>
+              <appliedProfile href="pathmap://UML_PROFILES/StandardL2.profile.uml#_0"/>
+            </profileApplication>
+          </uml:Model>
+          <s:Utility xmi:id="u" base_Class="c"/>
+        </xmi:XMI>
+        """);
+    Path ocl =
+        Files.writeString(
+            folder.resolve("utility.ocl"),
+            """
+            package uml
+            context Class
+            inv NoUtility: self.getAppliedStereotypes()->forAll(name <> 'Utility')
+            endpackage
+            """);
+    new Program()
+        .run("validate", "--ocl", ocl, folder.resolve("standard.uml"))
+        .expect(1)
+        .says("Class 'C' violates 'NoUtility'");
   }
 
   @Test
@@ -186,42 +221,62 @@ class UmlModelsTest {
     new Program().run("describe", NAMESPACE + "X").expect(2).says("There is no such file");
   }
 
-  /** Compares with what Eclipse UML2 itself reads from the same files. */
-  @Test
-  void elementsAreThoseThatEclipseUml2Reads() {
+  /** Compares every value, also of derived features, with what Eclipse UML2 itself reads. */
+  @ParameterizedTest
+  @CsvSource({"shop.uml, 41", "behaviour.uml, 18"})
+  void valuesAreThoseThatEclipseUml2Reads(String name, int elements) {
+    Path file = folder.resolve(name);
     ResourceSet set = UMLResourcesUtil.init(new ResourceSetImpl());
-    Resource theirs = set.getResource(URI.createFileURI(model.toString()), true);
-    Resource ours = EventChainMetamodel.store(folder).load(model).resource();
-    assertEquals(facts(theirs), facts(ours));
-    assertEquals(41, facts(ours).size());
+    Resource theirs = set.getResource(URI.createFileURI(file.toString()), true);
+    Resource ours = EventChainMetamodel.store(folder).load(file).resource();
+    EcoreUtil.resolveAll(set);
+    SortedMap<String, String> expected = values(theirs);
+    assertEquals(elements, expected.keySet().stream().map(UmlModelsTest::owner).distinct().count());
+    assertEquals(text(expected), text(values(ours)));
   }
 
-  private static List<String> facts(Resource resource) {
-    List<String> facts = new ArrayList<>();
-    resource.getAllContents().forEachRemaining(each -> facts.add(fact(each)));
-    return facts;
+  private static String owner(String feature) {
+    return feature.replaceFirst(" .*", "");
   }
 
-  private static String fact(EObject object) {
-    StringBuilder fact = new StringBuilder(object.eClass().getName());
-    if (object instanceof NamedElement named) {
-      fact.append(' ').append(named.getQualifiedName());
-    }
-    if (object instanceof Property property) {
-      fact.append(" : ").append(property.getType().getQualifiedName());
-      fact.append(property.getLower()).append("..").append(property.getUpper());
-      fact.append(property.getAssociation() == null ? "" : " of an association");
-    }
-    if (object instanceof Class type) {
-      fact.append(names(type.getAllAttributes().stream()));
-    }
-    if (object instanceof Element element) {
-      fact.append(names(element.getAppliedStereotypes().stream()));
-    }
-    return fact.toString();
+  private static String text(SortedMap<String, String> values) {
+    StringBuilder text = new StringBuilder();
+    values.forEach((feature, value) -> text.append(feature).append('=').append(value).append('\n'));
+    return text.toString();
   }
 
-  private static String names(Stream<? extends NamedElement> elements) {
-    return elements.map(NamedElement::getName).sorted().toList().toString();
+  private static SortedMap<String, String> values(Resource resource) {
+    SortedMap<String, String> values = new TreeMap<>();
+    resource
+        .getAllContents()
+        .forEachRemaining(
+            element -> {
+              for (EStructuralFeature feature : element.eClass().getEAllStructuralFeatures()) {
+                value(element, feature)
+                    .ifPresent(value -> values.put(name(element) + " " + feature.getName(), value));
+              }
+            });
+    return values;
+  }
+
+  /** Returns the value of a feature; empty for one that UML2 does not compute. */
+  private static Optional<String> value(EObject element, EStructuralFeature feature) {
+    try {
+      return Optional.of(shown(element.eGet(feature)));
+    } catch (UnsupportedOperationException e) {
+      return Optional.empty();
+    }
+  }
+
+  private static String shown(Object value) {
+    if (value instanceof Collection<?> values) {
+      return values.stream().map(UmlModelsTest::shown).toList().toString();
+    }
+    return value instanceof EObject element ? name(element) : String.valueOf(value);
+  }
+
+  private static String name(EObject element) {
+    URI uri = EcoreUtil.getURI(element);
+    return uri.trimFragment().lastSegment() + "#" + uri.fragment();
   }
 }

@@ -5,9 +5,14 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EAnnotation;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.ENamedElement;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.resource.Resource;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+import org.eclipse.emf.ecore.util.ExtendedMetaData;
 
 /**
  * The metamodel of UML 2.5, whose derived features and operations are those of Eclipse UML2, and
@@ -17,6 +22,9 @@ import org.eclipse.emf.ecore.resource.Resource;
 public final class Uml {
 
   private static final String ECLIPSE = "http://www.eclipse.org/uml2/";
+
+  /** The namespace of the metamodel. */
+  public static final String NAMESPACE = ECLIPSE + "5.0.0/UML";
 
   /** The namespaces of UML by Eclipse UML2 (2.0.0 to 5.0.0) and by the OMG. */
   private static final Pattern METAMODEL =
@@ -34,6 +42,16 @@ public final class Uml {
       Pattern.compile("pathmap://UML_(LIBRARIES|METAMODELS|PROFILES)/\\w+\\.[a-z]+\\.uml");
 
   private static final String LIBRARY = "pathmap://UML_LIBRARIES/UMLPrimitiveTypes.library.uml";
+
+  /** The standard profile is one file again since UML 2.5. */
+  private static final String OLD_PROFILES = "pathmap://UML_PROFILES/StandardL";
+
+  private static final String STANDARD_PROFILE = "pathmap://UML_PROFILES/Standard.profile.uml";
+
+  /** The namespaces of the standard profile. */
+  private static final Pattern STANDARD =
+      Pattern.compile(
+          "http://www\\.eclipse\\.org/uml2/(\\d(\\.\\d+)*/UML/Profile/(Standard|L[23])|schemas/Standard/\\d+)");
 
   private Uml() {}
 
@@ -53,10 +71,53 @@ public final class Uml {
       return Optional.empty();
     }
     try {
-      return UmlClasses.metamodel(nsUri, isNamespace(nsUri));
+      return STANDARD.matcher(nsUri).matches()
+          ? UmlClasses.standardProfile()
+          : UmlClasses.metamodel(nsUri, isNamespace(nsUri));
     } catch (LinkageError e) {
       return Optional.empty();
     }
+  }
+
+  /**
+   * Returns the name of the feature that an XML element of UML's files stands for: the element
+   * {@code node} of an activity is its {@code ownedNode}, while {@code node} is derived.
+   */
+  public static String featureOfElement(EClass type, String element) {
+    boolean differs = element.equals("node") || element.equals("group");
+    if (!differs || !isMetamodel(type.getEPackage())) {
+      return element;
+    }
+    return type.getEAllStructuralFeatures().stream()
+        .filter(feature -> element.equals(nameAsElement(feature)))
+        .findFirst()
+        .map(ENamedElement::getName)
+        .orElse(element);
+  }
+
+  private static String nameAsElement(EStructuralFeature feature) {
+    boolean element =
+        "element".equals(EcoreUtil.getAnnotation(feature, ExtendedMetaData.ANNOTATION_URI, "kind"));
+    return element
+        ? EcoreUtil.getAnnotation(feature, ExtendedMetaData.ANNOTATION_URI, "name")
+        : null;
+  }
+
+  /**
+   * Returns a new element of the first class of UML that is not abstract and extends a class of it.
+   *
+   * @return empty if the class is not of UML
+   */
+  public static Optional<EObject> instanceOf(EClass type) {
+    if (!isMetamodel(type.getEPackage())) {
+      return Optional.empty();
+    }
+    return type.getEPackage().getEClassifiers().stream()
+        .filter(EClass.class::isInstance)
+        .map(EClass.class::cast)
+        .filter(each -> !each.isAbstract() && !each.isInterface() && type.isSuperTypeOf(each))
+        .findFirst()
+        .map(EcoreUtil::create);
   }
 
   /** Returns whether a metamodel is UML itself, of Eclipse UML2. */
@@ -66,8 +127,14 @@ public final class Uml {
         && metamodel(metamodel.getNsURI()).filter(uml -> uml == metamodel).isPresent();
   }
 
-  /** Returns a reference to a primitive type in a file of the OMG as one to Eclipse UML2's. */
+  /**
+   * Returns a reference to a primitive type in a file of the OMG, or to the standard profile of an
+   * older version, as one to a file of Eclipse UML2 5.
+   */
   public static String withKnownLibrary(String reference) {
+    if (reference.startsWith(OLD_PROFILES)) {
+      return STANDARD_PROFILE + reference.replaceFirst("^[^#]*", "");
+    }
     Matcher types = PRIMITIVE_TYPES.matcher(reference);
     return types.matches() ? LIBRARY + (types.group(1) == null ? "" : types.group(1)) : reference;
   }
@@ -103,7 +170,11 @@ public final class Uml {
 
   /** Returns whether a package defines the stereotypes of a profile, as UML2 stores it there. */
   public static boolean isDefinition(EPackage definition) {
-    return definition.eContainer() instanceof EAnnotation annotation
+    EPackage top = definition;
+    while (top.getESuperPackage() != null) {
+      top = top.getESuperPackage();
+    }
+    return top.eContainer() instanceof EAnnotation annotation
         && isProfile(annotation.getEModelElement());
   }
 }

@@ -12,6 +12,7 @@ import org.eclipse.uml2.types.TypesPackage;
 import org.eclipse.uml2.uml.Profile;
 import org.eclipse.uml2.uml.UMLPackage;
 import org.eclipse.uml2.uml.UMLPlugin;
+import org.eclipse.uml2.uml.profile.standard.StandardPackage;
 import org.eclipse.uml2.uml.resources.util.UMLResourcesUtil;
 
 /** What needs the classes of Eclipse UML2, apart so that {@link Uml} can do without. */
@@ -30,6 +31,10 @@ final class UmlClasses {
     }
     URI profile = UMLPlugin.getEPackageNsURIToProfileLocationMap().get(nsUri);
     return profile == null ? Optional.empty() : definition(profile, nsUri);
+  }
+
+  static Optional<EPackage> standardProfile() {
+    return Optional.of(StandardPackage.eINSTANCE);
   }
 
   /** Returns the package that defines a profile: a registered one, or that in its file. */

@@ -41,8 +41,10 @@ final class AppliedProfiles {
     return Optional.ofNullable(places.get(nsUri))
         .map(
             place ->
-                "If it is a UML profile, `%s` must be its file, with its definition, below the folders of the given files."
-                    .formatted(place.replaceFirst("#.*", "")));
+                MappedUris.isPlatform(place)
+                    ? MappedUris.hint(place)
+                    : "If it is a UML profile, `%s` must be its file, with its definition, below the folders of the given files."
+                        .formatted(place.replaceFirst("#.*", "")));
   }
 
   private Optional<EPackage> find(String nsUri) {

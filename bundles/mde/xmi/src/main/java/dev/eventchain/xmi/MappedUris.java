@@ -36,6 +36,11 @@ final class MappedUris {
     this.map = map;
   }
 
+  /** Returns whether a reference names a file by an Eclipse project. */
+  static boolean isPlatform(String reference) {
+    return PLATFORM.stream().anyMatch(reference::startsWith);
+  }
+
   /** Returns the hint for a reference that is not followed. */
   static String hint(String reference) {
     return PLATFORM.stream()

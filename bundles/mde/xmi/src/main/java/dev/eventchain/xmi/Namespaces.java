@@ -7,6 +7,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.eclipse.emf.common.notify.impl.AdapterImpl;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EPackage;
@@ -77,7 +78,9 @@ final class Namespaces {
     if (Uml.isNamespace(unknown)) {
       return UML2_HINT;
     }
-    List<String> known = registered.stream().filter(uri -> !OF_TYPES.contains(uri)).toList();
+    Stream<String> uml = unknown.contains("/uml2/") ? Stream.of(Uml.NAMESPACE) : Stream.empty();
+    List<String> known =
+        Stream.concat(registered.stream().filter(uri -> !OF_TYPES.contains(uri)), uml).toList();
     String name = withoutVersion(unknown);
     List<String> versions =
         known.stream().filter(uri -> withoutVersion(uri).equals(name)).sorted().toList();

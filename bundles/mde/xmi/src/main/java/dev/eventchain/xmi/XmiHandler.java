@@ -1,5 +1,6 @@
 package dev.eventchain.xmi;
 
+import dev.eventchain.uml.Uml;
 import java.io.StringReader;
 import java.util.HashMap;
 import java.util.List;
@@ -23,6 +24,7 @@ import org.eclipse.emf.ecore.xmi.PackageNotFoundException;
 import org.eclipse.emf.ecore.xmi.UnresolvedReferenceException;
 import org.eclipse.emf.ecore.xmi.XMIException;
 import org.eclipse.emf.ecore.xmi.XMLHelper;
+import org.eclipse.emf.ecore.xmi.XMLResource;
 import org.eclipse.emf.ecore.xmi.impl.SAXXMIHandler;
 import org.xml.sax.Attributes;
 import org.xml.sax.InputSource;
@@ -94,10 +96,13 @@ final class XmiHandler extends SAXXMIHandler {
     file.statements().close(open);
   }
 
-  /** Returns whether an element is an {@code xmi:Extension}, with tool data outside the model. */
+  /**
+   * Returns whether an element is an {@code xmi:Extension} or {@code xmi:Documentation}, with data
+   * of tools outside the model.
+   */
   private boolean isExtension(String name) {
     int colon = name.indexOf(':');
-    if (colon < 0 || !name.endsWith(":Extension")) {
+    if (colon < 0 || !(name.endsWith(":Extension") || name.endsWith(":Documentation"))) {
       return false;
     }
     String prefix = name.substring(0, colon);
@@ -166,7 +171,25 @@ final class XmiHandler extends SAXXMIHandler {
   @Override
   protected EObject createObjectFromFeatureType(EObject owner, EStructuralFeature feature) {
     withoutNamespace = false;
+    boolean refers = attribs != null && attribs.getValue(XMLResource.HREF) != null;
+    if (refers && feature.getEType() instanceof EClass type && type.isAbstract()) {
+      // Its target decides the class of what an href without a type stands for.
+      Optional<EObject> placeholder = Uml.instanceOf(type);
+      if (placeholder.isPresent()) {
+        setFeatureValue(owner, feature, placeholder.get(), -1);
+        processObject(placeholder.get());
+        return placeholder.get();
+      }
+    }
     return super.createObjectFromFeatureType(owner, feature);
+  }
+
+  /** Returns a feature by the name that UML gives it as an XML element. */
+  @Override
+  protected EStructuralFeature getFeature(
+      EObject object, String prefix, String name, boolean isElement) {
+    String meant = isElement ? Uml.featureOfElement(object.eClass(), name) : name;
+    return super.getFeature(object, prefix, meant, isElement);
   }
 
   @Override

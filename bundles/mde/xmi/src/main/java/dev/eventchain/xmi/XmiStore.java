@@ -208,6 +208,7 @@ public final class XmiStore {
 
   private static void resolve(ProjectResources resources) {
     new References(resources).resolve();
+    new OneSidedEnds(resources).complete();
     refuse(resources.problems());
   }
 

@@ -174,6 +174,9 @@ public final class ModelAccess extends EcoreEvaluationEnvironment {
         }
       }
     }
+    if (source == null && opcode <= 0) {
+      throw new IllegalArgumentException("it is called on null");
+    }
     try {
       return super.callOperation(operation, opcode, source, args);
     } catch (IllegalArgumentException e) {

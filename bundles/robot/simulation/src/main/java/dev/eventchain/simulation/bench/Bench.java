@@ -149,8 +149,7 @@ public final class Bench {
     /** Returns the fields of its messages that get values, unless they are scans. */
     Stream<String> paths() {
       return Stream.concat(
-          fields.stream().map(Field::path),
-          objects.stream().flatMap(it -> it.paths().stream()));
+          fields.stream().map(Field::path), objects.stream().flatMap(it -> it.paths().stream()));
     }
   }
 

@@ -114,8 +114,7 @@ final class ObjectsReader {
       double noise,
       Map<ActorKind, Integer> classes) {
     if (property != Property.CLASS && !classes.isEmpty()) {
-      part.find(
-          BenchRules.BENCH_VALUE_RANGE, "Only `class` has classes.", part.at(path));
+      part.find(BenchRules.BENCH_VALUE_RANGE, "Only `class` has classes.", part.at(path));
     } else if (listed.takes(part, path, property, !classes.isEmpty())) {
       Optional<String> text = unit.or(() -> declared.unit(topic, path));
       unit(part, path, property, text)

@@ -90,8 +90,7 @@ public record LaserScanner(
   private void seeWalls(Road road, Road.Place eye, double[] distances) {
     for (int ray = 0; ray < distances.length; ray++) {
       double direction = eye.heading() + azimuth(ray);
-      double wall =
-          road.wall(eye, StrictMath.cos(direction), StrictMath.sin(direction));
+      double wall = road.wall(eye, StrictMath.cos(direction), StrictMath.sin(direction));
       distances[ray] = Math.min(distances[ray], wall);
     }
   }
@@ -107,8 +106,7 @@ public record LaserScanner(
       double azimuth = azimuth(ray);
       distances[ray] =
           Math.min(
-              distances[ray],
-              box.distance(StrictMath.cos(azimuth), StrictMath.sin(azimuth), 0.0));
+              distances[ray], box.distance(StrictMath.cos(azimuth), StrictMath.sin(azimuth), 0.0));
     }
   }
 }

@@ -37,8 +37,6 @@ public record Mounting(OptionalDouble ahead, OptionalDouble left, double directi
     double cos = StrictMath.cos(front.heading());
     double sin = StrictMath.sin(front.heading());
     return new Road.Place(
-        front.x() + x * cos - y * sin,
-        front.y() + x * sin + y * cos,
-        front.heading() + direction);
+        front.x() + x * cos - y * sin, front.y() + x * sin + y * cos, front.heading() + direction);
   }
 }

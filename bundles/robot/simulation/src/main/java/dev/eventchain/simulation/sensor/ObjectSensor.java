@@ -116,11 +116,7 @@ public record ObjectSensor(
    * @param classes the values of {@link Property#CLASS}; empty for the names of the kinds
    */
   public record Column(
-      String path,
-      Property property,
-      Unit unit,
-      double noise,
-      Map<ActorKind, Integer> classes) {
+      String path, Property property, Unit unit, double noise, Map<ActorKind, Integer> classes) {
 
     /** Creates a column of a number. */
     public Column(String path, Property property, Unit unit, double noise) {
@@ -242,8 +238,7 @@ public record ObjectSensor(
         }
       }
     }
-    ToDoubleFunction<SeenObject> nearness =
-        looksAhead() ? SeenObject::distance : SeenObject::range;
+    ToDoubleFunction<SeenObject> nearness = looksAhead() ? SeenObject::distance : SeenObject::range;
     seen.sort(Comparator.comparingDouble(nearness).thenComparingDouble(SeenObject::id));
     return seen;
   }

@@ -106,7 +106,8 @@ class ObjectsAroundTest {
   @Test
   void sensorAtTheRearSeesWhatFollows() {
     // The front of the car is 30 m behind the rear of the ego.
-    World world = world(actor(ActorKind.CAR, -30 - 2 * LENGTH, 0, 25), Actor.passengerCar(20, 0, 0));
+    World world =
+        world(actor(ActorKind.CAR, -30 - 2 * LENGTH, 0, 25), Actor.passengerCar(20, 0, 0));
     List<MessageValue> seen = seen(world, facing(180), 60);
     assertEquals(1, seen.size());
     MessageValue car = seen.get(0);
