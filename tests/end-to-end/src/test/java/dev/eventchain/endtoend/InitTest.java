@@ -73,6 +73,60 @@ class InitTest {
     new Program().run("bench", project).expect(0).says("consumes /brake/request");
   }
 
+  /** A component that reads messages in a list, and laser scans, runs with the bench of init. */
+  @Test
+  void listsOfObjectsAndLaserScansAreFilledInAndRun() throws IOException {
+    Path example = Program.ROOT.resolve("tests/end-to-end/src/test/resources/blind-spot");
+    Path project = folder.resolve("blind-spot");
+    Projects.copy(example, project);
+    Files.delete(project.resolve("scenarios/overtaken.yaml"));
+    new Program().run("init", project).expect(0);
+    assertEquals(
+        """
+        provides:
+          /radar/rear:
+            rate_hz: 20
+            objects:
+              direction_deg: 180
+              fields:
+                objects[].id: id
+                objects[].position.x: x
+                objects[].position.y: y
+        #        objects[].position.z: ?
+                objects[].range_rate: range_rate
+                objects[].classification: {value: class, classes: {car: 1, pedestrian: 2}}
+          /scan/left:
+            rate_hz: 20
+            laser_scan:
+              direction_deg: 90
+              range_m: 30
+        consumes:
+          /mirror/left_lamp:
+            observed: true
+        """,
+        Files.readString(project.resolve("bench.yaml")).replaceFirst("(?s)^.*?(?=provides:)", ""));
+    Path bench = project.resolve("bench.yaml");
+    String wide = "direction_deg: 180\n      view_deg: 150\n";
+    Files.writeString(bench, Files.readString(bench).replace("direction_deg: 180\n", wide));
+    try (Stream<Path> scenarios = Files.list(project.resolve("scenarios"))) {
+      for (Path each : scenarios.toList()) {
+        Files.delete(each);
+      }
+    }
+    Files.copy(
+        example.resolve("scenarios/overtaken.yaml"), project.resolve("scenarios/overtaken.yaml"));
+    Projects.withoutStrength(project);
+    new Program().run("run", project).expect(0).says("PASSED: 1 of 1 scenarios passed");
+    Path component = project.resolve("software-base/components/Blind_Spot_Monitor.py");
+    Files.writeString(component, Files.readString(component).replace("(-5.6, -1.9)", "(1.9, 5.6)"));
+    Files.writeString(
+        component, Files.readString(component).replace("BESIDE = 4.5", "BESIDE = 0.5"));
+    new Program()
+        .run("run", project)
+        .expect(1)
+        .says("not met: the lamp is lit while the car is beside");
+  }
+
   @InTurn
   @Test
   void chainOfTheComponentsIsDrawnFromTheirDescriptions() throws IOException {

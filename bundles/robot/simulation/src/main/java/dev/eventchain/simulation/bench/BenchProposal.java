@@ -88,10 +88,20 @@ final class BenchProposal {
   private List<String> provided(dev.eventchain.model.Signal signal) {
     if (RosNames.fullMessageType(signal.messageType()).equals("sensor_msgs/msg/PointCloud2")) {
       return List.of(topic(signal), "    sensor: lidar", "    rate_hz: 20");
+    } else if (RosNames.fullMessageType(signal.messageType()).equals(LaserScanReader.MESSAGES)) {
+      List<String> scanner = new ArrayList<>(List.of(topic(signal), "    rate_hz: 20"));
+      scanner.add("    laser_scan:");
+      ObjectsProposal.direction(signal.topic()).ifPresent(scanner::add);
+      scanner.add("      range_m: 30");
+      return scanner;
     }
+    Optional<List<String>> objects = objects(signal);
     List<String> fields = new ArrayList<>();
     boolean any = false;
     for (Field field : signal.fields()) {
+      if (objects.isPresent() && isList(signal, field)) {
+        continue;
+      }
       Optional<String> source = source(signal, field);
       any |= source.isPresent();
       fields.add(
@@ -99,9 +109,37 @@ final class BenchProposal {
               .map(it -> "      " + field.path() + ": " + it)
               .orElse("#      " + field.path() + ": " + unit(field)));
     }
-    List<String> lines = new ArrayList<>(List.of(topic(signal), "    rate_hz: 20", "    fields:"));
+    List<String> lines = new ArrayList<>(List.of(topic(signal), "    rate_hz: 20"));
+    objects.ifPresent(lines::addAll);
+    if (!fields.isEmpty()) {
+      boolean connected = any || objects.isEmpty();
+      lines.add(connected ? "    fields:" : "#    fields:");
+    }
     lines.addAll(fields);
-    return any ? lines : commented(lines);
+    return any || objects.isPresent() ? lines : commented(lines);
+  }
+
+  private Optional<List<String>> objects(dev.eventchain.model.Signal signal) {
+    return catalog
+        .find(signal.messageType())
+        .flatMap(
+            type ->
+                ObjectsProposal.of(
+                    signal.topic() + " " + type.name(),
+                    type,
+                    path ->
+                        signal.fields().stream()
+                            .filter(field -> field.path().equals(path))
+                            .map(Field::unit)
+                            .findFirst()));
+  }
+
+  private boolean isList(dev.eventchain.model.Signal signal, Field field) {
+    return catalog
+        .find(signal.messageType())
+        .flatMap(type -> type.resolve(field.path()).type())
+        .filter(type -> type.shape() != FieldType.Shape.SINGLE)
+        .isPresent();
   }
 
   private static List<String> commented(List<String> lines) {

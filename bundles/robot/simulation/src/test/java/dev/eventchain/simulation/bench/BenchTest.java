@@ -98,6 +98,43 @@ class BenchTest {
     return files("invalid");
   }
 
+  @Test
+  void proposalKnowsListsOfObjectsByTheNamesOfTheirFields() {
+    String proposal = Bench.proposal(DECLARED, MessageCatalog.of(List.of(BENCHES.resolve("msg"))));
+    assertTrue(
+        proposal.contains(
+            """
+              /radar/objects:
+                rate_hz: 20
+                objects:
+                  fields:
+                    id: id
+                    distance: distance
+                    lateral: lateral
+                    relative_speed: relative_speed
+            #        reserved: ?
+            """),
+        proposal);
+    assertTrue(
+        proposal.contains(
+            """
+                objects:
+                  direction_deg: 180
+                  count: count
+                  fields:
+                    detections[].id: id
+                    detections[].pose.position.x: x
+                    detections[].pose.position.y: y
+            """),
+        proposal);
+    assertTrue(proposal.contains("\n      view_deg: 360\n"), proposal);
+    assertTrue(proposal.contains("laser_scan:\n      range_m: 30"), proposal);
+    assertTrue(
+        proposal.contains("classification: {value: class, classes: {car: 1, pedestrian: 2}}"),
+        proposal);
+    assertTrue(proposal.contains("label: class\n"), proposal);
+  }
+
   /** {@code findings.txt} lists the findings of each file: id, line, column and text. */
   @Test
   void everyProblemOfAnInvalidBenchIsFoundAtItsPlace() throws IOException {
