@@ -86,34 +86,39 @@ final class BenchProposal {
   }
 
   private List<String> provided(dev.eventchain.model.Signal signal) {
-    if (RosNames.fullMessageType(signal.messageType()).equals("sensor_msgs/msg/PointCloud2")) {
-      return List.of(topic(signal), "    sensor: lidar", "    rate_hz: 20");
-    } else if (RosNames.fullMessageType(signal.messageType()).equals(LaserScanReader.MESSAGES)) {
-      List<String> scanner = new ArrayList<>(List.of(topic(signal), "    rate_hz: 20"));
-      scanner.add("    laser_scan:");
-      ObjectsProposal.direction(signal.topic()).ifPresent(scanner::add);
-      scanner.add("      range_m: 30");
-      return scanner;
+    List<String> lines = new ArrayList<>(List.of(topic(signal), "    rate_hz: 20"));
+    String type = RosNames.fullMessageType(signal.messageType());
+    if (type.equals("sensor_msgs/msg/PointCloud2")) {
+      lines.add("    sensor: lidar");
+    } else if (type.equals(LaserScanReader.MESSAGES)) {
+      lines.add("    laser_scan:");
+      ObjectsProposal.direction(signal.topic()).ifPresent(lines::add);
+      lines.add("      range_m: 30");
+    } else {
+      return withFields(signal, lines);
     }
+    return lines;
+  }
+
+  /** Adds the fields of a topic; returns all lines as comments if none could be connected. */
+  private List<String> withFields(dev.eventchain.model.Signal signal, List<String> topic) {
     Optional<List<String>> objects = objects(signal);
+    List<Field> single =
+        signal.fields().stream()
+            .filter(field -> objects.isEmpty() || !isList(signal, field))
+            .toList();
     List<String> fields = new ArrayList<>();
-    boolean any = false;
-    for (Field field : signal.fields()) {
-      if (objects.isPresent() && isList(signal, field)) {
-        continue;
-      }
-      Optional<String> source = source(signal, field);
-      any |= source.isPresent();
+    for (Field field : single) {
       fields.add(
-          source
+          source(signal, field)
               .map(it -> "      " + field.path() + ": " + it)
               .orElse("#      " + field.path() + ": " + unit(field)));
     }
-    List<String> lines = new ArrayList<>(List.of(topic(signal), "    rate_hz: 20"));
+    boolean any = fields.stream().anyMatch(line -> !line.startsWith("#"));
+    List<String> lines = new ArrayList<>(topic);
     objects.ifPresent(lines::addAll);
-    if (!fields.isEmpty()) {
-      boolean connected = any || objects.isEmpty();
-      lines.add(connected ? "    fields:" : "#    fields:");
+    if (objects.isEmpty() || !fields.isEmpty()) {
+      lines.add(any || objects.isEmpty() ? "    fields:" : "#    fields:");
     }
     lines.addAll(fields);
     return any || objects.isPresent() ? lines : commented(lines);

@@ -128,36 +128,43 @@ final class ListedFields {
     boolean isList = list.type().get().shape() != Shape.SINGLE;
     boolean hasMessages = list.type().get().kind() == Kind.MESSAGE;
     if (!isList || hasMessages != listed.ofMessages()) {
-      part.find(
-          Diagnostic.of(
-                  BenchRules.BENCH_VALUE_TYPE,
-                  "'%s' is %s, but has to be a list of %s."
-                      .formatted(
-                          listed.list(),
-                          list.type().get(),
-                          listed.ofMessages() ? "messages" : "numbers"),
-                  part.atKey(path))
-              .withHint(
-                  isList && hasMessages
-                      ? "Name a field of its messages: `%s[].NAME`.".formatted(listed.list())
-                      : "Each field of a list of objects holds a value for each of them."));
+      refuseList(part, path, list.type().get());
       return Optional.empty();
     }
-    if (!listed.ofMessages()) {
-      return list.type();
+    return listed.ofMessages() ? inner(part, path, listed) : list.type();
+  }
+
+  private static void refuseList(ObjectReader part, String path, FieldType type) {
+    Listed listed = Listed.of(path);
+    boolean isListOfMessages = type.shape() != Shape.SINGLE && type.kind() == Kind.MESSAGE;
+    part.find(
+        Diagnostic.of(
+                BenchRules.BENCH_VALUE_TYPE,
+                "'%s' is %s, but has to be a list of %s."
+                    .formatted(listed.list(), type, listed.ofMessages() ? "messages" : "numbers"),
+                part.atKey(path))
+            .withHint(
+                isListOfMessages
+                    ? "Name a field of its messages: `%s[].NAME`.".formatted(listed.list())
+                    : "Each field of a list of objects holds a value for each of them."));
+  }
+
+  /** Returns the type of a field of the messages in a list. */
+  private Optional<FieldType> inner(ObjectReader part, String path, Listed listed) {
+    MessageType element = listed.messages(message.orElseThrow()).orElseThrow();
+    MessageType.Resolution inner = element.resolve(listed.inner());
+    if (inner.type().isEmpty()) {
+      return missing(part, path, inner);
     }
-    MessageType.Resolution inner =
-        listed.messages(message.get()).orElseThrow().resolve(listed.inner());
-    if (inner.type().isPresent() && inner.type().get().shape() == Shape.SINGLE) {
-      return inner.type();
-    } else if (inner.type().isPresent()) {
+    FieldType type = inner.type().get();
+    if (type.shape() != Shape.SINGLE) {
       part.find(
           BenchRules.BENCH_VALUE_TYPE,
-          "'%s' is %s, which holds more than one value.".formatted(path, inner.type().get()),
+          "'%s' is %s, which holds more than one value.".formatted(path, type),
           part.atKey(path));
       return Optional.empty();
     }
-    return missing(part, path, inner);
+    return inner.type();
   }
 
   private static Optional<FieldType> missing(
