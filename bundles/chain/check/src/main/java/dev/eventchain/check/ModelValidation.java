@@ -49,8 +49,8 @@ public final class ModelValidation {
   private final EcoreChecks ecore;
 
   private ModelValidation(
-      List<Path> metamodels, Map<String, Path> map, List<Path> models, Duration timeLimit) {
-    store = EventChainMetamodel.store(folders(metamodels, models), map);
+      List<Path> metamodels, ReferenceFolders references, List<Path> models, Duration timeLimit) {
+    store = storeOf(metamodels, models, references);
     packages = load(store, metamodels);
     this.models = store.loadAll(models);
     all = XmiStore.withReferred(this.models);
@@ -103,25 +103,25 @@ public final class ModelValidation {
   /**
    * Reads metamodels, for something that needs no model.
    *
-   * @param map as in {@link #read}
+   * @param references as in {@link #read}
    * @return their packages, and the one of event chains
    * @throws DiagnosticException INPUT if a file cannot be read
    */
-  public static List<EPackage> metamodels(List<Path> metamodels, Map<String, Path> map) {
-    return load(EventChainMetamodel.store(folders(metamodels, List.of()), map), metamodels);
+  public static List<EPackage> metamodels(List<Path> metamodels, ReferenceFolders references) {
+    return load(storeOf(metamodels, List.of(), references), metamodels);
   }
 
   /**
    * Reads models and checks them against their metamodel.
    *
    * @param metamodels the models' metamodels; none for event chains
-   * @param map the folders by the reference prefixes that they replace: {@code platform:/resource/}
+   * @param references where references may lead besides the folders of the files
    * @param timeLimit the processor time that the patterns of a data type may take
    * @throws DiagnosticException INPUT if a file cannot be read
    */
   public static ModelValidation read(
-      List<Path> metamodels, Map<String, Path> map, List<Path> models, Duration timeLimit) {
-    return new ModelValidation(metamodels, map, models, timeLimit);
+      List<Path> metamodels, ReferenceFolders references, List<Path> models, Duration timeLimit) {
+    return new ModelValidation(metamodels, references, models, timeLimit);
   }
 
   /** Returns the metamodels, including the shipped one. */
@@ -154,7 +154,7 @@ public final class ModelValidation {
    *
    * @param metamodels the models' metamodels; none for event chains, which are checked against the
    *     standard constraints and the contracts inside each chain, too; UML need not be named
-   * @param map the folders by the reference prefixes that they replace: {@code platform:/resource/}
+   * @param references where references may lead besides the folders of the files
    * @param messages folders of {@code PACKAGE/msg/NAME.msg} that event chains use, next to the
    *     standard types of ROS 2 and to those of the projects in which the models are
    * @param timeLimit the processor time that a constraint, or the patterns of a data type, may take
@@ -163,12 +163,12 @@ public final class ModelValidation {
    */
   public static Validation validate(
       List<Path> metamodels,
-      Map<String, Path> map,
+      ReferenceFolders references,
       List<Path> constraints,
       List<Path> models,
       List<Path> messages,
       Duration timeLimit) {
-    ModelValidation any = read(metamodels, map, models, timeLimit);
+    ModelValidation any = read(metamodels, references, models, timeLimit);
     List<SourceText> documents = new ArrayList<>();
     boolean aboutChains = metamodels.isEmpty() && !any.usesUml;
     if (aboutChains) {
@@ -278,11 +278,10 @@ public final class ModelValidation {
     return folders;
   }
 
-  /** Returns the folders of the named files; references may only lead to files below them. */
-  private static List<Path> folders(List<Path> metamodels, List<Path> models) {
-    return Stream.concat(models.stream(), metamodels.stream())
-        .map(file -> file.resolveSibling(""))
-        .distinct()
-        .toList();
+  /** Returns a store in which references may lead to files below the folders of the named ones. */
+  private static XmiStore storeOf(
+      List<Path> metamodels, List<Path> models, ReferenceFolders references) {
+    List<Path> files = Stream.concat(models.stream(), metamodels.stream()).toList();
+    return EventChainMetamodel.store(references.after(files), references.map());
   }
 }

@@ -10,7 +10,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -62,7 +61,7 @@ class ModelValidationTest {
   private Validation validate(List<Path> constraints, String... models) {
     return ModelValidation.validate(
         List.of(folder.resolve("shop.ecore")),
-        Map.of(),
+        ReferenceFolders.NONE,
         constraints,
         List.of(models).stream().map(folder::resolve).toList(),
         List.of(),
@@ -153,7 +152,7 @@ class ModelValidationTest {
     Validation fine =
         ModelValidation.validate(
             List.of(),
-            Map.of(),
+            ReferenceFolders.NONE,
             List.of(),
             List.of(radar.file("model/chain.xmi")),
             List.of(radar.file("software-base/msg")),

@@ -60,7 +60,7 @@ final class CompileCommand extends ProjectCommand {
         coverage,
         AnyModel.compile(
             given.metamodels,
-            given.map,
+            given.references.folders(),
             templates.stream()
                 .map(each -> new AnyModel.Template(each, with.sources, with.services, List.of()))
                 .toList()),

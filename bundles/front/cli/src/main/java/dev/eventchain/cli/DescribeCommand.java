@@ -6,9 +6,8 @@ import dev.eventchain.pipeline.AnyModel;
 import dev.eventchain.pipeline.Outcome;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Option;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
 /** {@code describe}: lists what a metamodel has. */
@@ -29,12 +28,7 @@ final class DescribeCommand extends ProjectCommand {
       description = "The metamodels, by their files or their nsURIs.")
   private List<Path> metamodels = List.of();
 
-  @Option(
-      names = "--map",
-      paramLabel = "URI=FOLDER|FILE",
-      description =
-          "Where to find the files that references name by a URI with this prefix. May be repeated.")
-  private Map<String, Path> map = Map.of();
+  @Mixin private ReferenceOptions references = new ReferenceOptions();
 
   DescribeCommand(Console console) {
     super(console);
@@ -51,7 +45,7 @@ final class DescribeCommand extends ProjectCommand {
     if (output() != null || overwrite()) {
       throw wrongUsage("nothing is written: leave out -o and --overwrite");
     }
-    String text = AnyModel.describe(metamodels, map);
+    String text = AnyModel.describe(metamodels, references.folders());
     if (format() == DiagnosticFormat.TEXT) {
       console.out().print(text);
     }

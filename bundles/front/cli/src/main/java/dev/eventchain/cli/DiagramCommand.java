@@ -1,5 +1,6 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.pipeline.ExitCode;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.diagram.Diagrams;
@@ -11,7 +12,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import picocli.CommandLine.Command;
@@ -74,7 +74,8 @@ final class DiagramCommand extends ProjectCommand {
     boolean classes = isMetamodel && wanted.contains(Kind.METAMODEL);
     List<Path> ecores = classes ? List.of(input) : given.metamodels;
     List<Path> models = classes && wanted.size() == 1 ? List.of() : List.of(input);
-    return drawn(Diagrams.draw(wanted, ecores, given.map, models, output(), overwrite()));
+    return drawn(
+        Diagrams.draw(wanted, ecores, given.references.folders(), models, output(), overwrite()));
   }
 
   private Outcome drawProject(Project project) {
@@ -88,7 +89,9 @@ final class DiagramCommand extends ProjectCommand {
     }
     Path model = project.model(results).orElseThrow();
     Set<Kind> wanted = kindsOr(Kind.values());
-    return drawn(Diagrams.draw(wanted, List.of(), Map.of(), List.of(model), folder, overwrite()));
+    return drawn(
+        Diagrams.draw(
+            wanted, List.of(), ReferenceFolders.NONE, List.of(model), folder, overwrite()));
   }
 
   private Outcome makeModel(Project project, Path results) {

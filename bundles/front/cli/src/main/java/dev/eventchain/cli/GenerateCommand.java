@@ -121,7 +121,7 @@ final class GenerateCommand extends ProjectCommand {
     WrittenFiles files =
         AnyModel.generate(
             given.metamodels,
-            given.map,
+            given.references.folders(),
             new AnyModel.Template(template, with.sources, with.services, properties),
             inputs,
             new AnyModel.Target(

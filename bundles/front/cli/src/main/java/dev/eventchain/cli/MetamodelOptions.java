@@ -2,7 +2,7 @@ package dev.eventchain.cli;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** The metamodels of models that are not in a project. */
@@ -17,13 +17,5 @@ final class MetamodelOptions {
               + " UML need no metamodel to be named.")
   List<Path> metamodels = List.of();
 
-  @Option(
-      names = "--map",
-      paramLabel = "URI=FOLDER|FILE",
-      description =
-          "Where to find the files that references name by a URI with this prefix, for example"
-              + " platform:/resource/=workspace/, or which file a full URI means. May be repeated."
-              + " Other references are followed into the folders of the files that the command"
-              + " names, and into these.")
-  Map<String, Path> map = Map.of();
+  @Mixin ReferenceOptions references = new ReferenceOptions();
 }

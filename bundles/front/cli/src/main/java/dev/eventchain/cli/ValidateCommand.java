@@ -131,7 +131,12 @@ final class ValidateCommand extends ProjectCommand {
     Suppressions suppressions = suppressions();
     Validation validation =
         ModelValidation.validate(
-            given.metamodels, given.map, constraints, models, messages, timeLimit());
+            given.metamodels,
+            given.references.folders(),
+            constraints,
+            models,
+            messages,
+            timeLimit());
     Validation counted = allowEmpty ? validation.withoutNeedOfConstraints() : validation;
     return Outcome.of(counted.coverage(), counted.diagnostics(), suppressions);
   }

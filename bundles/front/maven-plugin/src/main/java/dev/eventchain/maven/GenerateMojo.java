@@ -85,7 +85,7 @@ public final class GenerateMojo extends ModelMojo {
     WrittenFiles files =
         AnyModel.generate(
             metamodels(),
-            mappings(),
+            references(),
             new AnyModel.Template(
                 Places.shown(template),
                 Places.shown(sources),

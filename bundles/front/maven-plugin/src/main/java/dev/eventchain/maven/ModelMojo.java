@@ -1,5 +1,6 @@
 package dev.eventchain.maven;
 
+import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
@@ -31,6 +32,9 @@ abstract class ModelMojo extends ChainMojo {
    * such as {@code platform:/resource/}, and {@code path}.
    */
   @Parameter private List<UriMapping> mappings = List.of();
+
+  /** Folders, such as that of a repository, below which references may lead anywhere. */
+  @Parameter private List<File> roots = List.of();
 
   /** True to continue the build if there is no model. */
   @Parameter(property = "eventchain.allowEmpty", defaultValue = "false")
@@ -79,10 +83,10 @@ abstract class ModelMojo extends ChainMojo {
     return Places.shown(metamodels);
   }
 
-  final Map<String, Path> mappings() {
+  final ReferenceFolders references() {
     Map<String, Path> map = new LinkedHashMap<>();
     mappings.forEach(mapping -> map.put(mapping.uri(), Places.shown(mapping.path())));
-    return map;
+    return new ReferenceFolders(Places.shown(roots), map);
   }
 
   /** Returns the suppressions for models. */

@@ -49,7 +49,7 @@ public final class ValidateMojo extends ModelMojo {
     Validation validation =
         ModelValidation.validate(
             metamodels(),
-            mappings(),
+            references(),
             Places.shown(constraints),
             models,
             Places.shown(messages),

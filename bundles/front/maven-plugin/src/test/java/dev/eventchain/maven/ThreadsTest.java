@@ -3,13 +3,13 @@ package dev.eventchain.maven;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.eventchain.check.ModelValidation;
+import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.check.Validation;
 import dev.eventchain.diagnostics.Diagnostic;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -28,7 +28,7 @@ class ThreadsTest {
     Path folder = Path.of("src/it", sample, "src/main");
     return ModelValidation.validate(
         List.of(folder.resolve("rules/library.ecore")),
-        Map.of(),
+        ReferenceFolders.NONE,
         List.of(folder.resolve("rules/library.ocl")),
         List.of(folder.resolve("models/town.library")),
         List.of(),

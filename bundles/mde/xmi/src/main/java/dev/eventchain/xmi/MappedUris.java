@@ -54,8 +54,9 @@ final class MappedUris {
     String target = reference.replaceFirst("#.*", "");
     return target.matches("(?!file:)[A-Za-z][A-Za-z0-9+.-]+:.*")
         ? "Say which file that is: --map " + target + "=FILE"
-        : "Refer to files below the folders of the given files by a relative path, or give that"
-            + " file to the command, too, a metamodel by --metamodel.";
+        : "Refer to files below the folders of the given files by a relative path, name a folder"
+            + " that holds both (--root DIR), or give that file to the command, too, a metamodel by"
+            + " --metamodel.";
   }
 
   /**

@@ -1,6 +1,7 @@
 package dev.eventchain.pipeline;
 
 import dev.eventchain.check.ModelValidation;
+import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Severity;
@@ -72,7 +73,7 @@ public final class AnyModel {
   /**
    * Generates text from models.
    *
-   * @param map the folders by URI prefix of references, such as {@code platform:/resource/}
+   * @param references where references may lead besides the folders of the files
    * @param template with its modules, services and properties
    * @param models models whose elements the template runs on; it also sees elements that they
    *     reference in other files
@@ -86,14 +87,14 @@ public final class AnyModel {
    */
   public static WrittenFiles generate(
       List<Path> metamodels,
-      Map<String, Path> map,
+      ReferenceFolders references,
       Template template,
       List<Path> models,
       Target target,
       boolean lenient,
       Suppressions suppressions,
       Duration timeLimit) {
-    ModelValidation any = ModelValidation.read(metamodels, map, models, timeLimit);
+    ModelValidation any = ModelValidation.read(metamodels, references, models, timeLimit);
     Map<String, Map<String, String>> properties = PropertyFiles.read(template.properties());
     try (JavaServices classes = JavaServices.of(template.services())) {
       TemplateModule module =
@@ -122,14 +123,14 @@ public final class AnyModel {
    * Compiles templates, without a model and without running them.
    *
    * @param metamodels the metamodels that the templates name; event chains need not be named
-   * @param map as in {@link #generate}
+   * @param references as in {@link #generate}
    * @param templates each with its modules and services
    * @return the findings, each once
    * @throws DiagnosticException INPUT if a metamodel cannot be read, or a template is not there
    */
   public static List<Diagnostic> compile(
-      List<Path> metamodels, Map<String, Path> map, List<Template> templates) {
-    List<EPackage> packages = withMessages(ModelValidation.metamodels(metamodels, map));
+      List<Path> metamodels, ReferenceFolders references, List<Template> templates) {
+    List<EPackage> packages = withMessages(ModelValidation.metamodels(metamodels, references));
     Set<Diagnostic> found = new LinkedHashSet<>();
     boolean missing = false;
     for (Template template : templates) {
@@ -152,9 +153,9 @@ public final class AnyModel {
    * @param metamodels the files; none for the metamodel of event chains
    * @throws DiagnosticException INPUT if a file cannot be read
    */
-  public static String describe(List<Path> metamodels, Map<String, Path> map) {
+  public static String describe(List<Path> metamodels, ReferenceFolders references) {
     return MetamodelListing.of(
-        ModelValidation.metamodels(metamodels, map).stream()
+        ModelValidation.metamodels(metamodels, references).stream()
             .filter(each -> each.getESuperPackage() == null)
             .filter(each -> metamodels.isEmpty() || !(each instanceof EventchainPackage))
             .toList());

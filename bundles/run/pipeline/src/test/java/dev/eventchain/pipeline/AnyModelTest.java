@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Suppressions;
@@ -14,7 +15,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
@@ -99,7 +99,7 @@ class AnyModelTest {
   private WrittenFiles write(Path template, List<Path> services, String... models) {
     return AnyModel.generate(
         List.of(folder.resolve("shop.ecore")),
-        Map.of(),
+        ReferenceFolders.NONE,
         new AnyModel.Template(template, List.of(), services, List.of()),
         List.of(models).stream().map(folder::resolve).toList(),
         new AnyModel.Target(Optional.of(folder.resolve("out")), false, false, Optional.empty()),

@@ -3,6 +3,7 @@ package dev.eventchain.pipeline;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Suppressions;
 import java.io.File;
@@ -13,7 +14,6 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import javax.tools.ToolProvider;
 import org.eclipse.emf.common.util.EList;
@@ -115,7 +115,7 @@ class JavaServicesTest {
     Path template = Files.writeString(folder.resolve("main.mtl"), TEMPLATE.replace("BODY", body));
     return AnyModel.generate(
             List.of(folder.resolve("shop.ecore")),
-            Map.of(),
+            ReferenceFolders.NONE,
             new AnyModel.Template(template, List.of(), List.of(classes), List.of()),
             List.of(folder.resolve("model.xmi")),
             new AnyModel.Target(Optional.of(folder.resolve("out")), false, false, Optional.empty()),

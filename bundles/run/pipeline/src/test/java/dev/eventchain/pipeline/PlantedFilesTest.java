@@ -3,6 +3,7 @@ package dev.eventchain.pipeline;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.eventchain.check.ModelValidation;
+import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Diagnostic;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -10,7 +11,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import java.util.Map;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.ShrinkingMode;
@@ -63,7 +63,7 @@ class PlantedFilesTest {
     }
     return ModelValidation.validate(
             planted.metamodels(folder),
-            Map.of(),
+            ReferenceFolders.NONE,
             planted.documents(folder),
             planted.models(folder),
             List.of(),

@@ -1,6 +1,7 @@
 package dev.eventchain.eclipse;
 
 import dev.eventchain.check.ModelValidation;
+import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.check.Validation;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -11,7 +12,6 @@ import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.xmi.XmiRules;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.eclipse.core.resources.IFile;
@@ -66,7 +66,12 @@ record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
         folder.map(ProjectFolder::ownConstraints).orElseGet(() -> aboutChains(rules));
     List<Path> messages = folder.map(ProjectFolder::messageFolders).orElse(List.of());
     return ModelValidation.validate(
-        List.of(), Map.of(), documents, List.of(path), messages, Preferences.timeLimit());
+        List.of(),
+        ReferenceFolders.NONE,
+        documents,
+        List.of(path),
+        messages,
+        Preferences.timeLimit());
   }
 
   /** Returns the documents with constraints on event chains; the others use other metamodels. */
@@ -76,7 +81,12 @@ record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
 
   private Validation validate(List<Path> ecores, List<Path> documents) {
     return ModelValidation.validate(
-        ecores, Map.of(), documents, List.of(path), List.of(), Preferences.timeLimit());
+        ecores,
+        ReferenceFolders.NONE,
+        documents,
+        List.of(path),
+        List.of(),
+        Preferences.timeLimit());
   }
 
   /** An event chain of another version is an event chain, although its namespace is unknown. */

@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline.diagram;
 
+import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -73,11 +74,9 @@ public final class Diagrams {
   private final Path source;
   private Origins origins = new Origins();
 
-  private Diagrams(List<Path> ecores, Map<String, Path> map, List<Path> models) {
+  private Diagrams(List<Path> ecores, ReferenceFolders references, List<Path> models) {
     List<Path> files = Stream.concat(models.stream(), ecores.stream()).toList();
-    XmiStore store =
-        EventChainMetamodel.store(
-            files.stream().map(f -> f.resolveSibling("")).distinct().toList(), map);
+    XmiStore store = EventChainMetamodel.store(references.after(files), references.map());
     ecores.forEach(ecore -> metamodels.addAll(store.loadMetamodel(ecore)));
     for (LoadedModel model : store.loadAll(models)) {
       roots.addAll(model.roots());
@@ -93,7 +92,7 @@ public final class Diagrams {
    * Writes {@code KIND.puml} and {@code KIND.svg} for each kind.
    *
    * @param ecores the model's metamodels; none for event chains
-   * @param map the folders by URI prefix of references, such as {@code platform:/resource/}
+   * @param references where references may lead besides the folders of the files
    * @param models the models to draw; may be empty if only metamodels are drawn
    * @param overwrite true to replace files that a person has edited
    * @return the findings; a diagram with an error is not written, but the text of one that PlantUML
@@ -103,11 +102,11 @@ public final class Diagrams {
   public static WrittenFiles draw(
       Set<Kind> kinds,
       List<Path> ecores,
-      Map<String, Path> map,
+      ReferenceFolders references,
       List<Path> models,
       Path folder,
       boolean overwrite) {
-    Diagrams diagrams = new Diagrams(ecores, map, models);
+    Diagrams diagrams = new Diagrams(ecores, references, models);
     WrittenFiles files = new WrittenFiles(Optional.of(folder));
     try (OutputFolder output = OutputFolder.open(folder)) {
       for (Kind kind : kinds) {

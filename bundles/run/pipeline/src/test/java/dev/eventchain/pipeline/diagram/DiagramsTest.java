@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.model.eventchain.ChainMeasurement;
@@ -22,7 +23,6 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.EnumSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.regex.MatchResult;
 import org.junit.jupiter.api.Test;
@@ -191,7 +191,7 @@ class DiagramsTest {
         Diagrams.draw(
                 EnumSet.of(Kind.METAMODEL),
                 List.of(ecore),
-                Map.of(),
+                ReferenceFolders.NONE,
                 List.of(),
                 folder.resolve("out"),
                 false)
@@ -322,7 +322,7 @@ class DiagramsTest {
         Diagrams.draw(
             EnumSet.of(Kind.METAMODEL),
             List.of(file),
-            Map.of(),
+            ReferenceFolders.NONE,
             List.of(),
             folder.resolve("out"),
             false);
@@ -369,7 +369,8 @@ class DiagramsTest {
 
   private List<Diagnostic> draw(EventChain chain, Set<Kind> kinds) throws IOException {
     Path model = Files.write(folder.resolve("model.xmi"), XmiStore.toBytes(chain));
-    return Diagrams.draw(kinds, List.of(), Map.of(), List.of(model), folder.resolve("out"), false)
+    return Diagrams.draw(
+            kinds, List.of(), ReferenceFolders.NONE, List.of(model), folder.resolve("out"), false)
         .diagnostics();
   }
 

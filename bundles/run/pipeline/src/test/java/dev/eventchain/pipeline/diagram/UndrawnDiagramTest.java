@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.pipeline.diagram.Diagrams.Kind;
 import dev.eventchain.pipeline.files.WrittenFiles;
@@ -14,7 +15,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -30,7 +30,7 @@ class UndrawnDiagramTest {
     return Diagrams.draw(
         EnumSet.of(Kind.INSTANCE),
         List.of(FILES.resolve("plan.ecore")),
-        Map.of(),
+        ReferenceFolders.NONE,
         List.of(FILES.resolve("m.xmi")),
         folder.resolve("out"),
         false);
