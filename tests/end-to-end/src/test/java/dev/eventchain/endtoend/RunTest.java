@@ -111,11 +111,22 @@ class RunTest {
             "report.html",
             "measurements.json",
             "measurements.csv",
+            "curves/stopped-vehicle-50.csv",
             "verdict.json",
             "chain.measured.xmi",
             "COLCON_IGNORE")) {
       assertTrue(Files.exists(project.resolve("out").resolve(name)), name);
     }
+  }
+
+  @Test
+  void curvesAreTablesWithAColumnForEachQuantity() throws IOException {
+    List<String> lines = Files.readAllLines(project.resolve("out/curves/stopped-vehicle-50.csv"));
+    List<String> headings = List.of(lines.get(0).split(",", -1));
+    assertEquals("time [s]", headings.get(0));
+    int speed = headings.indexOf("ego.speed [m/s]");
+    assertEquals("13.8889", lines.get(1).split(",", -1)[speed]);
+    assertTrue(lines.stream().allMatch(line -> line.split(",", -1).length == headings.size()));
   }
 
   @Test
@@ -125,7 +136,12 @@ class RunTest {
     assertEquals(withoutStrength(project.resolve("out")), withoutStrength(other));
     for (String name :
         List.of(
-            "chain.json", "chain.xmi", "generated.ocl", "measurements.csv", "chain.measured.xmi")) {
+            "chain.json",
+            "chain.xmi",
+            "generated.ocl",
+            "measurements.csv",
+            "curves/stopped-vehicle-50.csv",
+            "chain.measured.xmi")) {
       assertArrayEquals(
           Files.readAllBytes(project.resolve("out").resolve(name)),
           Files.readAllBytes(other.resolve(name)),

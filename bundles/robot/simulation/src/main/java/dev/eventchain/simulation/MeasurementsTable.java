@@ -1,11 +1,11 @@
 package dev.eventchain.simulation;
 
+import dev.eventchain.documents.CsvText;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.simulation.verdict.Measurements;
 import dev.eventchain.simulation.verdict.MessageFlow;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import java.math.BigDecimal;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -18,7 +18,7 @@ final class MeasurementsTable {
 
   private static final String MILLISECOND = "ms";
 
-  private final StringBuilder text = new StringBuilder();
+  private final CsvText text = new CsvText("\r\n");
 
   private MeasurementsTable() {}
 
@@ -30,7 +30,7 @@ final class MeasurementsTable {
     result.verdicts().forEach(verdict -> table.scenario(verdict, chain));
     result.measurements().nodes().forEach(table::node);
     table.flow("", result.measurements().flow());
-    return table.text.toString().getBytes(StandardCharsets.UTF_8);
+    return table.text.bytes();
   }
 
   private void scenario(ScenarioVerdict verdict, EventChain chain) {
@@ -134,7 +134,7 @@ final class MeasurementsTable {
    * Formats a number with four decimals, as in the JSON file; NaN and infinity become an empty
    * cell.
    */
-  private static String number(double value) {
+  static String number(double value) {
     if (!Double.isFinite(value)) {
       return "";
     }
@@ -143,12 +143,6 @@ final class MeasurementsTable {
   }
 
   private void cells(String... cells) {
-    text.append(String.join(",", List.of(cells).stream().map(MeasurementsTable::cell).toList()));
-    text.append("\r\n");
-  }
-
-  private static String cell(String content) {
-    boolean plain = content.chars().noneMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
-    return plain ? content : '"' + content.replace("\"", "\"\"") + '"';
+    text.row(List.of(cells));
   }
 }

@@ -10,6 +10,8 @@ import dev.eventchain.simulation.verdict.Strength;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
 /**
  * The result of a simulation. Everything but {@link #host} and the host times of the nodes is the
@@ -107,5 +109,15 @@ public record SimulationResult(
    */
   public byte[] toCsv(EventChain chain) {
     return MeasurementsTable.write(this, chain);
+  }
+
+  /**
+   * Returns the curves of each scenario as tables, by its name: RFC 4180 in UTF-8, a row every 50
+   * ms, and a column for each curve.
+   */
+  public SortedMap<String, byte[]> curves() {
+    SortedMap<String, byte[]> tables = new TreeMap<>();
+    verdicts.forEach(each -> tables.put(each.scenario(), SeriesTable.write(each.series())));
+    return tables;
   }
 }

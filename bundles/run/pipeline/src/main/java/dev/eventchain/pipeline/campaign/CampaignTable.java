@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline.campaign;
 
+import dev.eventchain.documents.CsvText;
 import dev.eventchain.simulation.verdict.CaseResult;
 import dev.eventchain.simulation.verdict.CaseResult.CriterionMargin;
 import java.math.BigDecimal;
@@ -9,7 +10,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.stream.Collectors;
 
 /**
  * The cases as a table (RFC 4180, with line feeds): number, factors, repetition, verdict, impact
@@ -37,17 +37,18 @@ final class CampaignTable {
     }
   }
 
-  String csv() {
+  byte[] csv() {
     List<String> head = new ArrayList<>(List.of("case"));
     head.addAll(factors);
     head.addAll(List.of("repetition", "verdict", "impact_speed_mps", "end_s"));
     columns.forEach(it -> head.add("margin of " + it.criterion() + " in " + it.unit()));
     head.add("reason");
-    StringBuilder text = new StringBuilder(line(head));
+    CsvText text = new CsvText("\n");
+    text.row(head);
     for (int i = 0; i < rows.size(); i++) {
-      text.append(line(cells(i + 1, rows.get(i))));
+      text.row(cells(i + 1, rows.get(i)));
     }
-    return text.toString();
+    return text.bytes();
   }
 
   private List<String> cells(int number, CampaignRow row) {
@@ -72,13 +73,5 @@ final class CampaignTable {
 
   private static String cell(OptionalDouble number) {
     return number.isPresent() ? Double.toString(number.getAsDouble()) : "";
-  }
-
-  private static String line(List<String> cells) {
-    return cells.stream().map(CampaignTable::quoted).collect(Collectors.joining(",", "", "\n"));
-  }
-
-  private static String quoted(String cell) {
-    return cell.matches("(?s).*[\",\\r\\n].*") ? '"' + cell.replace("\"", "\"\"") + '"' : cell;
   }
 }

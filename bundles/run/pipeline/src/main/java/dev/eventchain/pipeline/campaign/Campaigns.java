@@ -220,7 +220,7 @@ public final class Campaigns {
     Optional<CampaignComparison> comparison = earlier.map(it -> it.beside(rows));
     CampaignSummary summary = new CampaignSummary(plan, rows);
     CampaignTable table = new CampaignTable(plan.names(), rows);
-    store.write(CampaignStore.TABLE, table.csv().getBytes(StandardCharsets.UTF_8));
+    store.write(CampaignStore.TABLE, table.csv());
     store.write(
         CampaignStore.PAGE,
         CampaignPage.of(run.project(), plan, options.shard(), rows, comparison)

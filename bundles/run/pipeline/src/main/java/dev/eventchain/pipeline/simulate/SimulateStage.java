@@ -45,6 +45,7 @@ import java.util.TreeSet;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EObject;
 
 /**
@@ -54,6 +55,10 @@ public final class SimulateStage implements StageWork {
 
   public static final String MEASUREMENTS = "measurements.json";
   public static final String MEASUREMENTS_TABLE = "measurements.csv";
+
+  /** The folder of the curves of each scenario. */
+  private static final String CURVES = "curves";
+
   public static final String VERDICT = "verdict.json";
   public static final String MEASURED_MODEL = "chain.measured.xmi";
 
@@ -118,16 +123,26 @@ public final class SimulateStage implements StageWork {
     }
     Coverage coverage = Constraints.coverage(List.of(measuredFile(run)), validation).and(ecore);
     Simulated report = report(run, result, validation, outcomes, evidence);
-    return new StageResult(details(run, result), results(run), found, report, coverage);
+    return new StageResult(details(run, result), results(run, result), found, report, coverage);
   }
 
   private static void writeMeasurements(RunContext run, EventChain chain, SimulationResult result) {
     run.writeResult(MEASUREMENTS, result.toJson());
     run.writeResult(MEASUREMENTS_TABLE, result.toCsv(chain));
+    run.output().removeAll(CURVES);
+    result.curves().forEach((scenario, table) -> run.writeResult(curvesOf(scenario), table));
   }
 
-  private static List<String> results(RunContext run) {
-    return run.options().isPartial() ? List.of() : RESULTS;
+  private static String curvesOf(String scenario) {
+    return CURVES + "/" + scenario + ".csv";
+  }
+
+  private static List<String> results(RunContext run, SimulationResult result) {
+    if (run.options().isPartial()) {
+      return List.of();
+    }
+    Stream<String> curves = result.verdicts().stream().map(verdict -> curvesOf(verdict.scenario()));
+    return Stream.concat(RESULTS.stream(), curves).toList();
   }
 
   private static String measuredFile(RunContext run) {
