@@ -50,6 +50,11 @@ public record Fault(
     expected = List.copyOf(expected);
   }
 
+  /** Returns the name of the recording of its run: that of the scenario, a dot and its own. */
+  public String recording() {
+    return scenario.name() + "." + name;
+  }
+
   /** Returns whether the software must meet a requirement. */
   public boolean isJudged() {
     return !expected.isEmpty() || detection.isPresent();

@@ -69,13 +69,14 @@ public final class Recording implements AutoCloseable {
   /**
    * Begins a recording.
    *
-   * @param folder the folder of the file, which is named NAME.mcap after the scenario
+   * @param folder the folder of the file, which is named NAME.mcap
    * @param topics published and received topics, all of which are recorded
    * @throws DiagnosticException {@code simulation.recording.unwritable}, as from all methods
    */
-  public Recording(Path folder, Scenario scenario, Topics topics, MessageCatalog catalog) {
-    this.file = folder.resolve(scenario.name() + SUFFIX);
-    this.unfinished = folder.resolve(scenario.name() + SUFFIX + UNFINISHED);
+  public Recording(
+      Path folder, String name, Scenario scenario, Topics topics, MessageCatalog catalog) {
+    this.file = folder.resolve(name + SUFFIX);
+    this.unfinished = folder.resolve(name + SUFFIX + UNFINISHED);
     this.scenario = scenario;
     this.topics = topics;
     this.scenes = new SceneMessages(topics.lidarFrame());

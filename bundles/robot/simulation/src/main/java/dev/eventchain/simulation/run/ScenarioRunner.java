@@ -80,8 +80,7 @@ public final class ScenarioRunner {
     JsonNode ready =
         session.configure(configuration(scenario, driver).put("answers", kept.answers()));
     driver.startAt(session.epoch());
-    Optional<Recording> recording =
-        recordings.map(to -> new Recording(to, scenario, driver.recorded(), chain.catalog()));
+    Optional<Recording> recording = recording(scenario.name(), scenario, driver);
     try {
       World world = world(scenario);
       long hostNanos =
@@ -102,7 +101,7 @@ public final class ScenarioRunner {
 
   /**
    * Drives the scenario of a fault with the fault. The run continues without a node that fails; any
-   * other cause of an early end is part of the result. Nothing is recorded.
+   * other cause of an early end is part of the result.
    */
   public FaultRun run(Fault fault) {
     List<Expectation> criteria = new ArrayList<>(fault.scenario().criteria());
@@ -110,22 +109,35 @@ public final class ScenarioRunner {
     Scenario scenario = fault.scenario().with(criteria);
     WorldFault atWorld = new WorldFault(Optional.of(fault));
     OutputRecord none = new OutputRecord(Map.of());
-    BenchDriver driver = driver(scenario, atWorld, none, Kept.NOTHING, false);
+    BenchDriver driver = driver(scenario, atWorld, none, Kept.NOTHING, recordings.isPresent());
     ObjectNode configuration = configuration(scenario, driver);
     configuration.set("fault", fault.toJson());
     World world = world(scenario);
     long decided = fault.end() < RunLog.NEVER ? fault.end() : fault.start();
     long horizon = Math.max(scenario.horizon(), decided + AFTER_FAULT);
     JsonNode ready = session.configure(configuration);
+    Optional<Recording> recording = recording(fault.recording(), scenario, driver);
     try {
       long hostNanos =
-          drive(world, driver, horizon, duration(scenario), Optional.empty(), EarlyEnd.never());
-      return new FaultRun(
-          fault, finish(scenario, world, ready, none, hostNanos), atWorld, Optional.empty());
+          drive(world, driver, horizon, duration(scenario), recording, EarlyEnd.never());
+      FaultRun run =
+          new FaultRun(
+              fault, finish(scenario, world, ready, none, hostNanos), atWorld, Optional.empty());
+      recording.ifPresent(it -> it.finish("at its end"));
+      return run;
     } catch (DiagnosticException e) {
+      recording.ifPresent(it -> it.finishAfter(e));
       return new FaultRun(
           fault, endedBy(e, scenario, world, ready), atWorld, Optional.of(e.diagnostics().get(0)));
+    } finally {
+      recording.ifPresent(Recording::close);
     }
+  }
+
+  /** Begins a recording, if there are to be any. */
+  private Optional<Recording> recording(String name, Scenario scenario, BenchDriver driver) {
+    return recordings.map(
+        to -> new Recording(to, name, scenario, driver.recorded(), chain.catalog()));
   }
 
   /**

@@ -2,15 +2,20 @@ package dev.eventchain.pipeline.simulate;
 
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.SimulationRequest;
+import dev.eventchain.simulation.fault.Fault;
+import dev.eventchain.simulation.fault.FaultPlan;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
- * Recordings of scenarios, one file each, since all of them begin at time 0. Each is from the last
- * simulation of its scenario: older ones are deleted when a simulation starts, with or without new
- * ones.
+ * Recordings of scenarios and of their runs with faults, one file each, since all of them begin at
+ * time 0. Each is from the last simulation of its scenario: older ones are deleted when a
+ * simulation starts, with or without new ones.
  */
 final class Recordings {
 
@@ -19,10 +24,12 @@ final class Recordings {
 
   private final RunContext run;
   private final List<String> scenarios;
+  private final List<String> faults;
 
-  Recordings(RunContext run, List<Scenario> scenarios) {
+  Recordings(RunContext run, List<Scenario> scenarios, FaultPlan faults) {
     this.run = run;
     this.scenarios = scenarios.stream().map(Scenario::name).toList();
+    this.faults = faults.faults().stream().map(Fault::recording).toList();
   }
 
   /**
@@ -30,7 +37,9 @@ final class Recordings {
    */
   SimulationRequest begin(SimulationRequest request) {
     if (run.options().isPartial()) {
-      scenarios.forEach(name -> run.output().removeAll(nameOf(name)));
+      existing()
+          .filter(this::isOfThese)
+          .forEach(file -> run.output().removeAll(FOLDER + "/" + file));
     } else {
       run.output().removeAll(FOLDER);
     }
@@ -39,13 +48,23 @@ final class Recordings {
         : request;
   }
 
+  private Stream<String> existing() {
+    String[] files = run.file(FOLDER).toFile().list();
+    return Optional.ofNullable(files).stream().flatMap(Arrays::stream).sorted();
+  }
+
+  /** Returns whether a file is the recording of one of the scenarios, with a fault or without. */
+  private boolean isOfThese(String file) {
+    return scenarios.stream().anyMatch(scenario -> file.startsWith(scenario + "."));
+  }
+
   /** Moves complete recordings into place, whatever the result of the scenarios. */
   void keep() {
     if (!run.options().mcap()) {
       return;
     }
     Path scratch = run.output().scratch();
-    for (String name : scenarios) {
+    for (String name : Stream.concat(scenarios.stream(), faults.stream()).toList()) {
       Path finished = scratch.resolve(name + SUFFIX);
       if (Files.isRegularFile(finished)) {
         run.output().move(finished, nameOf(name)).finding().ifPresent(run::find);
@@ -54,7 +73,7 @@ final class Recordings {
     }
   }
 
-  private static String nameOf(String scenario) {
-    return FOLDER + "/" + scenario + SUFFIX;
+  private static String nameOf(String recording) {
+    return FOLDER + "/" + recording + SUFFIX;
   }
 }

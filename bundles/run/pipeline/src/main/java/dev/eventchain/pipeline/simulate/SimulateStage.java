@@ -283,8 +283,8 @@ public final class SimulateStage implements StageWork {
   private static SimulationResult simulate(
       RunContext run, EventChain chain, List<Scenario> scenarios) {
     GeneratedPackage generated = GeneratedPackage.required(run);
-    Recordings recordings = new Recordings(run, scenarios);
     FaultPlan faults = ProjectFaults.selected(run, chain, scenarios);
+    Recordings recordings = new Recordings(run, scenarios, faults);
     SimulationRequest request =
         recordings.begin(request(run, scenarios).with(it -> it.withFaults(faults)));
     int all = scenarios.size() + faults.size();
