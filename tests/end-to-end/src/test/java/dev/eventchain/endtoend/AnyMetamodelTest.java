@@ -302,6 +302,10 @@ class AnyMetamodelTest {
         .says("a metamodel by --metamodel")
         .says("--root DIR");
     new Program()
+        .run("validate", "--root", shop, "--metamodel", byFile, shop)
+        .expect(2)
+        .says("There is no such folder");
+    new Program()
         .run("validate", "--root", folder, "--metamodel", byFile, "--ocl", rules, shop)
         .expect(1)
         .says("[ocl.violated Shop::HasPages]");

@@ -199,6 +199,109 @@ class UmlModelsTest {
         .says("Class 'C' violates 'NoUtility'");
   }
 
+  /** A default value is made by the constructor of the Java class that a data type names. */
+  @Test
+  void profileRunsNoCodeThatItNames() throws IOException {
+    Path victim = folder.resolve("victim");
+    Path profile = folder.resolve("persistence.profile.uml");
+    String text = Files.readString(profile);
+    String attribute = "name=\"table\" ordered=\"false\">";
+    assertTrue(text.contains(attribute), text);
+    Files.writeString(
+        profile,
+        text.replaceFirst(
+                "(?s)(<eStructuralFeatures[^>]*name=\"table\") ordered=\"false\">.*?</eStructuralFeatures>",
+                "$1 eType=\"_evil\" defaultValueLiteral=\"" + victim + "\"/>")
+            .replaceFirst(
+                "<eClassifiers ",
+                "<eClassifiers xmi:type=\"ecore:EDataType\" xmi:id=\"_evil\" name=\"Evil\""
+                    + " instanceClassName=\"java.io.FileOutputStream\"/><eClassifiers "));
+    Path file = changed(" table=\"CUSTOMERS\"", "");
+    Path out = folder.resolve("out");
+    new Program().run("generate", "--template", folder.resolve("java.mtl"), file, "-o", out);
+    new Program().run("diagram", file, "-o", folder.resolve("diagram"));
+    validate(file);
+    assertTrue(Files.exists(out.resolve("shop/domain/Customer.java")));
+    assertTrue(Files.notExists(victim), "the profile wrote a file");
+  }
+
+  @Test
+  void profilesThatNameEachOtherEndlesslyAreRefused() throws IOException {
+    String head = Files.readString(model).replaceFirst("(?s)<uml:Model.*", "");
+    for (int i = 0; i < 40; i++) {
+      Files.writeString(
+          folder.resolve("p" + i + ".uml"),
+          head.replace("persistence.profile.uml", "p" + (i + 1) + ".uml")
+              + "<Persistence:Key xmi:id=\"_k\"/></xmi:XMI>");
+    }
+    validate(folder.resolve("p0.uml")).expect(2).says("[xmi.package.unknown]");
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "http://www.omg.org/spec/UML/20131001/PrimitiveTypes.xmi#String, 1, violates 'Identified'",
+    "missing.uml#x, 2, names a file that does not exist",
+    "../../../etc/passwd#x, 2, leaves the folders",
+    "shop.uml#nothing, 2, names no element",
+  })
+  void referenceWithoutATypeIsResolved(String href, int code, String says) throws IOException {
+    String typed =
+        "<type xmi:type=\"uml:PrimitiveType\" href=\"pathmap://UML_LIBRARIES/UMLPrimitiveTypes.library.uml#String\"/>";
+    validate(changed(typed, "<type href=\"" + href + "\"/>")).expect(code).says(says);
+  }
+
+  @Test
+  void metaclassesOfTheOmgAreThoseOfTheMetamodel() throws IOException {
+    Path file =
+        changed(
+            "<profileApplication",
+            "<elementImport xmi:id=\"_i\"><importedElement xmi:type=\"uml:Class\""
+                + " href=\"http://schema.omg.org/spec/UML/2.2/uml.xml#Class\"/></elementImport>"
+                + "<profileApplication");
+    validate(file).expect(1).says("1 error, 0 warnings");
+  }
+
+  @Test
+  void chainBesideAUmlModelIsCheckedAsAChain() throws IOException {
+    Path chain =
+        Files.writeString(
+            folder.resolve("chain.xmi"),
+            Files.readString(Program.ROOT.resolve("examples/radar-aeb/model/chain.xmi"))
+                .replaceFirst("messageType=\"[^\"]*\"", "messageType=\"nowhere_msgs/msg/No\""));
+    new Program().run("validate", chain, model).expect(1).says("nowhere_msgs");
+  }
+
+  @Test
+  void expressionsDoNotChangeTheModel() throws IOException {
+    Files.writeString(
+        rules,
+        """
+        package uml
+        context Class
+        inv Destroys: self.ownedAttribute->forAll(p | p.destroy() = null)
+        inv HasNone: self.ownedAttribute->isEmpty()
+        endpackage
+        """);
+    validate(model).expect(1).says("changes the model").says("violates 'HasNone'");
+  }
+
+  @Test
+  void contradictionOfTwoEndsIsFound() throws IOException {
+    String other = "<packagedElement xmi:type=\"uml:Association\" xmi:id=\"_other\" memberEnd=\"_";
+    Path file =
+        changed(
+            "<packagedElement xmi:type=\"uml:Enumeration\"",
+            other
+                + memberEnds().replace(" ", " _")
+                + "\"/><packagedElement xmi:type=\"uml:Enumeration\"");
+    validate(file).expect(1).says("[ecore.opposite]");
+  }
+
+  private String memberEnds() throws IOException {
+    String text = Files.readString(model);
+    return text.replaceFirst("(?s).*memberEnd=\"_([^ ]*) _([^\"]*)\".*", "$1 $2");
+  }
+
   @Test
   void unknownFeatureIsFoundWithTheOneThatWasMeant() throws IOException {
     validate(changed("<ownedLiteral", "<ownedLteral"))

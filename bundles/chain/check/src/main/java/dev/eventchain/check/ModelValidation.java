@@ -170,7 +170,8 @@ public final class ModelValidation {
       Duration timeLimit) {
     ModelValidation any = read(metamodels, references, models, timeLimit);
     List<SourceText> documents = new ArrayList<>();
-    boolean aboutChains = metamodels.isEmpty() && !any.usesUml;
+    boolean chains = roots(any.all).stream().anyMatch(EventChain.class::isInstance);
+    boolean aboutChains = metamodels.isEmpty() && (chains || !any.usesUml);
     if (aboutChains) {
       documents.add(EventChainMetamodel.constraints());
     }

@@ -1,7 +1,14 @@
 package dev.eventchain.check;
 
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileRules;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
@@ -18,9 +25,21 @@ public record ReferenceFolders(List<Path> roots, Map<String, Path> map) {
   /** Nowhere else. */
   public static final ReferenceFolders NONE = new ReferenceFolders(List.of(), Map.of());
 
+  /**
+   * Checks that the roots are folders.
+   *
+   * @throws DiagnosticException INPUT for the first that is none
+   */
   public ReferenceFolders {
     roots = List.copyOf(roots);
-    map = Map.copyOf(map);
+    for (Path root : roots) {
+      if (!Files.isDirectory(root)) {
+        throw new DiagnosticException(
+            DiagnosticException.Reason.INPUT,
+            Diagnostic.of(FileRules.MISSING, "There is no such folder.", SourceLocation.of(root)));
+      }
+    }
+    map = Collections.unmodifiableMap(new LinkedHashMap<>(map));
   }
 
   /** Returns the folders of files and then these. */

@@ -1,6 +1,7 @@
 package dev.eventchain.uml;
 
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.eclipse.emf.common.util.URI;
@@ -32,14 +33,19 @@ public final class Uml {
           "http://www\\.eclipse\\.org/uml2/[2-5](\\.\\d+)*/UML"
               + "|http://(www|schema)\\.omg\\.org/spec/UML/(20\\d{6}|2(\\.\\d+)*)(/uml\\.xml)?");
 
-  /** The primitive types in files of the OMG, such as {@code .../PrimitiveTypes.xmi#String}. */
-  private static final Pattern PRIMITIVE_TYPES =
+  /** Elements in files of the OMG, such as {@code .../PrimitiveTypes.xmi#String}. */
+  private static final Pattern OF_THE_OMG =
       Pattern.compile(
-          "http://(?:www|schema)\\.omg\\.org/spec/(?:UML/[^/#]+|PrimitiveTypes/[^/#]+)"
-              + "/(?:PrimitiveTypes|uml)\\.xml?i?(#.*)?");
+          "http://(?:www|schema)\\.omg\\.org/spec/(?:UML|PrimitiveTypes)/[^/#]+"
+              + "/(PrimitiveTypes|uml|UML)\\.(?:xml|xmi)#(\\w+)");
+
+  private static final Set<String> PRIMITIVE_TYPES =
+      Set.of("Boolean", "Integer", "Real", "String", "UnlimitedNatural");
 
   private static final Pattern LIBRARIES =
       Pattern.compile("pathmap://UML_(LIBRARIES|METAMODELS|PROFILES)/\\w+\\.[a-z]+\\.uml");
+
+  private static final String CLASSES = "pathmap://UML_METAMODELS/UML.metamodel.uml";
 
   private static final String LIBRARY = "pathmap://UML_LIBRARIES/UMLPrimitiveTypes.library.uml";
 
@@ -128,15 +134,22 @@ public final class Uml {
   }
 
   /**
-   * Returns a reference to a primitive type in a file of the OMG, or to the standard profile of an
-   * older version, as one to a file of Eclipse UML2 5.
+   * Returns a reference to a primitive type or a metaclass in a file of the OMG, or to the standard
+   * profile of an older version, as one to a file of Eclipse UML2 5.
    */
   public static String withKnownLibrary(String reference) {
     if (reference.startsWith(OLD_PROFILES)) {
       return STANDARD_PROFILE + reference.replaceFirst("^[^#]*", "");
     }
-    Matcher types = PRIMITIVE_TYPES.matcher(reference);
-    return types.matches() ? LIBRARY + (types.group(1) == null ? "" : types.group(1)) : reference;
+    Matcher element = OF_THE_OMG.matcher(reference);
+    if (!element.matches()) {
+      return reference;
+    }
+    String name = element.group(2);
+    if (PRIMITIVE_TYPES.contains(name)) {
+      return LIBRARY + "#" + name;
+    }
+    return element.group(1).equals("PrimitiveTypes") ? reference : CLASSES + "#" + name;
   }
 
   /** Returns whether a URI names a file that comes with UML2: {@code pathmap://UML_...}. */

@@ -56,12 +56,22 @@ final class AppliedProfiles {
     if (file.files().refusal(file.getURI(), mapped).isPresent()) {
       return Optional.empty();
     }
-    EObject found =
-        file.getResourceSet().getEObject(URI.createURI(mapped).resolve(file.getURI()), true);
-    return found instanceof EPackage definition
-            && nsUri.equals(definition.getNsURI())
-            && Uml.isDefinition(definition)
-        ? Optional.of(definition)
-        : Optional.empty();
+    ProjectResources resources = (ProjectResources) file.getResourceSet();
+    URI uri = URI.createURI(mapped).resolve(file.getURI());
+    EObject found = resources.nested(() -> resources.getEObject(uri, true)).orElse(null);
+    if (found instanceof EPackage definition
+        && nsUri.equals(definition.getNsURI())
+        && Uml.isDefinition(definition)) {
+      complete(definition);
+      return Optional.of(definition);
+    }
+    return Optional.empty();
+  }
+
+  /** Makes sure that instances run no code that the profile names, as for other metamodels. */
+  private void complete(EPackage definition) {
+    JavaNames.forget(definition);
+    ProjectResources resources = (ProjectResources) file.getResourceSet();
+    file.problems().found().addAll(new MetamodelChecks(resources.origins()).check(definition));
   }
 }

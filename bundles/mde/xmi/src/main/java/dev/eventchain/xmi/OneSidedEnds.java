@@ -1,7 +1,9 @@
 package dev.eventchain.xmi;
 
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.uml.Uml;
 import java.util.List;
+import java.util.Optional;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.InternalEObject;
@@ -36,12 +38,43 @@ final class OneSidedEnds {
     if (target == null || !feature.getEType().isInstance(target)) {
       return;
     }
-    Object value = end.element().eGet(feature);
-    if (!feature.isMany() && value == null) {
-      end.element().eSet(feature, target);
-    } else if (value instanceof List<?> && !((List<?>) value).contains(target)) {
-      add(end.element(), feature, target);
+    if (holds(end.element(), feature, target)) {
+      return;
     }
+    Optional<EObject> other =
+        single(end.element(), feature).or(() -> single(target, feature.getEOpposite()));
+    if (other.isPresent()) {
+      file.statements().addFault(contradiction(file, end, target, other.get()));
+    } else if (feature.isMany()) {
+      add(end.element(), feature, target);
+    } else {
+      end.element().eSet(feature, target);
+    }
+  }
+
+  private static boolean holds(EObject element, EReference feature, EObject target) {
+    Object value = element.eGet(feature);
+    return value == target || (value instanceof List<?> values && values.contains(target));
+  }
+
+  /** Returns the value of a feature that holds one, if it is set. */
+  private static Optional<EObject> single(EObject element, EReference feature) {
+    return feature.isMany()
+        ? Optional.empty()
+        : Optional.ofNullable((EObject) element.eGet(feature));
+  }
+
+  private static Diagnostic contradiction(
+      XmiResource file, Statements.End end, EObject written, EObject other) {
+    String message =
+        "`%s` of %s is %s here, which contradicts %s."
+            .formatted(
+                end.feature().getName(),
+                ModelPath.of(end.element()),
+                ModelPath.of(written),
+                ModelPath.of(other));
+    return Diagnostic.of(EcoreRules.OPPOSITE, message, file.problems().text().at(end.tag()))
+        .withHint("Name it at both ends in the same way, or at one of them only.");
   }
 
   @SuppressWarnings("unchecked") // EMF's lists have no type arguments

@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.resource.Resource;
@@ -16,6 +17,11 @@ import org.eclipse.emf.ecore.resource.impl.ResourceSetImpl;
 
 /** The files of one project that are loaded together; none lies outside the project. */
 final class ProjectResources extends ResourceSetImpl {
+
+  private static final int DEEPEST = 16;
+
+  /** The number of files that are being read because of one another. */
+  private int nesting;
 
   private final ProjectFiles files;
   private final Origins origins = new Origins();
@@ -26,6 +32,22 @@ final class ProjectResources extends ResourceSetImpl {
   ProjectResources(ProjectFiles files, EPackage.Registry registry) {
     this.files = files;
     setPackageRegistry(registry);
+  }
+
+  /**
+   * Returns what a file names that is read while another one is being read; empty if too many of
+   * them name each other.
+   */
+  <T> Optional<T> nested(Supplier<T> reading) {
+    if (nesting == DEEPEST) {
+      return Optional.empty();
+    }
+    nesting++;
+    try {
+      return Optional.ofNullable(reading.get());
+    } finally {
+      nesting--;
+    }
   }
 
   Origins origins() {

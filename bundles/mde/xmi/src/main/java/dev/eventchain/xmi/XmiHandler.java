@@ -176,6 +176,7 @@ final class XmiHandler extends SAXXMIHandler {
       // Its target decides the class of what an href without a type stands for.
       Optional<EObject> placeholder = Uml.instanceOf(type);
       if (placeholder.isPresent()) {
+        handleObjectAttribs(placeholder.get());
         setFeatureValue(owner, feature, placeholder.get(), -1);
         processObject(placeholder.get());
         return placeholder.get();

@@ -11,6 +11,7 @@ import java.util.Iterator;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.regex.Pattern;
 import org.eclipse.emf.common.util.ECollections;
 import org.eclipse.emf.common.util.Enumerator;
 import org.eclipse.emf.ecore.EClassifier;
@@ -45,6 +46,12 @@ public final class ModelAccess extends EcoreEvaluationEnvironment {
 
   /** An operation and the Java class of its receiver. */
   private record Callee(EOperation operation, Class<?> type) {}
+
+  private static final String UML2 = "org.eclipse.uml2.uml.";
+
+  /** Ecore does not say which operations are queries; these are the names of UML2's others. */
+  private static final Pattern CHANGES =
+      Pattern.compile("(create|apply|unapply|set|unset|add|remove|destroy|define)([A-Z].*)?");
 
   /** The marker of single values in {@link #kinds}. */
   private static final Object SINGLE = new Object();
@@ -164,6 +171,10 @@ public final class ModelAccess extends EcoreEvaluationEnvironment {
   @Override
   public Object callOperation(EOperation operation, int opcode, Object source, Object[] args) {
     if (source instanceof EObject object && declares(object, operation)) {
+      if (changesTheModel(operation)) {
+        throw new IllegalStateException(
+            "the operation '" + operation.getName() + "' changes the model");
+      }
       try {
         Object result = object.eInvoke(operation, ECollections.asEList(args));
         return coerceValue(operation, result, true);
@@ -191,6 +202,15 @@ public final class ModelAccess extends EcoreEvaluationEnvironment {
             new Callee(operation, receiver.getClass()),
             callee -> Optional.ofNullable(super.getJavaMethodFor(operation, receiver)))
         .orElse(null);
+  }
+
+  /**
+   * Returns whether an operation is one of UML2's that change the model; expressions only ask it,
+   * and their values must not depend on the order of evaluation.
+   */
+  private static boolean changesTheModel(EOperation operation) {
+    String owner = String.valueOf(operation.getEContainingClass().getInstanceClassName());
+    return owner.startsWith(UML2) && CHANGES.matcher(operation.getName()).matches();
   }
 
   private static boolean declares(EObject object, EOperation operation) {

@@ -112,7 +112,8 @@ final class BenchTopics {
                     .forEach(path -> fields.read(part, topic, path, message).ifPresent(read::add)));
     Optional<ObjectSensor> objects =
         section.object(OBJECTS).map(part -> new ObjectsReader(declared, topic, message).read(part));
-    Optional<LaserScanner> scanner = section.object(LASER_SCAN).map(LaserScanReader::read);
+    Optional<LaserScanner> scanner =
+        section.object(LASER_SCAN).map(part -> LaserScanReader.read(part, rate));
     double latency = section.number("latency_ms", LATENCY).orElse(0);
     Bench.Transfer transfer =
         new Bench.Transfer(Math.round(latency * 1e6), fields.part(section, "lost"));
@@ -122,6 +123,7 @@ final class BenchTopics {
           "No field of " + topic + " has a source.",
           section.location());
     }
+    SensorConflicts.refuse(section, read, objects, scanner);
     section.refuseOthers();
     return new Provided(topic, type, rate, lidar, objects, scanner, read, transfer, place);
   }

@@ -1,6 +1,6 @@
 package dev.eventchain.simulation.bench;
 
-import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.simulation.sensor.LaserScanner;
@@ -17,21 +17,25 @@ final class LaserScanReader {
   private static final NumberRange HEIGHT = NumberRange.of(0.05, 3);
   private static final NumberRange NOISE = NumberRange.of(0, 10);
 
+  /** In a second. */
+  private static final double MOST_RAYS = 100_000;
+
   private LaserScanReader() {}
 
-  static LaserScanner read(ObjectReader section) {
+  /**
+   * Reads the section.
+   *
+   * @param rate of the scans, in Hz
+   */
+  static LaserScanner read(ObjectReader section, double rate) {
     double range = section.number("range_m", RANGE).orElse(30);
     double nearest = section.number("nearest_m", NEAREST).orElse(0.1);
     double view = section.number("view_deg", VIEW).orElse(180);
     double step = section.number("step_deg", STEP).orElse(0.5);
-    SourceLocation place = section.location();
-    if (nearest >= range || step > view) {
-      section.find(
-          BenchRules.BENCH_VALUE_RANGE,
-          nearest >= range
-              ? "The nearest distance is not less than the range."
-              : "The step is larger than the view.",
-          place);
+    if (nearest >= range) {
+      refuse(section, "The nearest distance is not less than the range.", "");
+    } else if (step > view) {
+      refuse(section, "The step is larger than the view.", "");
     }
     LaserScanner scanner =
         new LaserScanner(
@@ -43,6 +47,17 @@ final class LaserScanReader {
             section.number("height_m", HEIGHT).orElse(0.5),
             section.number("noise_m", NOISE).orElse(0));
     section.refuseOthers();
+    if (scanner.rays() * rate > MOST_RAYS) {
+      refuse(
+          section,
+          "These are %d rays, %s times in a second.".formatted(scanner.rays(), rate),
+          "At most 100000 rays a second are simulated: enlarge `step_deg`.");
+    }
     return scanner;
+  }
+
+  private static void refuse(ObjectReader section, String message, String hint) {
+    section.find(
+        Diagnostic.of(BenchRules.BENCH_VALUE_RANGE, message, section.location()).withHint(hint));
   }
 }

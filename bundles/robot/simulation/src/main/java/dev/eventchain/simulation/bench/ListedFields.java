@@ -1,6 +1,7 @@
 package dev.eventchain.simulation.bench;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.messages.FieldType;
 import dev.eventchain.messages.FieldType.Kind;
@@ -9,7 +10,9 @@ import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.MessageValue;
 import dev.eventchain.simulation.sensor.Listed;
 import dev.eventchain.simulation.sensor.ObjectSensor.Property;
+import java.util.Collections;
 import java.util.EnumSet;
+import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.Set;
 
@@ -68,29 +71,36 @@ final class ListedFields {
         : "Give the numbers of the kinds: {value: class, classes: {car: 1, other: 0}}.";
   }
 
-  /** Returns whether a field can hold a constant for each object; reports one that cannot. */
-  boolean takes(ObjectReader part, String path, Object value) {
-    Optional<FieldType> type = message.flatMap(it -> type(part, path));
-    if (message.isEmpty() || type.isEmpty()) {
-      return message.isEmpty();
-    }
-    Listed listed = Listed.of(path);
-    if (!listed.ofMessages()) {
-      part.find(
-          Diagnostic.of(
-                  BenchRules.BENCH_VALUE_TYPE,
-                  "'%s' is %s, which has no messages.".formatted(path, type.get()),
-                  part.at(path))
-              .withHint("Give it its value in `fields` of the topic."));
-      return false;
+  /**
+   * Returns whether a field can hold a value for each object; reports one that cannot.
+   *
+   * @param where the value is said
+   */
+  boolean takesValue(ObjectReader part, String path, Object value, SourceLocation where) {
+    Optional<FieldType> list = message.flatMap(type -> type.resolve(Listed.of(path).list()).type());
+    if (message.isEmpty() || list.isEmpty()) {
+      return message.isEmpty() || missing(part, path, message.get().resolve(path)).isPresent();
     }
     try {
-      MessageValue.of(listed.messages(message.get()).orElseThrow()).set(listed.inner(), value);
+      if (Listed.of(path).ofMessages()) {
+        MessageType element = Listed.of(path).messages(message.get()).orElseThrow();
+        MessageValue.of(element).set(Listed.of(path).inner(), value);
+      } else {
+        int size = list.get().shape() == Shape.ARRAY ? list.get().size() : 1;
+        MessageValue.of(message.get()).set(path, Collections.nCopies(size, value));
+      }
       return true;
     } catch (IllegalArgumentException e) {
-      part.find(BenchRules.BENCH_VALUE_TYPE, e.getMessage(), part.at(path));
+      part.find(BenchRules.BENCH_VALUE_TYPE, e.getMessage(), where);
+      return false;
+    } catch (NoSuchElementException e) {
+      refuseList(part, path, list.get());
       return false;
     }
+  }
+
+  static boolean isInteger(FieldType type) {
+    return type.shape() == Shape.SINGLE && !NO_INTEGERS.contains(type.kind());
   }
 
   /** Returns whether a field can hold the number of objects; reports one that cannot. */
@@ -99,11 +109,7 @@ final class ListedFields {
       return true;
     }
     MessageType.Resolution found = message.get().resolve(path);
-    boolean fits =
-        found
-            .type()
-            .filter(it -> it.shape() == Shape.SINGLE && !NO_INTEGERS.contains(it.kind()))
-            .isPresent();
+    boolean fits = found.type().filter(ListedFields::isInteger).isPresent();
     if (!fits) {
       section.find(
           Diagnostic.of(

@@ -9,6 +9,7 @@ import dev.eventchain.simulation.sensor.ObjectSensor.Property;
 import dev.eventchain.simulation.world.ActorKind;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -54,6 +55,7 @@ final class ObjectsProposal {
   private final MessageType type;
   private final List<String> fields = new ArrayList<>();
   private boolean any;
+  private boolean listsMessages;
 
   private ObjectsProposal(MessageType type) {
     this.type = type;
@@ -72,11 +74,10 @@ final class ObjectsProposal {
    */
   static Optional<List<String>> of(String topic, MessageType type, DeclaredUnits units) {
     ObjectsProposal proposal = new ObjectsProposal(type);
-    for (MessageType.Field field : type.fields()) {
-      if (field.type().shape() != Shape.SINGLE) {
-        proposal.list(field, units);
-      }
-    }
+    type.fields().stream()
+        .filter(field -> field.type().shape() != Shape.SINGLE)
+        .sorted(Comparator.comparing(field -> field.type().message().isEmpty()))
+        .forEach(field -> proposal.list(field, units));
     if (!proposal.any) {
       return Optional.empty();
     }
@@ -111,7 +112,7 @@ final class ObjectsProposal {
 
   private Optional<String> count() {
     return type.fields().stream()
-        .filter(field -> field.type().shape() == Shape.SINGLE)
+        .filter(field -> ListedFields.isInteger(field.type()))
         .filter(field -> COUNT.matcher(field.name().toLowerCase(Locale.ROOT)).find())
         .map(MessageType.Field::name)
         .findFirst();
@@ -121,6 +122,10 @@ final class ObjectsProposal {
     Optional<MessageType> element = field.type().message();
     if (element.isPresent()) {
       inner(field.name() + "[].", "", element.get(), 1);
+      listsMessages |= any;
+    } else if (listsMessages) {
+      // Beside a list of messages, arrays are of something else.
+      fields.add("#        " + field.name() + ": ?");
     } else {
       add(field.name(), field.name(), field.type(), type, units.of(field.name()));
     }

@@ -8,6 +8,7 @@ import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.messages.FieldType;
 import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.Unit;
+import dev.eventchain.simulation.sensor.Listed;
 import dev.eventchain.simulation.sensor.ObjectSensor;
 import dev.eventchain.simulation.sensor.ObjectSensor.Column;
 import dev.eventchain.simulation.sensor.ObjectSensor.Constant;
@@ -91,7 +92,14 @@ final class ObjectsReader {
     Optional<Object> value = section.value(CONSTANT).map(BenchFields::plain);
     if (value.isEmpty()) {
       section.find(BenchRules.BENCH_VALUE_RANGE, BenchFields.NO_VALUE, section.at(CONSTANT));
-    } else if (listed.takes(part, path, value.get())) {
+    } else if (!Listed.of(path).ofMessages()) {
+      part.find(
+          Diagnostic.of(
+                  BenchRules.BENCH_VALUE_TYPE,
+                  "'%s' is no field of messages in a list.".formatted(path),
+                  part.at(path))
+              .withHint("Give it its value in `fields` of the topic."));
+    } else if (listed.takesValue(part, path, value.get(), section.at(CONSTANT))) {
       constants.add(new Constant(path, value.get()));
     }
   }
@@ -115,7 +123,10 @@ final class ObjectsReader {
       Map<ActorKind, Integer> classes) {
     if (property != Property.CLASS && !classes.isEmpty()) {
       part.find(BenchRules.BENCH_VALUE_RANGE, "Only `class` has classes.", part.at(path));
-    } else if (listed.takes(part, path, property, !classes.isEmpty())) {
+    } else if (listed.takes(part, path, property, !classes.isEmpty())
+        && classes.values().stream()
+            .distinct()
+            .allMatch(number -> listed.takesValue(part, path, number, part.at(path)))) {
       Optional<String> text = unit.or(() -> declared.unit(topic, path));
       unit(part, path, property, text)
           .ifPresent(it -> columns.add(new Column(path, property, it, noise, classes)));

@@ -5,6 +5,7 @@ import dev.eventchain.simulation.world.Body;
 import dev.eventchain.simulation.world.Road;
 import dev.eventchain.simulation.world.World;
 import java.util.Arrays;
+import java.util.List;
 import java.util.SplittableRandom;
 
 /**
@@ -29,12 +30,25 @@ public record LaserScanner(
     double height,
     double noise) {
 
+  /** The fields that a scan fills. */
+  public static final List<String> FILLED =
+      List.of(
+          "angle_min",
+          "angle_max",
+          "angle_increment",
+          "scan_time",
+          "range_min",
+          "range_max",
+          "ranges");
+
   /** Rounding must not lose the ray at the left end of the view. */
   private static final double ROUNDING = 1e-9;
 
   /** Returns the number of rays. */
   public int rays() {
-    return (int) Math.floor(2 * halfView / step + ROUNDING) + 1;
+    int steps = (int) Math.floor(2 * halfView / step + ROUNDING);
+    // In a full circle, the last ray would be the first one again.
+    return steps * step > 2 * Math.PI - step / 2 ? steps : steps + 1;
   }
 
   /**
@@ -56,12 +70,18 @@ public record LaserScanner(
     Road.Place eye = mounting.place(world.ego().front(), world.ego().shape());
     double[] distances = new double[rays()];
     Arrays.fill(distances, Double.POSITIVE_INFINITY);
+    double[] forward = new double[distances.length];
+    double[] left = new double[distances.length];
+    for (int ray = 0; ray < distances.length; ray++) {
+      forward[ray] = StrictMath.cos(azimuth(ray));
+      left[ray] = StrictMath.sin(azimuth(ray));
+    }
     if (height <= RoadScene.WALL_HEIGHT) {
       seeWalls(world.road(), eye, distances);
     }
-    for (Body body : RoadScene.around(world, range).bodies()) {
+    for (Body body : RoadScene.around(world, eye, range).bodies()) {
       if (body.bottom() <= height && body.top() >= height) {
-        see(body, eye, distances);
+        see(body, eye, distances, forward, left);
       }
     }
     float[] ranges = new float[distances.length];
@@ -96,17 +116,14 @@ public record LaserScanner(
   }
 
   /** Shortens the rays that hit a box. */
-  private void see(Body body, Road.Place eye, double[] distances) {
+  private void see(Body body, Road.Place eye, double[] distances, double[] forward, double[] left) {
     double dx = body.place().x() - eye.x();
     double dy = body.place().y() - eye.y();
     double cos = StrictMath.cos(eye.heading());
     double sin = StrictMath.sin(eye.heading());
     LidarBox box = new LidarBox(body, dx * cos + dy * sin, dy * cos - dx * sin, eye, height);
     for (int ray = 0; ray < distances.length; ray++) {
-      double azimuth = azimuth(ray);
-      distances[ray] =
-          Math.min(
-              distances[ray], box.distance(StrictMath.cos(azimuth), StrictMath.sin(azimuth), 0.0));
+      distances[ray] = Math.min(distances[ray], box.distance(forward[ray], left[ray], 0.0));
     }
   }
 }

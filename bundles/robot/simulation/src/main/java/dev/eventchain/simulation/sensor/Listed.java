@@ -61,7 +61,7 @@ public record Listed(String list, String inner) {
   }
 
   /**
-   * Writes a value for each object; what follows in an array is 0.
+   * Writes a value for each object; what follows in an array is 0 or empty.
    *
    * @param values at most as many as the list can hold
    */
@@ -74,8 +74,10 @@ public record Listed(String list, String inner) {
       return;
     }
     List<Object> all = new ArrayList<>(values);
+    boolean texts =
+        message.type().resolve(list).type().orElseThrow().kind() == FieldType.Kind.STRING;
     while (isArray(message.type()) && all.size() < capacity(message.type())) {
-      all.add(0);
+      all.add(texts ? "" : (Object) 0);
     }
     message.set(list, all);
   }

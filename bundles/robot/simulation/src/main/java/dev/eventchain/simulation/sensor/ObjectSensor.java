@@ -4,6 +4,7 @@ import dev.eventchain.messages.MessageValue;
 import dev.eventchain.messages.Unit;
 import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.ActorKind;
+import dev.eventchain.simulation.world.Body;
 import dev.eventchain.simulation.world.Road;
 import dev.eventchain.simulation.world.World;
 import java.util.ArrayList;
@@ -55,7 +56,7 @@ public record ObjectSensor(
    */
   public enum Property {
     ID("1", "number of the object, the same in all messages"),
-    DISTANCE("m", "from the sensor in its direction to the object's nearest point"),
+    DISTANCE("m", "in the sensor's direction to the object's nearest point; negative behind"),
     LATERAL("m", "its middle to the left of the sensor's direction"),
     RELATIVE_SPEED("m/s", "in the sensor's direction, negative if it comes nearer"),
     SPEED("m/s", "in the sensor's direction, over ground"),
@@ -159,7 +160,7 @@ public record ObjectSensor(
     for (SeenObject each : around(world, eye)) {
       boolean hidden = hidden(world, eye, each.actor());
       boolean found = !(missed > 0.0) || random.nextDouble() >= missed;
-      if (isInView(each) && found && !hidden) {
+      if (isInView(world, eye, each) && found && !hidden) {
         seen.add(each);
       }
     }
@@ -201,15 +202,21 @@ public record ObjectSensor(
     return column.property() == Property.ID ? (Object) (long) exact : exact + noise;
   }
 
-  /** Returns whether the view is of no more than half a circle, so that all of it is ahead. */
-  private boolean looksAhead() {
-    return halfView <= Math.PI / 2;
+  /** Returns whether it looks ahead, with a view of no more than half a circle. */
+  private boolean looksAlong() {
+    return halfView <= Math.PI / 2 && mounting.direction() == 0.0;
   }
 
-  private boolean isInView(SeenObject object) {
-    return looksAhead()
-        ? object.distance() <= range && Math.abs(object.azimuthOfEnd()) <= halfView
-        : object.range() <= range && Math.abs(object.azimuth()) <= halfView;
+  /**
+   * Returns whether an object is in the view: of a sensor that looks along the vehicle, if the
+   * middle of its near end is; of others, which also see long sides, if a part of it is.
+   */
+  private boolean isInView(World world, Road.Place eye, SeenObject object) {
+    if (looksAlong()) {
+      return object.distance() <= range && Math.abs(object.azimuthOfEnd()) <= halfView;
+    }
+    Body body = object.actor().body(world.road(), World.seconds(world.now()));
+    return object.range() <= range && Sight.of(body, eye).isWithin(halfView);
   }
 
   /**
@@ -233,12 +240,12 @@ public record ObjectSensor(
       id++;
       if (actor.obstructs(world.ego().shape()) && world.actors().contains(actor)) {
         SeenObject each = SeenObject.of(world, actor, eye, mounting.direction(), id);
-        if (!looksAhead() || each.distance() > 0.0) {
+        if (!looksAlong() || each.distance() > 0.0) {
           seen.add(each);
         }
       }
     }
-    ToDoubleFunction<SeenObject> nearness = looksAhead() ? SeenObject::distance : SeenObject::range;
+    ToDoubleFunction<SeenObject> nearness = looksAlong() ? SeenObject::distance : SeenObject::range;
     seen.sort(Comparator.comparingDouble(nearness).thenComparingDouble(SeenObject::id));
     return seen;
   }

@@ -19,28 +19,35 @@ public record RoadScene(Road road, Road.Place ego, List<Body> bodies) {
   private static final double POST_WIDTH = 0.3;
   private static final double POST_HEIGHT = 3.0;
   private static final double VIEW = 110.0;
+
+  /** The largest distance of a sensor from the front bumper, in m. */
+  private static final double SENSOR_OFF_BUMPER = 31.0;
+
   private static final float POST_INTENSITY = 0.5f;
 
   /** Height of the walls, in m. */
   static final double WALL_HEIGHT = 2.0;
 
   /**
-   * Returns what is around the ego in all directions.
+   * Returns what is around a sensor in all directions.
    *
-   * @param reach from the ego, in m; somewhat more is included
+   * @param reach from the sensor, in m; somewhat more is included
    */
-  static RoadScene around(World world, double reach) {
-    List<Body> bodies = new ArrayList<>();
-    double along = world.station().along();
+  static RoadScene around(World world, Road.Place eye, double reach) {
+    List<Body> all = new ArrayList<>();
     double seconds = World.seconds(world.now());
-    double far = reach + world.ego().shape().length();
-    for (Actor actor : world.actors()) {
-      if (Math.abs(actor.along(seconds) - along) < far + actor.reach(seconds)) {
-        bodies.add(actor.body(world.road(), seconds));
-      }
-    }
-    addPosts(world.road(), along - far, along + far, bodies);
-    return new RoadScene(world.road(), world.ego().front(), bodies);
+    world.actors().forEach(actor -> all.add(actor.body(world.road(), seconds)));
+    double along = world.station().along();
+    // An arc of up to half a circle is at most pi / 2 times as long as its chord.
+    double far = (reach + SENSOR_OFF_BUMPER) * Math.PI / 2;
+    addPosts(world.road(), along - far, along + far, all);
+    List<Body> near = all.stream().filter(body -> isNear(body, eye, reach)).toList();
+    return new RoadScene(world.road(), world.ego().front(), near);
+  }
+
+  private static boolean isNear(Body body, Road.Place eye, double reach) {
+    double distance = StrictMath.hypot(body.place().x() - eye.x(), body.place().y() - eye.y());
+    return distance - body.length() / 2 - body.width() / 2 <= reach;
   }
 
   /** Returns the current surroundings ahead of the ego. */

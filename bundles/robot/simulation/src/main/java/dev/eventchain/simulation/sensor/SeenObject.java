@@ -9,7 +9,7 @@ import dev.eventchain.simulation.world.World;
 /**
  * An object in the frame of a sensor, in coherent units.
  *
- * @param distance in the sensor's direction to its nearest point
+ * @param distance in the sensor's direction to its nearest point; negative behind, 0 beside
  * @param x of its middle, in the sensor's direction
  * @param y of its middle, to the left
  * @param range to its nearest point
@@ -54,7 +54,7 @@ record SeenObject(
     return new SeenObject(
         actor,
         id,
-        x - body.extent(eye.heading() - body.place().heading()),
+        distance(x, body.extent(eye.heading() - body.place().heading())),
         x,
         dy * cos - dx * sin,
         nearest(body, eye),
@@ -63,6 +63,13 @@ record SeenObject(
         world.ego().velocity() * StrictMath.cos(direction),
         -world.ego().velocity() * StrictMath.sin(direction),
         StrictMath.IEEEremainder(body.place().heading() - eye.heading(), 2 * Math.PI));
+  }
+
+  private static double distance(double middle, double extent) {
+    if (middle > extent) {
+      return middle - extent;
+    }
+    return middle < -extent ? middle + extent : 0.0;
   }
 
   /** Returns the distance from a place to the nearest point of a box, in m; 0 inside. */

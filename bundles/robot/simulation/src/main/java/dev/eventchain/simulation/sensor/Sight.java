@@ -35,6 +35,17 @@ record Sight(Body body, Road.Place eye, double right, double left) {
     return new Sight(body, eye, ahead + right, ahead + left);
   }
 
+  /** Returns whether a part of it is in a view around the observer's direction, in rad. */
+  boolean isWithin(double halfView) {
+    for (int turn = -1; turn <= 1; turn++) {
+      double turned = turn * 2 * Math.PI;
+      if (right + turned <= halfView && left + turned >= -halfView) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /**
    * Returns whether it is wholly hidden. Each of its directions must be covered by a nearer box
    * that is not lower, does not hang higher, and is as high as the observer.

@@ -90,6 +90,20 @@ class LaserScannerTest {
   }
 
   @Test
+  void sensorOnATrailerSeesWhatIsBehindIt() {
+    LaserScanner trailer =
+        new LaserScanner(
+            new Mounting(OptionalDouble.of(-30), OptionalDouble.of(0), Math.PI),
+            20,
+            0.1,
+            StrictMath.toRadians(10),
+            StrictMath.toRadians(10),
+            0.5,
+            0);
+    assertEquals(10, scan(trailer, world(standing(ActorKind.CAR, -30 - 10 - 4.5)))[1], 1e-4);
+  }
+
+  @Test
   void whatIsTooNearIsNegativelyInfinite() {
     float[] ranges = scan(scanner(0, 20, 0.5, 0), world(Actor.passengerCar(0.2, 0, 0)));
     assertEquals(Float.NEGATIVE_INFINITY, ranges[1]);
@@ -100,9 +114,10 @@ class LaserScannerTest {
     MessageValue message = MessageValue.of(TYPE);
     LaserScanner scanner = scanner(0, 360, 0.5, 0);
     scanner.describe(message, 0.1);
-    assertEquals(37, scanner.rays());
+    assertEquals(36, scanner.rays(), "the last one would be the first one again");
     assertEquals(-Math.PI, message.number("angle_min"), 1e-6);
-    assertEquals(Math.PI, message.number("angle_max"), 1e-6);
+    assertEquals(StrictMath.toRadians(170), message.number("angle_max"), 1e-6);
+    assertEquals(19, scanner(0, 180, 0.5, 0).rays());
     assertEquals(0.1, message.number("scan_time"), 1e-6);
     assertEquals(0.5, message.number("range_min"), 1e-6);
     assertEquals(30, message.number("range_max"), 1e-6);

@@ -153,6 +153,44 @@ class ObjectsAroundTest {
   }
 
   @Test
+  void longVehicleBesideIsSeenThoughItsMiddleIsNot() {
+    Actor lorry =
+        new Actor(
+            "lorry",
+            ActorKind.LORRY,
+            new Actor.Size(16, 2.5, 0, 4),
+            -14,
+            0,
+            new SpeedProfile(20, List.of()),
+            new LateralProfile(3.5, List.of()));
+    assertEquals(1, seen(world(lorry), facing(90), 90).size());
+    assertEquals(0, seen(world(lorry), facing(-90), 90).size());
+  }
+
+  @Test
+  void distanceOfWhatIsBehindIsThatOfItsFront() {
+    Mounting middle = new Mounting(OptionalDouble.of(0), OptionalDouble.of(0), 0);
+    ObjectSensor sensor =
+        new ObjectSensor(
+            middle,
+            100,
+            Math.PI,
+            0,
+            List.of(
+                new Column("distances", Property.DISTANCE, Property.DISTANCE.unit(), 0),
+                new Column("labels", Property.CLASS, Property.CLASS.unit(), 0, Map.of())),
+            List.of(),
+            Optional.empty());
+    MessageValue message = MessageValue.of(TYPE);
+    World world = world(actor(ActorKind.CAR, -30, 0, 20), actor(ActorKind.CAR, 40, 0, 20));
+    sensor.fill(world, new SplittableRandom(1), message);
+    float[] distances = (float[]) message.get("distances");
+    assertEquals(-30 + LENGTH, distances[0], 1e-4);
+    assertEquals(40, distances[1], 1e-4);
+    assertEquals(List.of("car", "car", ""), message.get("labels"));
+  }
+
+  @Test
   void boundedListHoldsTheNearest() {
     World world =
         world(
