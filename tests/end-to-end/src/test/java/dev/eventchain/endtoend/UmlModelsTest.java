@@ -321,7 +321,7 @@ class UmlModelsTest {
         .run("validate", "--metamodel", NAMESPACE, "--ocl", rules, model)
         .expect(1)
         .says("violates 'Identified'");
-    new Program().run("describe", NAMESPACE + "X").expect(2).says("There is no such file");
+    new Program().run("describe", NAMESPACE + "X").expect(2).says("Known by their nsURI");
   }
 
   /** Compares every value, also of derived features, with what Eclipse UML2 itself reads. */

@@ -4,14 +4,18 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.uml.Uml;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EcorePackage;
 
 /**
  * Reads and writes the XMI files of one project, for models of any Ecore metamodel.
@@ -22,6 +26,9 @@ import org.eclipse.emf.ecore.EPackage;
  * lies above or next to a folder of the file. Not thread-safe.
  */
 public final class XmiStore {
+
+  /** An nsURI that was taken for a path, and so has lost one of its slashes. */
+  private static final Pattern URI_AS_PATH = Pattern.compile("(https?):/([^/].*)");
 
   private final EPackage.Registry registry = new KnownPackages();
   private final ProjectFiles files;
@@ -80,10 +87,9 @@ public final class XmiStore {
    * @throws DiagnosticException (INPUT) with all findings about it
    */
   public List<EPackage> loadMetamodel(Path ecore) {
-    // As a path, a URI has lost one of its slashes.
-    EPackage known = registry.getEPackage(ecore.toString().replaceFirst("^(https?):/", "$1://"));
-    if (known != null) {
-      return List.of(known);
+    Matcher uri = URI_AS_PATH.matcher(ecore.toString());
+    if (uri.matches() && Files.notExists(ecore)) {
+      return List.of(known(uri.group(1) + "://" + uri.group(2)));
     }
     int before = metamodels.getResources().size();
     try {
@@ -92,6 +98,22 @@ public final class XmiStore {
       metamodels.forgetFrom(before);
       throw e;
     }
+  }
+
+  private EPackage known(String nsUri) {
+    EPackage known = registry.getEPackage(nsUri);
+    if (known == null) {
+      refuse(
+          List.of(
+              Diagnostic.of(
+                      XmiRules.PACKAGE_UNKNOWN,
+                      "There is no metamodel `%s` that needs no file.".formatted(nsUri),
+                      SourceLocation.NONE)
+                  .withHint(
+                      "Known by their nsURI are `%s` and `%s`; name the .ecore file of others."
+                          .formatted(EcorePackage.eNS_URI, Uml.NAMESPACE))));
+    }
+    return known;
   }
 
   /** Returns the place of an element of a metamodel that was loaded here. */
