@@ -301,14 +301,6 @@ class AnyMetamodelTest {
         .says("leaves the folders of the given files")
         .says("a metamodel by --metamodel")
         .says("--root DIR");
-    new Program()
-        .run("validate", "--root", shop, "--metamodel", byFile, shop)
-        .expect(2)
-        .says("There is no such folder");
-    new Program()
-        .run("validate", "--root", folder, "--metamodel", byFile, "--ocl", rules, shop)
-        .expect(1)
-        .says("[ocl.violated Shop::HasPages]");
     for (Path upper : List.of(byFile, byName)) {
       new Program()
           .run("validate", "--metamodel", upper, "--metamodel", base, "--ocl", rules, shop)

@@ -27,6 +27,9 @@ public final class Uml {
   /** The namespace of the metamodel. */
   public static final String NAMESPACE = ECLIPSE + "5.0.0/UML";
 
+  /** The class of the metamodel in Eclipse UML2. */
+  private static final String PACKAGE = "org.eclipse.uml2.uml.internal.impl.UMLPackageImpl";
+
   /** The namespaces of UML by Eclipse UML2 (2.0.0 to 5.0.0) and by the OMG. */
   private static final Pattern METAMODEL =
       Pattern.compile(
@@ -128,9 +131,8 @@ public final class Uml {
 
   /** Returns whether a metamodel is UML itself, of Eclipse UML2. */
   public static boolean isMetamodel(EPackage metamodel) {
-    return metamodel != null
-        && isNamespace(String.valueOf(metamodel.getNsURI()))
-        && metamodel(metamodel.getNsURI()).filter(uml -> uml == metamodel).isPresent();
+    // Asked for each reference of a model, so neither loads a class nor compares namespaces.
+    return metamodel != null && metamodel.getClass().getName().equals(PACKAGE);
   }
 
   /**

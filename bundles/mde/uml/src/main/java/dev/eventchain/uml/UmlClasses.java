@@ -51,6 +51,10 @@ final class UmlClasses {
 
   static synchronized Optional<Resource> library(URI file) {
     try {
+      Resource known = LIBRARIES.getResource(file, false);
+      if (known != null && known.isLoaded()) {
+        return Optional.of(known); // resolved when it was loaded
+      }
       Resource resource = LIBRARIES.getResource(file, true);
       EcoreUtil.resolveAll(resource);
       return Optional.of(resource);

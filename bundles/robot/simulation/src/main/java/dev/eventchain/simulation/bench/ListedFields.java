@@ -12,7 +12,6 @@ import dev.eventchain.simulation.sensor.Listed;
 import dev.eventchain.simulation.sensor.ObjectSensor.Property;
 import java.util.Collections;
 import java.util.EnumSet;
-import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.Set;
 
@@ -77,24 +76,30 @@ final class ListedFields {
    * @param where the value is said
    */
   boolean takesValue(ObjectReader part, String path, Object value, SourceLocation where) {
-    Optional<FieldType> list = message.flatMap(type -> type.resolve(Listed.of(path).list()).type());
-    if (message.isEmpty() || list.isEmpty()) {
-      return message.isEmpty() || missing(part, path, message.get().resolve(path)).isPresent();
+    if (message.isEmpty()) {
+      return true;
+    }
+    Listed listed = Listed.of(path);
+    MessageType.Resolution list = message.get().resolve(listed.list());
+    if (list.type().isEmpty()) {
+      missing(part, path, list);
+      return false;
+    }
+    Optional<MessageType> element = listed.messages(message.get());
+    if (listed.ofMessages() != element.isPresent()) {
+      refuseList(part, path, list.type().get());
+      return false;
     }
     try {
-      if (Listed.of(path).ofMessages()) {
-        MessageType element = Listed.of(path).messages(message.get()).orElseThrow();
-        MessageValue.of(element).set(Listed.of(path).inner(), value);
+      if (element.isPresent()) {
+        MessageValue.of(element.get()).set(listed.inner(), value);
       } else {
-        int size = list.get().shape() == Shape.ARRAY ? list.get().size() : 1;
+        int size = list.type().get().shape() == Shape.ARRAY ? list.type().get().size() : 1;
         MessageValue.of(message.get()).set(path, Collections.nCopies(size, value));
       }
       return true;
     } catch (IllegalArgumentException e) {
       part.find(BenchRules.BENCH_VALUE_TYPE, e.getMessage(), where);
-      return false;
-    } catch (NoSuchElementException e) {
-      refuseList(part, path, list.get());
       return false;
     }
   }

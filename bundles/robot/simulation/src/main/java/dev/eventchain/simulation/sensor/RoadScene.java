@@ -20,9 +20,6 @@ public record RoadScene(Road road, Road.Place ego, List<Body> bodies) {
   private static final double POST_HEIGHT = 3.0;
   private static final double VIEW = 110.0;
 
-  /** The largest distance of a sensor from the front bumper, in m. */
-  private static final double SENSOR_OFF_BUMPER = 31.0;
-
   private static final float POST_INTENSITY = 0.5f;
 
   /** Height of the walls, in m. */
@@ -39,15 +36,18 @@ public record RoadScene(Road road, Road.Place ego, List<Body> bodies) {
     world.actors().forEach(actor -> all.add(actor.body(world.road(), seconds)));
     double along = world.station().along();
     // An arc of up to half a circle is at most pi / 2 times as long as its chord.
-    double far = (reach + SENSOR_OFF_BUMPER) * Math.PI / 2;
+    double far = (reach + distance(world.ego().front(), eye)) * Math.PI / 2;
     addPosts(world.road(), along - far, along + far, all);
     List<Body> near = all.stream().filter(body -> isNear(body, eye, reach)).toList();
     return new RoadScene(world.road(), world.ego().front(), near);
   }
 
   private static boolean isNear(Body body, Road.Place eye, double reach) {
-    double distance = StrictMath.hypot(body.place().x() - eye.x(), body.place().y() - eye.y());
-    return distance - body.length() / 2 - body.width() / 2 <= reach;
+    return distance(body.place(), eye) - body.length() / 2 - body.width() / 2 <= reach;
+  }
+
+  private static double distance(Road.Place one, Road.Place other) {
+    return StrictMath.hypot(one.x() - other.x(), one.y() - other.y());
   }
 
   /** Returns the current surroundings ahead of the ego. */

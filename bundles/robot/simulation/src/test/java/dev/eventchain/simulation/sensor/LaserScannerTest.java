@@ -10,9 +10,7 @@ import dev.eventchain.messages.MessageValue;
 import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.ActorKind;
 import dev.eventchain.simulation.world.EgoVehicle;
-import dev.eventchain.simulation.world.LateralProfile;
 import dev.eventchain.simulation.world.Road;
-import dev.eventchain.simulation.world.SpeedProfile;
 import dev.eventchain.simulation.world.World;
 import java.util.List;
 import java.util.OptionalDouble;
@@ -51,17 +49,6 @@ class LaserScannerTest {
     return new World(EgoVehicle.withSpeed(0), List.of(actors));
   }
 
-  private static Actor standing(ActorKind kind, double gap) {
-    return new Actor(
-        kind.id(),
-        kind,
-        kind.size(),
-        gap,
-        0,
-        new SpeedProfile(0, List.of()),
-        new LateralProfile(0, List.of()));
-  }
-
   @Test
   void rayAheadHitsTheRearOfACarAndTheOthersPassIt() {
     float[] ranges = scan(scanner(0, 40, 0.5, 0), world(Actor.passengerCar(20, 0, 0)));
@@ -76,8 +63,9 @@ class LaserScannerTest {
     assertEquals(
         Float.POSITIVE_INFINITY, scan(above, world(Actor.passengerCar(20, 0, 0)))[0], "over it");
     LaserScanner thin = scanner(0, 20, 2.5, 0);
-    assertEquals(20, scan(thin, world(standing(ActorKind.LORRY, 20)))[1], 1e-5);
-    assertEquals(Float.POSITIVE_INFINITY, scan(thin, world(standing(ActorKind.BRIDGE, 20)))[1]);
+    assertEquals(20, scan(thin, world(TestActors.standing(ActorKind.LORRY, 20)))[1], 1e-5);
+    assertEquals(
+        Float.POSITIVE_INFINITY, scan(thin, world(TestActors.standing(ActorKind.BRIDGE, 20)))[1]);
   }
 
   @Test
@@ -85,7 +73,7 @@ class LaserScannerTest {
     assertEquals(TO_WALL, scan(scanner(90, 20, 0.5, 0), world())[1], 1e-4);
     assertEquals(TO_WALL, scan(scanner(-90, 20, 0.5, 0), world())[1], 1e-4);
     double length = 4.5;
-    World followed = world(standing(ActorKind.CAR, -12 - 2 * length));
+    World followed = world(TestActors.standing(ActorKind.CAR, -12 - 2 * length));
     assertEquals(12, scan(scanner(180, 20, 0.5, 0), followed)[1], 1e-4);
   }
 
@@ -100,7 +88,8 @@ class LaserScannerTest {
             StrictMath.toRadians(10),
             0.5,
             0);
-    assertEquals(10, scan(trailer, world(standing(ActorKind.CAR, -30 - 10 - 4.5)))[1], 1e-4);
+    assertEquals(
+        10, scan(trailer, world(TestActors.standing(ActorKind.CAR, -30 - 10 - 4.5)))[1], 1e-4);
   }
 
   @Test

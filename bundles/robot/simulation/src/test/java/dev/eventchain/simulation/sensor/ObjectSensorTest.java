@@ -97,17 +97,6 @@ class ObjectSensorTest {
     assertEquals(List.of(), numbers(seen(world, 0, 0, 1), "distance"));
   }
 
-  private static Actor standing(ActorKind kind, double gap) {
-    return new Actor(
-        kind.id(),
-        kind,
-        kind.size(),
-        gap,
-        0,
-        new SpeedProfile(0, List.of()),
-        new LateralProfile(0, List.of()));
-  }
-
   @Test
   void whatIsHiddenIsMissingUntilItComesOut() {
     Actor comesOut =
@@ -119,7 +108,8 @@ class ObjectSensorTest {
             0,
             new SpeedProfile(20, List.of()),
             new LateralProfile(0, List.of(new LateralProfile.Change(1, 3.5, 2))));
-    World world = world(comesOut, Actor.passengerCar(30, 20, 0), standing(ActorKind.LORRY, 95));
+    World world =
+        world(comesOut, Actor.passengerCar(30, 20, 0), TestActors.standing(ActorKind.LORRY, 95));
     assertEquals(List.of(2.0, 3.0), numbers(seen(world, 0, 0, 1), "id"));
     world.advanceTo(3_000_000_000L);
     assertEquals(List.of(2.0, 3.0, 1.0), numbers(seen(world, 0, 0, 1), "id"));
@@ -129,9 +119,9 @@ class ObjectSensorTest {
   void plateAndBridgeHideNothing() {
     World world =
         world(
-            standing(ActorKind.STEEL_PLATE, 10),
-            standing(ActorKind.BRIDGE, 20),
-            standing(ActorKind.CAR, 50));
+            TestActors.standing(ActorKind.STEEL_PLATE, 10),
+            TestActors.standing(ActorKind.BRIDGE, 20),
+            TestActors.standing(ActorKind.CAR, 50));
     assertEquals(List.of(3.0), numbers(seen(world, 0, 0, 1), "id"));
   }
 

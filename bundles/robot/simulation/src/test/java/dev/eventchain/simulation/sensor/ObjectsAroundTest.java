@@ -92,22 +92,13 @@ class ObjectsAroundTest {
     return new World(EgoVehicle.withSpeed(20), List.of(actors));
   }
 
-  private static Actor actor(ActorKind kind, double gap, double across, double speed) {
-    return new Actor(
-        kind.id(),
-        kind,
-        kind.size(),
-        gap,
-        0,
-        new SpeedProfile(speed, List.of()),
-        new LateralProfile(across, List.of()));
-  }
-
   @Test
   void sensorAtTheRearSeesWhatFollows() {
     // The front of the car is 30 m behind the rear of the ego.
     World world =
-        world(actor(ActorKind.CAR, -30 - 2 * LENGTH, 0, 25), Actor.passengerCar(20, 0, 0));
+        world(
+            TestActors.moving(ActorKind.CAR, -30 - 2 * LENGTH, 0, 25),
+            Actor.passengerCar(20, 0, 0));
     List<MessageValue> seen = seen(world, facing(180), 60);
     assertEquals(1, seen.size());
     MessageValue car = seen.get(0);
@@ -126,7 +117,7 @@ class ObjectsAroundTest {
   @ParameterizedTest
   @CsvSource({"90, 5.0, 1", "-90, 5.0, 0", "90, -5.0, 0", "-90, -5.0, 1"})
   void sensorAtTheSideSeesItsSide(double direction, double across, int expected) {
-    World world = world(actor(ActorKind.PEDESTRIAN, -LENGTH / 2, across, 20));
+    World world = world(TestActors.moving(ActorKind.PEDESTRIAN, -LENGTH / 2, across, 20));
     List<MessageValue> seen = seen(world, facing(direction), 90);
     assertEquals(expected, seen.size());
     for (MessageValue each : seen) {
@@ -142,9 +133,9 @@ class ObjectsAroundTest {
     Mounting middle = new Mounting(OptionalDouble.of(-LENGTH / 2), OptionalDouble.of(0), 0);
     World world =
         world(
-            actor(ActorKind.CAR, 40, 0, 20),
-            actor(ActorKind.CAR, -20 - LENGTH, 0, 20),
-            actor(ActorKind.MOTORCYCLE, -LENGTH / 2, 4, 20));
+            TestActors.moving(ActorKind.CAR, 40, 0, 20),
+            TestActors.moving(ActorKind.CAR, -20 - LENGTH, 0, 20),
+            TestActors.moving(ActorKind.MOTORCYCLE, -LENGTH / 2, 4, 20));
     List<MessageValue> seen = seen(world, middle, 360);
     assertEquals(List.of(3.0, 2.0, 1.0), seen.stream().map(each -> each.number("id")).toList());
     assertEquals(Math.PI, Math.abs(seen.get(1).number("azimuth")), 1e-6, "behind");
@@ -182,7 +173,10 @@ class ObjectsAroundTest {
             List.of(),
             Optional.empty());
     MessageValue message = MessageValue.of(TYPE);
-    World world = world(actor(ActorKind.CAR, -30, 0, 20), actor(ActorKind.CAR, 40, 0, 20));
+    World world =
+        world(
+            TestActors.moving(ActorKind.CAR, -30, 0, 20),
+            TestActors.moving(ActorKind.CAR, 40, 0, 20));
     sensor.fill(world, new SplittableRandom(1), message);
     float[] distances = (float[]) message.get("distances");
     assertEquals(-30 + LENGTH, distances[0], 1e-4);
@@ -194,10 +188,10 @@ class ObjectsAroundTest {
   void boundedListHoldsTheNearest() {
     World world =
         world(
-            actor(ActorKind.CAR, 80, 3.5, 20),
-            actor(ActorKind.CAR, 60, -3.5, 20),
-            actor(ActorKind.CAR, 40, 3.5, 20),
-            actor(ActorKind.CAR, 20, 0, 20));
+            TestActors.moving(ActorKind.CAR, 80, 3.5, 20),
+            TestActors.moving(ActorKind.CAR, 60, -3.5, 20),
+            TestActors.moving(ActorKind.CAR, 40, 3.5, 20),
+            TestActors.moving(ActorKind.CAR, 20, 0, 20));
     List<MessageValue> seen = seen(world, Mounting.FRONT, 60);
     assertEquals(3, seen.size());
     assertEquals(List.of(4.0, 3.0, 2.0), seen.stream().map(each -> each.number("id")).toList());
