@@ -26,6 +26,7 @@ class AcceptTest {
     Files.deleteIfExists(accepted());
   }
 
+  @InTurn
   @Test
   void aReversedRequirementIsNotProvedByOldEvidence() throws IOException {
     copy.run().expect(0).says("4 requirements proved");

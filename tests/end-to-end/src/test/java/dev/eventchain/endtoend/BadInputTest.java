@@ -313,6 +313,7 @@ class BadInputTest {
     assertFalse(ended.err().contains("Exception"), ended.err());
   }
 
+  @InTurn
   @Test
   void twoRunsDoNotMix() throws Exception {
     Path out = folder.resolve("first.out");

@@ -66,6 +66,7 @@ class CampaignTest {
     }
   }
 
+  @InTurn
   @Test
   void aBoundaryIsFoundAndIsTheSameAfterKillsAndInParts() throws Exception {
     campaign("--dry-run").expect(0).says("6 cases, 0 of them simulated already");

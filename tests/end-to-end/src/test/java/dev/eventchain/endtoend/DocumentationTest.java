@@ -3,6 +3,8 @@ package dev.eventchain.endtoend;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.fixtures.InTurn;
+import dev.eventchain.fixtures.Thorough;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -16,7 +18,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Tests that the commands on the pages for users work as documented. Bash runs {@code console}
@@ -64,12 +66,17 @@ class DocumentationTest {
   }
 
   @ParameterizedTest
-  @ValueSource(
-      strings = {"build-server.md", "campaigns.md", "formats.md", "projects.md", "simulation.md"})
+  @MethodSource
   void others(String page) throws Exception {
     assertTrue(run(page) >= 1);
   }
 
+  static List<String> others() {
+    return Thorough.allOrOne(
+        List.of("build-server.md", "campaigns.md", "formats.md", "projects.md", "simulation.md"));
+  }
+
+  @InTurn
   @Test
   void settingsOfLanguageModelsAreRead() throws Exception {
     run(new Step("eventchain init my-project\n", "...\n"), 0);

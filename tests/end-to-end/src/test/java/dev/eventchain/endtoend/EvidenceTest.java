@@ -35,6 +35,7 @@ class EvidenceTest {
     return project("pedestrian-brake");
   }
 
+  @InTurn
   @Test
   void laneKeepingThatSteersProvesItsRequirements() throws IOException {
     laneKeeping().run().expect(0).says("PASSED: 6 of 6 scenarios passed, 9 requirements proved");

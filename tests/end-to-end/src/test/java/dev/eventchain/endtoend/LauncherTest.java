@@ -54,6 +54,7 @@ class LauncherTest {
     Files.writeString(application.resolve("built"), "now\n");
   }
 
+  @InTurn
   @Test
   void theFirstCommandMakesAnArchiveThatLaterOnesUse() throws IOException {
     assertVersionAlone(version());

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.fixtures.InTurn;
 import dev.eventchain.fixtures.Thorough;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -74,6 +75,7 @@ class LiveRunTest {
     }
   }
 
+  @InTurn
   @Test
   void theKeyIsInNoFindingAboutIt() throws IOException {
     try (RecordedService service = service("openai")) {

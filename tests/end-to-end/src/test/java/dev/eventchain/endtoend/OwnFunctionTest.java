@@ -61,6 +61,7 @@ class OwnFunctionTest {
     new Program().run("validate", project.path()).expect(0);
   }
 
+  @InTurn
   @Test
   void criterionThatNoComponentCanInfluence() throws IOException {
     project.replace(

@@ -129,6 +129,7 @@ class RunTest {
     assertTrue(lines.stream().allMatch(line -> line.split(",", -1).length == headings.size()));
   }
 
+  @InTurn
   @Test
   void aFreshRunElsewhereGivesTheSameBytes() throws IOException {
     Path other = folder.resolve("elsewhere");

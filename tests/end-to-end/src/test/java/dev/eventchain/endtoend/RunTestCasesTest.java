@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.fixtures.InTurn;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -37,6 +38,7 @@ class RunTestCasesTest {
     assertArrayEquals(before, Files.readAllBytes(file), "of results that are not made again, too");
   }
 
+  @InTurn
   @Test
   void failuresAreWhereTheyBelong() throws Exception {
     ProjectCopy copy = ProjectCopy.of("radar-aeb", folder);

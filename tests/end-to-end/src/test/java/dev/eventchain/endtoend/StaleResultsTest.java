@@ -109,6 +109,7 @@ class StaleResultsTest {
     return Thorough.allOrOne(List.of("Design", "Generate")).stream();
   }
 
+  @InTurn
   @ParameterizedTest
   @MethodSource("stages")
   void noVerdictOutlivesARunThatIsKilled(String stage) throws Exception {
@@ -125,6 +126,7 @@ class StaleResultsTest {
     assertArrayEquals(passed, Files.readAllBytes(out("verdict.json")));
   }
 
+  @InTurn
   @Test
   void resultsThatStillHoldAreKept() throws IOException {
     byte[] verdict = Files.readAllBytes(out("verdict.json"));
@@ -172,6 +174,7 @@ class StaleResultsTest {
     ended.says("eventchain run " + project + " --from " + stage + "'");
   }
 
+  @InTurn
   @Test
   void theCommandOfTheHintTestsTheEditedComponent() throws IOException {
     String component = "software-base/components/ObjectDetection.py";

@@ -119,6 +119,7 @@ class VerdictCorrectionTest {
     return Files.readString(project.resolve("out/components/" + name + ".py"));
   }
 
+  @InTurn
   @Test
   void failedVerdictLeadsToACorrectedComponent() throws IOException {
     run().expect(4);

@@ -196,6 +196,7 @@ class VerdictTest {
     assertNoPass();
   }
 
+  @InTurn
   @Test
   void constraintThatWhatWasMeasuredDecidesProvesItsRequirement() throws IOException {
     editModel(

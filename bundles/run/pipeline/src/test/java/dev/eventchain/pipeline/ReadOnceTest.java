@@ -37,6 +37,7 @@ class ReadOnceTest {
     Projects.withoutStrength(Projects.copy(example, project));
   }
 
+  @InTurn
   @Test
   void aRunReadsEachStateOnce() throws IOException {
     assertEquals(Verdict.PASSED, run(Stage.DESIGN).verdict());

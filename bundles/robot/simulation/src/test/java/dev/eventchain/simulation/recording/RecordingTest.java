@@ -11,6 +11,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.fixtures.InTurn;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.sandbox.Confinement;
 import dev.eventchain.sandbox.PythonEnvironment;
@@ -149,6 +150,7 @@ class RecordingTest {
     assertEquals(SCENARIO, read.path("about").path("scenario").asText());
   }
 
+  @InTurn
   @Test
   void theSameRunHasTheSameBytesAndRecordingChangesNothing() throws Exception {
     ObjectNode recorded = json(AebProject.simulate(request()));

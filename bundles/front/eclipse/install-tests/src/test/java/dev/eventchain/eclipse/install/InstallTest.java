@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.fixtures.InTurn;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -25,6 +26,7 @@ class InstallTest {
 
   @TempDir Path scratch;
 
+  @InTurn
   @Test
   void theSiteInstallsIntoAnEclipseWithoutUs() throws Exception {
     Installation eclipse = Installation.copy(scratch);
