@@ -17,7 +17,6 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -36,24 +35,15 @@ class BadInputTest {
       "<eventchain:Requirement xmlns:eventchain='http://eventchain.dev/eventchain/1.0'/>";
   private static final String DECISION = "out/components/Braking_Decision.py";
 
-  @TempDir static Path once;
   @TempDir Path folder;
 
-  private static Path finished;
   private Path project;
   private Program.Ended ended;
-
-  @BeforeAll
-  static void runOnce() throws IOException {
-    finished = Program.exampleIn(once);
-    new Program().run("run", finished).expect(0);
-  }
 
   /** Each test starts from a finished run. */
   @BeforeEach
   void copyFinishedRun() throws IOException {
-    project = folder.resolve("aeb");
-    copy(finished, project);
+    project = FinishedRun.in(folder).path();
   }
 
   @AfterEach
@@ -386,18 +376,5 @@ class BadInputTest {
     Files.writeString(
         project.resolve(DECISION),
         "class Braking_Decision:\n    def execute(self, ttc):\n        " + body + "\n");
-  }
-
-  private static void copy(Path from, Path to) throws IOException {
-    try (Stream<Path> files = Files.walk(from)) {
-      for (Path file : files.toList()) {
-        Path target = to.resolve(from.relativize(file).toString());
-        if (Files.isDirectory(file)) {
-          Files.createDirectories(target);
-        } else {
-          Files.copy(file, target, java.nio.file.StandardCopyOption.COPY_ATTRIBUTES);
-        }
-      }
-    }
   }
 }
