@@ -99,39 +99,42 @@ final class QosContracts {
     QosSettings requested = QosProfiles.settings(request.profile());
     for (Incompatibility gap : QosSettings.incompatibilities(offered, requested)) {
       // The finding is at the chain, because the vehicle cannot be changed.
-      Side here = request.isVehicle() ? offer : request;
-      Side there = request.isVehicle() ? request : offer;
+      SourceLocation here = (request.isVehicle() ? offer : request).place().get();
+      SourceLocation there = (request.isVehicle() ? request : offer).place().get();
       if (gap.decided()) {
         findings.error(
             ContractRule.QOS_INCOMPATIBLE,
-            here.place().get(),
-            "%s requests %s %s on %s, but %s offers %s, so that no message arrives."
-                .formatted(
-                    sentenceStart(request.name()),
-                    gap.policy(),
-                    gap.requested(),
-                    topic,
-                    offer.name(),
-                    gap.offered()),
+            here,
+            refusal(topic, offer, request, gap),
             hint(offer, request, gap),
-            there.place().get());
+            there);
       } else {
         findings.info(
             ContractRule.QOS_UNDECIDED,
-            here.place().get(),
-            "Whether messages of %s on %s reach %s depends on the %s: %s is offered, %s requested."
-                .formatted(
-                    offer.name(),
-                    topic,
-                    request.name(),
-                    gap.policy(),
-                    gap.offered(),
-                    gap.requested()),
+            here,
+            doubt(topic, offer, request, gap),
             "State the policy on both sides, so that it does not depend on the middleware's"
                 + " configuration or on who starts first.",
-            there.place().get());
+            there);
       }
     }
+  }
+
+  private static String refusal(String topic, Side offer, Side request, Incompatibility gap) {
+    return "%s requests %s %s on %s, but %s offers %s, so that no message arrives."
+        .formatted(
+            sentenceStart(request.name()),
+            gap.policy(),
+            gap.requested(),
+            topic,
+            offer.name(),
+            gap.offered());
+  }
+
+  private static String doubt(String topic, Side offer, Side request, Incompatibility gap) {
+    return "Whether messages of %s on %s reach %s depends on the %s: %s is offered, %s requested."
+        .formatted(
+            offer.name(), topic, request.name(), gap.policy(), gap.offered(), gap.requested());
   }
 
   private static String hint(Side offer, Side request, Incompatibility gap) {

@@ -21,6 +21,13 @@ final class UnitContracts {
    */
   private record Reference(String name, String unit, Supplier<SourceLocation> place) {}
 
+  /**
+   * Two units of one field that are not the same.
+   *
+   * @param isCertain whether one side is wrong; otherwise it may be a matter of writing
+   */
+  private record Clash(boolean isCertain, String hint) {}
+
   private final Findings findings;
 
   UnitContracts(Findings findings) {
@@ -66,53 +73,58 @@ final class UnitContracts {
       Topic topic, Endpoint endpoint, Data data, boolean writes, Reference reference) {
     String here = data.getUnit().strip();
     String there = reference.unit().strip();
-    Optional<Unit> unit = Unit.parse(here);
-    Optional<Unit> other = Unit.parse(there);
-    if (here.equals(there)) {
+    Clash clash = clash(here, there, writes).orElse(null);
+    if (clash == null) {
       return;
     }
     String message =
         "%s has '%s' of %s in %s, but %s has it in %s."
             .formatted(
                 endpoint.name(), data.getFieldName(), topic.name(), here, reference.name(), there);
+    SourceLocation at = findings.at(data, Literals.DATA__UNIT);
     SourceLocation place = reference.place().get();
+    if (clash.isCertain()) {
+      findings.error(ContractRule.UNIT_MISMATCH, at, message, clash.hint(), place);
+    } else {
+      findings.warning(ContractRule.UNIT_MISMATCH, at, message, clash.hint(), place);
+    }
+  }
+
+  /** Returns in what two units clash, if they do; for the side that has the first one. */
+  private static Optional<Clash> clash(String here, String there, boolean writes) {
+    if (here.equals(there)) {
+      return Optional.empty();
+    }
+    Optional<Unit> unit = Unit.parse(here);
+    Optional<Unit> other = Unit.parse(there);
     if (unit.isEmpty() || other.isEmpty()) {
-      String unread = unit.isEmpty() ? here : there;
-      findings.warning(
-          ContractRule.UNIT_MISMATCH,
-          findings.at(data, Literals.DATA__UNIT),
-          message,
-          "'%s' is not a known unit, such as m/s2, km/h, deg, %%: write the same on both sides."
-              .formatted(unread),
-          place);
-      return;
+      return Optional.of(
+          new Clash(
+              false,
+              "'%s' is not a known unit, such as m/s2, km/h, deg, %%: write the same on both sides."
+                  .formatted(unit.isEmpty() ? here : there)));
     }
-    switch (unit.get().relationTo(other.get())) {
-      case SAME -> {}
+    return switch (unit.get().relationTo(other.get())) {
+      case SAME -> Optional.empty();
       case ANGLE ->
-          findings.warning(
-              ContractRule.UNIT_MISMATCH,
-              findings.at(data, Literals.DATA__UNIT),
-              message,
-              "One side is an angle and the other is not: write the intended unit on both.",
-              place);
+          Optional.of(
+              new Clash(
+                  false,
+                  "One side is an angle and the other is not: write the intended unit on both."));
       case INCOMPATIBLE ->
-          findings.error(
-              ContractRule.UNIT_MISMATCH,
-              findings.at(data, Literals.DATA__UNIT),
-              message,
-              "No factor converts one into the other: one side is a different quantity.",
-              place);
+          Optional.of(
+              new Clash(
+                  true,
+                  "No factor converts one into the other: one side is a different quantity."));
       case CONVERTIBLE ->
-          findings.error(
-              ContractRule.UNIT_MISMATCH,
-              findings.at(data, Literals.DATA__UNIT),
-              message,
-              writes
-                  ? "Give it in %s: %s.".formatted(there, unit.get().conversionTo(other.get()))
-                  : "Take it in %s, and convert inside the component: %s."
-                      .formatted(there, other.get().conversionTo(unit.get())),
-              place);
-    }
+          Optional.of(new Clash(true, conversion(unit.get(), other.get(), there, writes)));
+    };
+  }
+
+  private static String conversion(Unit here, Unit there, String name, boolean writes) {
+    return writes
+        ? "Give it in %s: %s.".formatted(name, here.conversionTo(there))
+        : "Take it in %s, and convert inside the component: %s."
+            .formatted(name, there.conversionTo(here));
   }
 }
