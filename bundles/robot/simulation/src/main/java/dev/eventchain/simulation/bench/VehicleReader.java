@@ -7,10 +7,14 @@ import dev.eventchain.simulation.world.Chassis;
 import dev.eventchain.simulation.world.EgoVehicle;
 import dev.eventchain.simulation.world.LidarSettings;
 import dev.eventchain.simulation.world.Shape;
+import dev.eventchain.simulation.world.World;
 import java.util.OptionalDouble;
 
 /** Reads the properties of the vehicle, of a bench or of a scenario. */
 public final class VehicleReader {
+
+  private static final String SPEED_STEP = "speed_step_s";
+  private static final double SHORTEST_STEP = World.seconds(World.TRACE_STEP);
 
   private VehicleReader() {}
 
@@ -32,7 +36,8 @@ public final class VehicleReader {
             number(section, "maximal_acceleration_mps2", usual.maximalAcceleration(), 0, 20),
             lidar(section, usual.lidar()),
             chassis(section, usual.chassis()),
-            shape(section, usual.shape()));
+            shape(section, usual.shape()),
+            speedStep(section, usual.speedStep(), range));
     double axles = vehicle.chassis().wheelbase() + vehicle.shape().frontOverhang();
     if (axles > vehicle.shape().length()) {
       String key = section.has("length_m") ? "length_m" : "wheelbase_m";
@@ -40,6 +45,16 @@ public final class VehicleReader {
           range, "Its wheelbase and front overhang are longer than it is.", section.at(key));
     }
     return vehicle;
+  }
+
+  private static double speedStep(ObjectReader section, double usual, Rule range) {
+    double step = number(section, SPEED_STEP, usual, 0, 1);
+    if (step > 0.0 && step < SHORTEST_STEP) {
+      String message = "A step lasts 0.01 s at least, and 0 means that the speed has none.";
+      section.find(range, message, section.at(SPEED_STEP));
+      return usual;
+    }
+    return step;
   }
 
   private static LidarSettings lidar(ObjectReader section, LidarSettings usual) {

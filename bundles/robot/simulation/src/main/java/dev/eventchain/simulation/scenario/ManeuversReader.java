@@ -29,6 +29,7 @@ final class ManeuversReader {
   private static final String KEY = "maneuvers";
   private static final String SPEED = "speed_kmh";
   private static final String OFFSET = "lateral_offset_m";
+  private static final String ASIDE_RATE = "lateral_acceleration_mps2";
   private static final String AT = "at_s";
   private static final String AFTER = "after_s";
   private static final String WHEN = "when";
@@ -103,7 +104,17 @@ final class ManeuversReader {
     double offset = each.requiredNumber(OFFSET, ASIDE);
     double rate = each.number("lateral_speed_mps", LATERAL_SPEED).orElse(1.5);
     boolean linear = each.text("shape").map(it -> isLinear(each, it)).orElse(false);
-    return new LateralProfile.Change(time, offset, rate, linear);
+    double acceleration = each.number(ASIDE_RATE, ACCELERATION).orElse(Double.POSITIVE_INFINITY);
+    if (!linear && each.has(ASIDE_RATE)) {
+      each.find(
+          Diagnostic.of(
+                  RANGE_FINDING,
+                  "The lateral speed of half a wave grows as that does.",
+                  each.at(ASIDE_RATE))
+              .withHint("Write `shape: linear` beside it, or leave it out."));
+    }
+    return new LateralProfile.Change(
+        time, offset, rate, linear, Math.max(acceleration, ACCELERATION.least()));
   }
 
   private static boolean isLinear(ObjectReader each, String shape) {

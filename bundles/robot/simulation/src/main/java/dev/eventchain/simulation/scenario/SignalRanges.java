@@ -81,7 +81,7 @@ final class SignalRanges implements Range.Source {
 
   /** Returns the largest gain of speed, in m/s. */
   private double gained() {
-    return situation.ego().maximalAcceleration() * duration;
+    return situation.ego().maximalAcceleration() * (duration + situation.ego().speedStep());
   }
 
   private double fastest() {

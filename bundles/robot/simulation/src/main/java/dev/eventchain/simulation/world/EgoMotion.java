@@ -7,10 +7,14 @@ package dev.eventchain.simulation.world;
  * depend on a step size; only the drag is held for at most 10 ms. The path is that of a kinematic
  * bicycle (Rajamani, Vehicle Dynamics and Control, 2.2): the rear axle follows an arc without slip,
  * whose curvature is the tangent of the steering angle divided by the wheelbase.
+ *
+ * <p>Instead, a vehicle may change its speed in steps, at the start of each: driver models that are
+ * published with this step come to other results on a vehicle that changes it continuously.
  */
 public final class EgoMotion {
 
   private final double slope;
+  private final double speedStep;
   private final double maximalDeceleration;
   private final double coastingDeceleration;
   private final double maximalAcceleration;
@@ -46,6 +50,7 @@ public final class EgoMotion {
         vehicle.brakeBuildUp() > 0.0
             ? maximalDeceleration / vehicle.brakeBuildUp()
             : Double.POSITIVE_INFINITY;
+    this.speedStep = vehicle.speedStep();
     this.speed = vehicle.speed();
     this.chassis = vehicle.chassis();
     this.shape = vehicle.shape();
@@ -57,6 +62,7 @@ public final class EgoMotion {
 
   private EgoMotion(EgoMotion other) {
     this.slope = other.slope;
+    this.speedStep = other.speedStep;
     this.maximalDeceleration = other.maximalDeceleration;
     this.coastingDeceleration = other.coastingDeceleration;
     this.maximalAcceleration = other.maximalAcceleration;
@@ -205,11 +211,29 @@ public final class EgoMotion {
     return chassis.drag() * speed * speed;
   }
 
-  /** Advances the motion by some seconds. */
-  void advance(double seconds) {
+  /** Begins a step of a speed that changes in steps, with the demand of this moment. */
+  void step() {
+    engage();
+    double change = slope * speedStep;
+    double demand = demand();
+    deceleration = Math.max(deceleration - change, Math.min(deceleration + change, demand));
+    speed = Math.max(0.0, speed - deceleration * speedStep);
+  }
+
+  /** Engages the gear, which a vehicle does at standstill. */
+  private void engage() {
     if (speed == 0.0 && command.gear() != 0) {
       direction = command.gear();
     }
+  }
+
+  /** Advances the motion by some seconds. */
+  void advance(double seconds) {
+    if (speedStep > 0.0) {
+      move(speed * seconds);
+      return;
+    }
+    engage();
     double left = seconds;
     double demand = demand();
     while (left > 0.0) {

@@ -18,6 +18,8 @@ package dev.eventchain.simulation.world;
  * @param lidar the mounting and the errors of the lidar
  * @param chassis its properties besides the pedals
  * @param shape the size of its body
+ * @param speedStep how long the speed is constant before it changes at once, in s; 0 for a speed
+ *     that changes continuously
  */
 public record EgoVehicle(
     double speed,
@@ -28,9 +30,10 @@ public record EgoVehicle(
     double maximalAcceleration,
     LidarSettings lidar,
     Chassis chassis,
-    Shape shape) {
+    Shape shape,
+    double speedStep) {
 
-  /** Creates a vehicle of the usual size. */
+  /** Creates a vehicle of the usual size, whose speed changes continuously. */
   public EgoVehicle(
       double speed,
       double brakeDelay,
@@ -49,7 +52,8 @@ public record EgoVehicle(
         maximalAcceleration,
         lidar,
         chassis,
-        Shape.USUAL);
+        Shape.USUAL,
+        0.0);
   }
 
   /**
@@ -76,7 +80,8 @@ public record EgoVehicle(
         maximalAcceleration,
         lidar,
         placed,
-        shape);
+        shape,
+        speedStep);
   }
 
   /** Returns the distance from the rear axle, the reference of the motion, to the bumper, in m. */

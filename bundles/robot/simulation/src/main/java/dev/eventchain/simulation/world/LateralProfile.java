@@ -5,7 +5,8 @@ import java.util.List;
 
 /**
  * An offset from the centre of a lane that is constant or changes to another one, along half a
- * cosine or at a constant speed. Immutable.
+ * cosine or at a constant speed, which is there at once or grows and falls at a constant rate.
+ * Immutable.
  */
 public final class LateralProfile {
 
@@ -13,28 +14,43 @@ public final class LateralProfile {
    * A change of the offset to another one, in m, that begins at a time, in s.
    *
    * @param speed the largest lateral speed in between, in m/s, above 0
-   * @param linear true if the speed is the same all the way, false if it is half a wave
+   * @param linear true if the speed is the same on the way, false if it is half a wave
+   * @param acceleration at which the speed of a linear change grows and falls, in m/s2; infinite if
+   *     it does so at once
    */
-  public record Change(double time, double offset, double speed, boolean linear)
+  public record Change(
+      double time, double offset, double speed, boolean linear, double acceleration)
       implements Maneuver.Change {
 
     /** Creates a change whose speed grows and falls along half a wave. */
     public Change(double time, double offset, double speed) {
-      this(time, offset, speed, false);
+      this(time, offset, speed, false, Double.POSITIVE_INFINITY);
     }
 
     @Override
     public Change at(double seconds) {
-      return new Change(seconds, offset, speed, linear);
+      return new Change(seconds, offset, speed, linear, acceleration);
     }
   }
 
-  private record Move(double time, double from, double to, double duration, boolean linear) {
+  /**
+   * A change on its way.
+   *
+   * @param ramp how long the speed of a linear one grows, and how long it falls, in s
+   */
+  private record Move(
+      double time, double from, double to, double duration, boolean linear, double ramp) {
 
     static Move of(Change change, double from) {
       double way = Math.abs(change.offset() - from);
-      double duration = (change.linear() ? way : Math.PI / 2.0 * way) / change.speed();
-      return new Move(change.time(), from, change.offset(), duration, change.linear());
+      if (!change.linear()) {
+        double duration = Math.PI / 2.0 * way / change.speed();
+        return new Move(change.time(), from, change.offset(), duration, false, 0.0);
+      }
+      // A short way ends before the speed is reached.
+      double speed = Math.min(change.speed(), StrictMath.sqrt(change.acceleration() * way));
+      double ramp = speed / change.acceleration();
+      return new Move(change.time(), from, change.offset(), way / speed + ramp, true, ramp);
     }
 
     double end() {
@@ -42,15 +58,38 @@ public final class LateralProfile {
     }
 
     double at(double seconds) {
-      double part = Math.min(1.0, (seconds - time) / duration);
-      double done = linear ? part : (1.0 - StrictMath.cos(Math.PI * part)) / 2.0;
-      return part >= 1.0 ? to : from + (to - from) * done;
+      double since = seconds - time;
+      return since >= duration ? to : from + (to - from) * (linear ? share(since) : wave(since));
+    }
+
+    private double wave(double since) {
+      return (1.0 - StrictMath.cos(Math.PI * since / duration)) / 2.0;
+    }
+
+    /** Returns the share of the way of a linear change. */
+    private double share(double since) {
+      double steady = duration - ramp;
+      if (since < ramp) {
+        return since * since / (2.0 * ramp * steady);
+      }
+      double left = duration - since;
+      return left < ramp
+          ? 1.0 - left * left / (2.0 * ramp * steady)
+          : (since - ramp / 2.0) / steady;
     }
 
     double rate(double seconds) {
-      double part = (seconds - time) / duration;
-      double share = linear ? 1.0 : Math.PI / 2.0 * StrictMath.sin(Math.PI * part);
-      return part >= 1.0 ? 0.0 : (to - from) / duration * share;
+      double since = seconds - time;
+      if (since >= duration) {
+        return 0.0;
+      }
+      if (!linear) {
+        double share = Math.PI / 2.0 * StrictMath.sin(Math.PI * since / duration);
+        return (to - from) / duration * share;
+      }
+      double nearest = Math.min(since, duration - since);
+      double share = nearest < ramp ? nearest / ramp : 1.0;
+      return (to - from) / (duration - ramp) * share;
     }
   }
 

@@ -31,6 +31,12 @@ public final class World {
   private long now;
   private boolean ended;
 
+  /** How long the ego's speed is constant, in ns; 0 if it changes continuously. */
+  private final long speedStep;
+
+  /** When the next such step begins, in ns. */
+  private long nextStep;
+
   /** Times at which the driver lets go of the pedals and of the wheel, in ns. */
   private long pedalsReleased = Long.MAX_VALUE;
 
@@ -54,6 +60,7 @@ public final class World {
     this.ego = new EgoMotion(situation.ego());
     this.actors = situation.actors();
     this.driver = situation.driver();
+    this.speedStep = nanoseconds(situation.ego().speedStep());
     trace.situation(situation);
     record();
   }
@@ -156,8 +163,19 @@ public final class World {
       }
       next = pedalsReleased > now ? Math.min(next, pedalsReleased) : next;
       next = wheelReleased > now ? Math.min(next, wheelReleased) : next;
-      advancePiece(next);
+      advancePiece(speedStep > 0 ? step(next) : next);
     }
+  }
+
+  /**
+   * Begins a step of the ego's speed where one is due; returns when the next one is, if earlier.
+   */
+  private long step(long next) {
+    if (nextStep <= now) {
+      ego.step();
+      nextStep += speedStep;
+    }
+    return Math.min(next, nextStep);
   }
 
   private void follow(VehicleCommand command) {

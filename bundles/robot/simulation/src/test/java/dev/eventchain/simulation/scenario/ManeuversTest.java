@@ -1,8 +1,10 @@
 package dev.eventchain.simulation.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.world.Actor;
@@ -110,6 +112,43 @@ class ManeuversTest {
     assertEquals(2.25, car.across(2.0), 1e-9);
     assertEquals(-1.5, car.speedAcross(2.0), 1e-9);
     assertEquals(0, car.across(3.5), 1e-9);
+  }
+
+  /** 1 s with growing speed, 1.5 s with a constant one, 1 s with a falling one. */
+  @Test
+  void aConstantLateralSpeedMayGrowAndFall() {
+    String ramp =
+        "{at_s: 1, lateral_offset_m: 0, lateral_speed_mps: 1.5, shape: linear,"
+            + " lateral_acceleration_mps2: 1.5}";
+    Actor car = run("", "", ramp, "").actor("car").orElseThrow();
+    assertEquals(-0.75, car.speedAcross(1.5), 1e-9);
+    assertEquals(3.75 - 0.1875, car.across(1.5), 1e-9);
+    assertEquals(3.75 - 0.75, car.across(2.0), 1e-9);
+    assertEquals(-1.5, car.speedAcross(3.0), 1e-9);
+    assertEquals(3.75 - 2.25, car.across(3.0), 1e-9);
+    assertEquals(-0.75, car.speedAcross(4.0), 1e-9);
+    assertEquals(0.1875, car.across(4.0), 1e-9);
+    assertEquals(0, car.across(4.5), 1e-9);
+  }
+
+  @Test
+  void halfAWaveHasNoAccelerationOfItsOwn() {
+    String wave = "{at_s: 1, lateral_offset_m: 0, lateral_acceleration_mps2: 1.5}";
+    DiagnosticException refused =
+        assertThrows(DiagnosticException.class, () -> run("", "", wave, ""));
+    assertTrue(refused.getMessage().contains("half a wave"), refused.getMessage());
+  }
+
+  /** 1 m at 1 m/s2 takes 1 s to the middle and 1 s more, with 1 m/s at most. */
+  @Test
+  void aShortWayEndsBeforeItsLateralSpeedIsReached() {
+    String ramp =
+        "{at_s: 1, lateral_offset_m: 2.75, lateral_speed_mps: 5, shape: linear,"
+            + " lateral_acceleration_mps2: 1}";
+    Actor car = run("", "", ramp, "").actor("car").orElseThrow();
+    assertEquals(3.25, car.across(2.0), 1e-9);
+    assertEquals(-1, car.speedAcross(2.0), 1e-9);
+    assertEquals(2.75, car.across(3.0), 1e-9);
   }
 
   @Test

@@ -77,6 +77,7 @@ class ScenarioSchemaTest {
         speed_kmh: 50
         lidar_dropout_percent: 2
         lidar_azimuth_step_deg: 1
+        speed_step_s: 0.1
         maneuvers:
           - at_s: 1
             speed_kmh: 60
@@ -84,6 +85,8 @@ class ScenarioSchemaTest {
           - at_s: 2
             lateral_offset_m: 0.5
             lateral_speed_mps: 0.3
+            shape: linear
+            lateral_acceleration_mps2: 0.5
       actors:
         - kind: bicycle
           name: the cyclist

@@ -14,6 +14,7 @@ import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.world.EgoVehicle;
 import dev.eventchain.simulation.world.Shape;
 import dev.eventchain.simulation.world.Trace;
+import dev.eventchain.simulation.world.VehicleCommand;
 import dev.eventchain.simulation.world.World;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -79,6 +80,45 @@ class VehicleTest {
     // Its front is 4 m beyond the post, its rear 8 m before it.
     assertEquals(12, world.ego().body().length());
     assertEquals(25 - 6, world.ego().body().place().x(), 0.2);
+  }
+
+  /** 10 m/s, and 5 m/s2 from 0.2 s on: 0.5 m/s less in each step, all of it at its start. */
+  @Test
+  void aSpeedMayChangeInSteps() {
+    String steps = ", speed_step_s: 0.1, brake_delay_s: 0, brake_build_up_s: 0";
+    World world = new World(scenario(steps, 5, Bench.carla()).situation(), new Trace());
+    world.advanceTo(World.nanoseconds(0.2));
+    world.command(world.now(), VehicleCommand.brake(5.0 / 9.0));
+    world.advanceTo(World.nanoseconds(0.25));
+    assertEquals(9.5, world.egoSpeed(), 1e-9);
+    world.command(world.now(), VehicleCommand.brake(1));
+    world.advanceTo(World.nanoseconds(0.3));
+    assertEquals(9.5, world.egoSpeed(), 1e-9);
+    assertEquals(2 + 0.95, world.station().along(), 1e-9);
+    world.advanceTo(World.nanoseconds(0.4));
+    assertEquals(9.5 - 0.9, world.egoSpeed(), 1e-9);
+    assertEquals(2 + 0.95 + 0.86, world.station().along(), 1e-9);
+    assertEquals(9, world.trace().end().deceleration(), 1e-9);
+    world.advanceTo(World.nanoseconds(3));
+    assertEquals(0, world.egoSpeed());
+    assertEquals(0, world.trace().end().deceleration());
+  }
+
+  /** A build-up of 0.3 s up to 9 m/s2 is 3 m/s2 more in each step. */
+  @Test
+  void aBuildUpHoldsInStepsAsWell() {
+    String steps = ", speed_step_s: 0.1, brake_delay_s: 0";
+    World world = new World(scenario(steps, 5, Bench.carla()).situation(), new Trace());
+    world.command(world.now(), VehicleCommand.brake(1));
+    world.advanceTo(World.nanoseconds(0.4));
+    assertEquals(10 - 0.3 - 0.6 - 0.9 - 0.9, world.egoSpeed(), 1e-9);
+  }
+
+  @Test
+  void aStepIsNotTooShort() {
+    assertThrows(
+        DiagnosticException.class, () -> scenario(", speed_step_s: 0.001", 5, Bench.carla()));
+    assertEquals(0, scenario(", speed_step_s: 0", 5, Bench.carla()).situation().ego().speedStep());
   }
 
   @Test
