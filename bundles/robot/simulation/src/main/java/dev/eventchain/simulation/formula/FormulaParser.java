@@ -63,6 +63,18 @@ public final class FormulaParser {
             .moment(true, "Only what holds at one moment can be waited for.");
   }
 
+  /** Parses a quantity of one moment, which is neither true nor false. */
+  static Term parseQuantity(SourceRange range, Signal.Source signals) {
+    FormulaParser parser =
+        new FormulaParser(range, FormulaTokens.Place.SCENARIO, signals, 0, Optional.empty());
+    Token first = parser.tokens.peek();
+    Part part = parser.formula(false);
+    if (part instanceof Term term) {
+      return term;
+    }
+    throw parser.tokens.syntax(first, "This is true or false, and not a quantity.", "");
+  }
+
   private Part moment(boolean isCondition, String refusal) {
     Token first = tokens.peek();
     Part part = formula(isCondition);

@@ -63,6 +63,10 @@ public enum Operator {
       "the change of x over that time before each sample, per second",
       "always derivative(ego.speed, 0.1 s) < 50 m/s2"),
   ABS("abs(x)", "the size without the sign", "always abs(ego.acceleration) < 20 m/s2"),
+  CEIL(
+      "ceil(x)",
+      "the next whole number that is not smaller than a number without a unit",
+      "always ceil(gap / 1 m) > 0.5"),
   MIN("min(x, y, ...)", "the smallest", "always min(gap, 15 m) <= 15.5 m"),
   MAX("max(x, y, ...)", "the largest", "always max(gap, 5 m) >= 4.5 m");
 

@@ -66,6 +66,11 @@ public record Range(double least, double most) {
         : new Range(Math.min(Math.abs(least), Math.abs(most)), largest);
   }
 
+  /** Returns the range from one end to the other, both rounded up to a whole number. */
+  Range ceiling() {
+    return new Range(Math.ceil(least), Math.ceil(most));
+  }
+
   /** Returns the smallest range with both. */
   Range union(Range other) {
     return new Range(Math.min(least, other.least), Math.max(most, other.most));

@@ -1,5 +1,6 @@
 package dev.eventchain.simulation.formula;
 
+import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.messages.Unit;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import dev.eventchain.simulation.world.Trace;
@@ -29,6 +30,16 @@ public record Term(
   /** Provides the values in a run. */
   public interface Values {
     IntToDoubleFunction in(SampledRun run);
+  }
+
+  /**
+   * Reads a quantity of one moment.
+   *
+   * @throws dev.eventchain.diagnostics.DiagnosticException (INPUT) as for {@link
+   *     Formula#parseCircumstance}
+   */
+  public static Term parseCircumstance(SourceRange range, Signal.Source signals) {
+    return FormulaParser.parseQuantity(range, signals);
   }
 
   static Term number(double number, Unit unit, String text) {
@@ -77,6 +88,11 @@ public record Term(
 
   Term absolute() {
     return mapped(Math::abs, Sum.of(new Object(), ranges -> range(ranges).absolute()));
+  }
+
+  /** Returns the next whole number that is not smaller; of a plain number only. */
+  Term ceiling() {
+    return mapped(Math::ceil, Sum.of(new Object(), ranges -> range(ranges).ceiling()));
   }
 
   private Term mapped(DoubleUnaryOperator operator, Sum result) {
@@ -242,7 +258,7 @@ public record Term(
     return relation == Unit.Relation.SAME || relation == Unit.Relation.CONVERTIBLE;
   }
 
-  private boolean isPlain() {
+  boolean isPlain() {
     return dimension.relationTo(Unit.parse("1").orElseThrow()) == Unit.Relation.SAME
         || unit.equals("%");
   }

@@ -100,6 +100,7 @@ final class TermParser {
         case "if" -> conditional(token);
         case "derivative" -> derivative(token);
         case "abs" -> absolute();
+        case "ceil" -> ceiling();
         case "min" -> extreme(false);
         case "max" -> extreme(true);
         default -> signal(token);
@@ -136,6 +137,20 @@ final class TermParser {
     Term inner = argument();
     tokens.require(")", "`abs` takes one argument.");
     return inner.absolute();
+  }
+
+  private Term ceiling() {
+    tokens.require("(", "Write, for example, `ceil(gap / 1 m)`.");
+    Token place = tokens.peek();
+    Term inner = argument();
+    tokens.require(")", "`ceil` takes one argument.");
+    if (!inner.isPlain()) {
+      throw tokens.unitProblem(
+          place,
+          "`ceil` takes a number without a unit, not one in " + named(inner) + ".",
+          "Divide by the unit: `ceil(gap / 1 m)`.");
+    }
+    return inner.ceiling();
   }
 
   /** Parses what follows {@code if}. */

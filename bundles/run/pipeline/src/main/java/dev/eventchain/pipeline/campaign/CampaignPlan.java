@@ -1,9 +1,13 @@
 package dev.eventchain.pipeline.campaign;
 
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceRange;
 import java.math.BigDecimal;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -11,6 +15,7 @@ import java.util.Optional;
  *
  * @param name that of its results
  * @param scenario the name of the scenario whose cases are simulated
+ * @param computed what follows from the factors, in the order of the file
  * @param conditions keep the combinations for which all are true
  * @param repetitions of each combination, with other seeds
  * @param seed of what is drawn
@@ -20,6 +25,7 @@ record CampaignPlan(
     String name,
     String scenario,
     List<Factor> factors,
+    List<Computed> computed,
     Sampling sampling,
     List<SourceRange> conditions,
     int repetitions,
@@ -36,10 +42,47 @@ record CampaignPlan(
 
   CampaignPlan {
     factors = List.copyOf(factors);
+    computed = List.copyOf(computed);
     conditions = List.copyOf(conditions);
   }
 
   List<String> names() {
     return factors.stream().map(Factor::name).toList();
+  }
+
+  /** Returns the values of the factors of a case, by their names. */
+  Map<String, Double> numbers(CampaignCase each) {
+    Map<String, Double> numbers = new LinkedHashMap<>();
+    for (int i = 0; i < factors.size(); i++) {
+      numbers.put(factors.get(i).name(), each.values().get(i).doubleValue());
+    }
+    return numbers;
+  }
+
+  /**
+   * Returns the numbers of the scenario and the bench that a case sets, by their paths.
+   *
+   * @throws DiagnosticException (INPUT) if one that is computed has no value
+   */
+  Map<String, BigDecimal> settings(CampaignCase each) {
+    Map<String, BigDecimal> settings = new LinkedHashMap<>();
+    for (int i = 0; i < factors.size(); i++) {
+      BigDecimal value = each.values().get(i);
+      factors.get(i).paths().forEach(path -> settings.put(path, value));
+    }
+    Map<String, Double> numbers = numbers(each);
+    for (Computed next : computed) {
+      double value = next.formula().value().applyAsDouble(numbers);
+      if (!Double.isFinite(value)) {
+        String message = "'" + next.name() + "' has no value: it is divided by 0.";
+        throw new DiagnosticException(
+            DiagnosticException.Reason.INPUT,
+            Diagnostic.of(CampaignRules.FORMULA, message, next.place()));
+      }
+      numbers.put(next.name(), value);
+      BigDecimal number = BigDecimal.valueOf(value);
+      next.paths().forEach(path -> settings.put(path, number));
+    }
+    return settings;
   }
 }

@@ -4,19 +4,25 @@ import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.simulation.scenario.NumberFormulas;
 import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 
 /** Reads campaign files. */
 final class CampaignReader {
@@ -63,6 +69,13 @@ final class CampaignReader {
           .filter(factor -> factor.levels() instanceof Levels.Uniform)
           .forEach(factor -> section.find(undrawn(factor)));
     }
+    if (sampling.kind() == Sampling.Kind.ROWS && tables(factors) != 1) {
+      String message = "Rows need factors that are all columns of one table.";
+      section.find(CampaignRules.VALUE_RANGE, message, section.at("sampling"));
+    }
+    List<Computed> computed =
+        section.object("computed").map(it -> computed(it, factors)).orElse(List.of());
+    requireUse(section, factors, computed);
     List<SourceRange> conditions = conditions(section);
     int repetitions = (int) section.wholeNumber("repetitions", REPETITIONS).orElse(1);
     long seed = section.wholeNumber("seed", SEED).orElse(1);
@@ -71,7 +84,74 @@ final class CampaignReader {
     section.refuseOthers();
     String name = file.getFileName().toString().replaceFirst("\\.ya?ml$", "");
     return new CampaignPlan(
-        file, name, scenario, factors, sampling, conditions, repetitions, seed, boundary);
+        file, name, scenario, factors, computed, sampling, conditions, repetitions, seed, boundary);
+  }
+
+  /** Returns how many tables the factors are from; 0 if one is from none. */
+  private static long tables(List<Factor> factors) {
+    return factors.stream().allMatch(factor -> factor.levels() instanceof Levels.Column)
+        ? factors.stream().map(it -> ((Levels.Column) it.levels()).table()).distinct().count()
+        : 0;
+  }
+
+  private List<Computed> computed(ObjectReader section, List<Factor> factors) {
+    List<String> known = new ArrayList<>(factors.stream().map(Factor::name).toList());
+    List<Computed> computed = new ArrayList<>();
+    for (String name : section.names()) {
+      requireName(section, name);
+      if (known.contains(name)) {
+        String message = "There is a factor '" + name + "' already.";
+        section.find(CampaignRules.KEY_DUPLICATE, message, section.atKey(name));
+      }
+      section
+          .object(name)
+          .flatMap(part -> computed(name, part, new NumberFormulas(known)))
+          .ifPresent(computed::add);
+      known.add(name);
+    }
+    return computed;
+  }
+
+  private Optional<Computed> computed(String name, ObjectReader part, NumberFormulas formulas) {
+    List<String> paths = paths(part);
+    String formula = part.requiredText("formula");
+    part.refuseOthers();
+    if (formula.isEmpty()) {
+      return Optional.empty();
+    }
+    try {
+      SourceRange range = SourceText.within(part.at("formula"), formula).whole();
+      return Optional.of(new Computed(name, paths, formulas.quantity(range), part.location()));
+    } catch (DiagnosticException e) {
+      Diagnostic first = e.diagnostics().get(0);
+      part.find(
+          Diagnostic.of(CampaignRules.FORMULA, first.message(), part.at("formula"))
+              .withHint(first.hint()));
+      return Optional.empty();
+    }
+  }
+
+  /** Requires of each factor and of what is computed that the scenario or a formula reads it. */
+  private static void requireUse(
+      ObjectReader section, List<Factor> factors, List<Computed> computed) {
+    Set<String> read = new HashSet<>();
+    computed.forEach(each -> read.addAll(each.formula().names()));
+    Map<String, SourceLocation> idle = new LinkedHashMap<>();
+    factors.stream()
+        .filter(each -> each.paths().isEmpty())
+        .forEach(each -> idle.put(each.name(), each.place()));
+    computed.stream()
+        .filter(each -> each.paths().isEmpty())
+        .forEach(each -> idle.put(each.name(), each.place()));
+    idle.keySet().removeAll(read);
+    idle.values()
+        .forEach(
+            place ->
+                section.find(
+                    Diagnostic.of(CampaignRules.KEY_MISSING, "'path' is missing.", place)
+                        .withHint(
+                            "Write the number of the scenario that it is, such as ego.speed_kmh, or"
+                                + " read it in a formula under `computed`.")));
   }
 
   private static Diagnostic undrawn(Factor factor) {
@@ -96,10 +176,7 @@ final class CampaignReader {
   private List<Factor> factors(ObjectReader section) {
     List<Factor> factors = new ArrayList<>();
     for (String name : section.names()) {
-      if (!name.matches("[A-Za-z_][A-Za-z0-9_]*")) {
-        String message = "A factor has a name of letters, digits and underscores.";
-        section.find(CampaignRules.VALUE_RANGE, message, section.atKey(name));
-      }
+      requireName(section, name);
       section.object(name).ifPresent(part -> factors.add(factor(name, part)));
     }
     if (factors.isEmpty()) {
@@ -108,14 +185,21 @@ final class CampaignReader {
     return factors;
   }
 
-  private Factor factor(String name, ObjectReader part) {
+  private static void requireName(ObjectReader section, String name) {
+    if (!name.matches("[A-Za-z_][A-Za-z0-9_]*")) {
+      String message = "A factor has a name of letters, digits and underscores.";
+      section.find(CampaignRules.VALUE_RANGE, message, section.atKey(name));
+    }
+  }
+
+  private static List<String> paths(ObjectReader part) {
     List<String> paths = new ArrayList<>(part.texts("paths"));
     part.text("path").ifPresent(paths::add);
-    if (paths.isEmpty()) {
-      part.find(
-          Diagnostic.of(CampaignRules.KEY_MISSING, "'path' is missing.", part.location())
-              .withHint("Write the number of the scenario that it is, such as ego.speed_kmh."));
-    }
+    return paths;
+  }
+
+  private Factor factor(String name, ObjectReader part) {
+    List<String> paths = paths(part);
     Levels levels = levels(part);
     part.refuseOthers();
     return new Factor(name, paths, levels, part.location());
@@ -137,7 +221,7 @@ final class CampaignReader {
     return switch (kinds.get(0)) {
       case "values" -> new Levels.Listed(numbers(part, "values"));
       case "step" -> range(part);
-      case "csv" -> new Levels.Listed(new CsvColumn(file, part).read());
+      case "csv" -> new CsvColumn(file, part).read();
       default -> uniform(part);
     };
   }
@@ -201,7 +285,7 @@ final class CampaignReader {
         Arrays.stream(Sampling.Kind.values()).filter(kind -> part.has(kind.key())).toList();
     Sampling.Kind kind = kinds.isEmpty() ? Sampling.Kind.GRID : kinds.get(0);
     if (kinds.size() != 1) {
-      String known = "One of grid, pairs, random, latin_hypercube and halton is needed.";
+      String known = "One of grid, rows, pairs, random, latin_hypercube and halton is needed.";
       part.find(CampaignRules.VALUE_RANGE, known, part.location());
       kinds.forEach(each -> part.value(each.key()));
     } else if (!kind.isDrawn()) {

@@ -16,6 +16,7 @@ final class CampaignRules {
       Rule.error("campaign.criterion.untested", CommonTrait.UNTESTED);
   static final Rule EMPTY = Rule.error("campaign.empty");
   static final Rule FACTOR = Rule.error("campaign.factor");
+  static final Rule FORMULA = Rule.error("campaign.formula");
   static final Rule KEY_DUPLICATE = Rule.error("campaign.key.duplicate");
   static final Rule KEY_MISSING = Rule.error("campaign.key.missing");
   static final Rule KEY_UNKNOWN = Rule.error("campaign.key.unknown");

@@ -35,6 +35,7 @@ final class CaseList {
     Set<List<BigDecimal>> combinations =
         switch (plan.sampling().kind()) {
           case GRID -> grid();
+          case ROWS -> rows();
           case PAIRS -> new PairsOfValues(plan, values -> keep(values)).cover();
           default -> drawn();
         };
@@ -118,6 +119,19 @@ final class CaseList {
     }
     combinations.removeIf(values -> !keep(values));
     return combinations;
+  }
+
+  /** Returns the rows of the table that all factors are columns of. */
+  private Set<List<BigDecimal>> rows() {
+    List<List<BigDecimal>> columns =
+        plan.factors().stream().map(factor -> ((Levels.Column) factor.levels()).cells()).toList();
+    Set<List<BigDecimal>> rows = new LinkedHashSet<>();
+    for (int i = 0; i < columns.get(0).size(); i++) {
+      int row = i;
+      rows.add(columns.stream().map(column -> column.get(row)).toList());
+    }
+    rows.removeIf(values -> !keep(values));
+    return rows;
   }
 
   /** Returns whether the conditions keep a case. */

@@ -4,13 +4,17 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceRange;
-import dev.eventchain.simulation.scenario.NumberConditions;
-import java.math.BigDecimal;
+import dev.eventchain.simulation.scenario.NumberFormulas;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Predicate;
 
 /** The conditions that keep combinations of the factors' values. */
 final class Conditions {
 
-  private final NumberConditions conditions;
+  private final CampaignPlan plan;
+  private final List<Predicate<Map<String, Double>>> conditions = new ArrayList<>();
 
   /**
    * Reads the conditions of a campaign.
@@ -18,10 +22,11 @@ final class Conditions {
    * @throws DiagnosticException (INPUT) if one cannot be read
    */
   Conditions(CampaignPlan plan) {
-    conditions = new NumberConditions(plan.names());
+    this.plan = plan;
+    NumberFormulas formulas = new NumberFormulas(plan.names());
     for (SourceRange condition : plan.conditions()) {
       try {
-        conditions.add(condition);
+        conditions.add(formulas.condition(condition));
       } catch (DiagnosticException e) {
         Diagnostic first = e.diagnostics().get(0);
         throw new DiagnosticException(
@@ -37,6 +42,6 @@ final class Conditions {
 
   /** Returns whether all are true of a case. */
   boolean keep(CampaignCase each) {
-    return conditions.hold(each.values().stream().mapToDouble(BigDecimal::doubleValue).toArray());
+    return conditions.isEmpty() || conditions.stream().allMatch(it -> it.test(plan.numbers(each)));
   }
 }

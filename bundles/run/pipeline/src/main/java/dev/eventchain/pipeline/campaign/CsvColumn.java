@@ -3,19 +3,26 @@ package dev.eventchain.pipeline.campaign;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
+import java.util.HashMap;
 import java.util.List;
-import java.util.Set;
+import java.util.Map;
 
-/** Values from a column of a table of numbers: the first line has the names, commas separate. */
+/**
+ * Values from a column of a table: the first line has the names, commas separate. Texts may stand
+ * for numbers.
+ */
 final class CsvColumn {
 
   private static final List<BigDecimal> NOTHING = List.of(BigDecimal.ZERO);
 
+  private static final NumberRange ANY = NumberRange.of(-1e12, 1e12);
+
+  private final Map<String, BigDecimal> numbers = new HashMap<>();
   private final Path campaign;
   private final ObjectReader part;
 
@@ -24,8 +31,20 @@ final class CsvColumn {
     this.part = part;
   }
 
-  /** Returns the distinct values, in the order of the table. */
-  List<BigDecimal> read() {
+  /** Returns the values, in the order of the table. */
+  Levels read() {
+    part.object("numbers").ifPresent(this::readNumbers);
+    return new Levels.Column(part.text("csv").orElse(""), cells());
+  }
+
+  private void readNumbers(ObjectReader section) {
+    for (String text : section.names()) {
+      double number = section.requiredNumber(text, ANY);
+      numbers.put(text, BigDecimal.valueOf(number).stripTrailingZeros());
+    }
+  }
+
+  private List<BigDecimal> cells() {
     String name = part.requiredText("csv");
     String column = part.requiredText("column");
     if (name.isEmpty() || column.isEmpty()) {
@@ -46,20 +65,24 @@ final class CsvColumn {
   }
 
   private List<BigDecimal> values(String name, String column, List<String> lines, int index) {
-    Set<BigDecimal> values = new LinkedHashSet<>();
+    List<BigDecimal> values = new ArrayList<>();
     for (String line : lines) {
       String[] cells = line.split(",", -1);
       try {
-        values.add(new BigDecimal(cells[index].strip()).stripTrailingZeros());
+        String cell = cells[index].strip();
+        BigDecimal number = numbers.get(cell);
+        values.add(number != null ? number : new BigDecimal(cell).stripTrailingZeros());
       } catch (NumberFormatException | ArrayIndexOutOfBoundsException e) {
         String message = "A line of " + name + " has no number for '" + column + "': " + line;
-        part.find(CampaignRules.VALUE_TYPE, message, part.at("csv"));
+        part.find(
+            Diagnostic.of(CampaignRules.VALUE_TYPE, message, part.at("csv"))
+                .withHint("Give texts numbers: `numbers: {dry: 1, wet: 2}`."));
         return NOTHING;
       }
     }
     if (values.isEmpty()) {
       part.find(CampaignRules.EMPTY, name + " has no values.", part.at("csv"));
     }
-    return values.isEmpty() ? NOTHING : new ArrayList<>(values);
+    return values.isEmpty() ? NOTHING : values;
   }
 }

@@ -35,6 +35,29 @@ sealed interface Levels {
     }
   }
 
+  /**
+   * The cells of a column, in the order of its table.
+   *
+   * @param table the name of the file, as the campaign file has it
+   */
+  record Column(String table, List<BigDecimal> cells) implements Levels {
+
+    public Column {
+      cells = List.copyOf(cells);
+    }
+
+    @Override
+    public BigDecimal at(double share) {
+      List<BigDecimal> values = checked();
+      return values.get((int) (share * values.size()));
+    }
+
+    @Override
+    public List<BigDecimal> checked() {
+      return cells.stream().distinct().toList();
+    }
+  }
+
   /** All values from one to another one, with the same probability. */
   record Uniform(BigDecimal least, BigDecimal most) implements Levels {
 

@@ -12,6 +12,8 @@ record Sampling(Kind kind, int cases) {
   enum Kind {
     /** All combinations. */
     GRID,
+    /** The rows of a table. */
+    ROWS,
     /** Combinations in which any two values of two factors occur together. */
     PAIRS,
     /** Independent draws. */

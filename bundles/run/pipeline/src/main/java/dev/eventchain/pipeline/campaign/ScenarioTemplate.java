@@ -16,7 +16,9 @@ import dev.eventchain.simulation.scenario.Scenario;
 import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.IntStream;
@@ -57,9 +59,15 @@ final class ScenarioTemplate {
     this.scenario = tree(file);
     this.bench = benchFile.map(ScenarioTemplate::tree);
     this.variesBench =
-        plan.factors().stream()
-            .flatMap(factor -> factor.paths().stream())
-            .anyMatch(path -> path.startsWith(BENCH));
+        paths(plan).values().stream().flatMap(List::stream).anyMatch(it -> it.startsWith(BENCH));
+  }
+
+  /** Returns the paths of all factors and of what is computed, by their places in the file. */
+  private static Map<SourceLocation, List<String>> paths(CampaignPlan plan) {
+    Map<SourceLocation, List<String>> paths = new LinkedHashMap<>();
+    plan.factors().forEach(factor -> paths.put(factor.place(), factor.paths()));
+    plan.computed().forEach(each -> paths.put(each.place(), each.paths()));
+    return paths;
   }
 
   private static ObjectNode tree(Path file) {
@@ -78,16 +86,19 @@ final class ScenarioTemplate {
     ObjectNode copy = scenario.deepCopy();
     Optional<ObjectNode> benchCopy = bench.map(ObjectNode::deepCopy);
     long mark = FIRST_MARK;
-    for (Factor factor : plan.factors()) {
-      for (String path : factor.paths()) {
+    for (Map.Entry<SourceLocation, List<String>> of : paths(plan).entrySet()) {
+      for (String path : of.getValue()) {
         Optional<String> problem =
             path.startsWith(BENCH) && bench.isEmpty()
                 ? Optional.of("The project has no bench.yaml for '" + path + "'.")
                 : taking(path.startsWith(BENCH) ? benchCopy.orElseThrow() : copy, path, mark++);
-        problem.ifPresent(it -> found.add(Diagnostic.of(CampaignRules.FACTOR, it, factor.place())));
+        problem.ifPresent(it -> found.add(Diagnostic.of(CampaignRules.FACTOR, it, of.getKey())));
       }
     }
-    return found.isEmpty() ? values() : found;
+    if (!found.isEmpty()) {
+      return found;
+    }
+    return plan.sampling().kind() == Sampling.Kind.ROWS ? rows() : values();
   }
 
   /** Marks the number of a path; returns what is wrong with the path. */
@@ -133,7 +144,22 @@ final class ScenarioTemplate {
     return found;
   }
 
-  private static List<BigDecimal> some(List<BigDecimal> values) {
+  /** Returns a finding for the first row that no scenario takes. */
+  private List<Diagnostic> rows() {
+    for (CampaignCase row : some(new CaseList(plan).cases())) {
+      Optional<String> problem = refusal(row);
+      if (problem.isPresent()) {
+        return List.of(
+            Diagnostic.of(
+                CampaignRules.FACTOR,
+                "With " + row.words(plan) + ": " + problem.get(),
+                SourceLocation.of(plan.file())));
+      }
+    }
+    return List.of();
+  }
+
+  private static <T> List<T> some(List<T> values) {
     int last = values.size() - 1;
     int most = Math.min(last, MOST_TRIED);
     return IntStream.rangeClosed(0, most)
@@ -180,13 +206,13 @@ final class ScenarioTemplate {
   }
 
   private void setAll(ObjectNode root, boolean ofBench, CampaignCase each) {
-    for (int i = 0; i < plan.factors().size(); i++) {
-      for (String path : plan.factors().get(i).paths()) {
-        if (path.startsWith(BENCH) == ofBench) {
-          set(root, path, each.values().get(i));
-        }
-      }
-    }
+    plan.settings(each)
+        .forEach(
+            (path, value) -> {
+              if (path.startsWith(BENCH) == ofBench) {
+                set(root, path, value);
+              }
+            });
   }
 
   private static void set(ObjectNode root, String path, BigDecimal value) {

@@ -66,6 +66,7 @@ class CampaignReaderTest {
     assertEquals(known, kinds);
     StringBuilder all = new StringBuilder("scenario: s\ndescription: d\n");
     all.append("factors: {f: {path: p, paths: [q], from: 1, to: 2, step: 1}}\n");
+    all.append("computed: {g: {path: r, paths: [t], formula: 2 * f}}\n");
     all.append("sampling: {grid: true}\nwhere: [f > 0]\nrepetitions: 2\nseed: 3\n");
     all.append("boundary: {factor: f, resolution: 1}\n");
     CampaignPlan plan = CampaignReader.read(Files.writeString(folder.resolve("a.yaml"), all));

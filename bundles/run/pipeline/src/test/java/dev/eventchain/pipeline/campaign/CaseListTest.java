@@ -190,4 +190,51 @@ class CaseListTest {
         List.of("[10] 1", "[12.5] 1"),
         values(cases("scenario: s\nfactors: {g: {path: a, csv: t.csv, column: gap}}\n")));
   }
+
+  @Test
+  void rowsOfATableAreCasesAndTextsMayBeNumbers() throws IOException {
+    Files.writeString(folder.resolve("t.csv"), "road,gap\nwet,10\ndry,20\nwet,10\nwet,5\n");
+    String text =
+        """
+        scenario: s
+        factors:
+          road: {path: a, csv: t.csv, column: road, numbers: {dry: 0.9, wet: 0.5}}
+          gap: {path: b, csv: t.csv, column: gap}
+        sampling: {rows: true}
+        """;
+    assertEquals(List.of("[0.5, 5] 1", "[0.5, 10] 1", "[0.9, 20] 1"), values(cases(text)));
+    assertEquals(List.of("[0.9, 20] 1"), values(cases(text + "where: [gap > 15]\n")));
+  }
+
+  @Test
+  void whatIsComputedFollowsFromTheFactors() throws IOException {
+    String text =
+        """
+        scenario: s
+        factors:
+          speed: {path: v, values: [3.6]}
+          gap: {values: [10]}
+        computed:
+          time: {formula: ceil(gap / 4)}
+          start: {paths: [a, b], formula: gap + speed / 3.6 * time}
+        """;
+    CampaignPlan plan = CampaignReader.read(Files.writeString(folder.resolve("c.yaml"), text));
+    CampaignCase only = new CaseList(plan).cases().get(0);
+    assertEquals("{v=3.6, a=13.0, b=13.0}", plan.settings(only).toString());
+  }
+
+  @Test
+  void aComputedNumberNeedsAValue() throws IOException {
+    String text =
+        """
+        scenario: s
+        factors: {speed: {values: [0]}}
+        computed: {time: {path: a, formula: 10 / speed}}
+        """;
+    CampaignPlan plan = CampaignReader.read(Files.writeString(folder.resolve("c.yaml"), text));
+    CampaignCase only = new CaseList(plan).cases().get(0);
+    DiagnosticException refused =
+        assertThrows(DiagnosticException.class, () -> plan.settings(only));
+    assertEquals("campaign.formula", refused.diagnostics().get(0).id());
+  }
 }
