@@ -31,6 +31,14 @@ final class CampaignReader {
   private static final NumberRange SEED = NumberRange.of(0, 1L << 52);
   private static final NumberRange REPETITIONS = NumberRange.of(1, 1000);
 
+  private static final String BOUNDS = "Its bounds are two numbers, the smaller one first.";
+
+  /** Stands for values that cannot be read. */
+  private static final Levels NO_VALUES = new Levels.Listed(List.of(BigDecimal.ZERO));
+
+  /** Of a normal distribution without bounds, 2 values in 10^9 are farther from its mean. */
+  private static final BigDecimal DEVIATIONS = BigDecimal.valueOf(6);
+
   private final Path file;
   private final SourceText text;
 
@@ -66,7 +74,7 @@ final class CampaignReader {
     Sampling sampling = section.object("sampling").map(this::sampling).orElse(Sampling.USUAL);
     if (!sampling.kind().isDrawn()) {
       factors.stream()
-          .filter(factor -> factor.levels() instanceof Levels.Uniform)
+          .filter(factor -> factor.levels().isContinuous())
           .forEach(factor -> section.find(undrawn(factor)));
     }
     if (sampling.kind() == Sampling.Kind.ROWS && tables(factors) != 1) {
@@ -207,21 +215,22 @@ final class CampaignReader {
 
   private Levels levels(ObjectReader part) {
     List<String> kinds =
-        List.of("values", "step", "uniform", "csv").stream().filter(part::has).toList();
+        List.of("values", "step", "uniform", "normal", "csv").stream().filter(part::has).toList();
     if (kinds.size() != 1) {
       part.find(
           Diagnostic.of(
                   kinds.isEmpty() ? CampaignRules.KEY_MISSING : CampaignRules.KEY_DUPLICATE,
-                  "Its values are given by one of values, step, uniform and csv.",
+                  "Its values are given by one of values, step, uniform, normal and csv.",
                   part.location())
               .withHint("For example `values: [10, 20]`, or `from: 10`, `to: 50`, `step: 5`."));
       kinds.forEach(part::value);
-      return new Levels.Listed(List.of(BigDecimal.ZERO));
+      return NO_VALUES;
     }
     return switch (kinds.get(0)) {
       case "values" -> new Levels.Listed(numbers(part, "values"));
       case "step" -> range(part);
       case "csv" -> new CsvColumn(file, part).read();
+      case "normal" -> part.object("normal").map(CampaignReader::normal).orElse(NO_VALUES);
       default -> uniform(part);
     };
   }
@@ -272,12 +281,35 @@ final class CampaignReader {
 
   private static Levels uniform(ObjectReader part) {
     List<BigDecimal> bounds = numbers(part, "uniform");
-    if (bounds.size() != 2 || bounds.get(0).compareTo(bounds.get(1)) >= 0) {
-      String message = "Its bounds are two numbers, the smaller one first.";
-      part.find(CampaignRules.VALUE_RANGE, message, part.at("uniform"));
+    if (!areBounds(bounds)) {
+      part.find(CampaignRules.VALUE_RANGE, BOUNDS, part.at("uniform"));
       return new Levels.Listed(bounds);
     }
     return new Levels.Uniform(bounds.get(0), bounds.get(1));
+  }
+
+  private static Levels normal(ObjectReader part) {
+    BigDecimal mean = decimal(part, "mean");
+    BigDecimal deviation =
+        BigDecimal.valueOf(part.requiredNumber("deviation", NumberRange.of(1e-9, 1e12)));
+    BigDecimal far = deviation.multiply(DEVIATIONS);
+    List<BigDecimal> bounds =
+        part.has("within") ? numbers(part, "within") : List.of(mean.subtract(far), mean.add(far));
+    part.refuseOthers();
+    if (!areBounds(bounds)) {
+      part.find(CampaignRules.VALUE_RANGE, BOUNDS, part.at("within"));
+      return NO_VALUES;
+    }
+    Levels.Normal normal = new Levels.Normal(mean, deviation, bounds.get(0), bounds.get(1));
+    if (deviation.signum() > 0 && !normal.hasMass()) {
+      String message = "Next to no value of the distribution lies within these bounds.";
+      part.find(CampaignRules.VALUE_RANGE, message, part.at("within"));
+    }
+    return normal;
+  }
+
+  private static boolean areBounds(List<BigDecimal> numbers) {
+    return numbers.size() == 2 && numbers.get(0).compareTo(numbers.get(1)) < 0;
   }
 
   private Sampling sampling(ObjectReader part) {

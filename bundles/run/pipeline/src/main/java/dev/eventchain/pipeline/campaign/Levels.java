@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 import java.util.List;
+import org.hipparchus.distribution.continuous.NormalDistribution;
 
 /** The values of a factor. */
 sealed interface Levels {
@@ -16,6 +17,11 @@ sealed interface Levels {
 
   /** Returns values that are checked before the campaign begins: all, or the ends. */
   List<BigDecimal> checked();
+
+  /** Returns whether there is no end of values, so that some have to be drawn. */
+  default boolean isContinuous() {
+    return false;
+  }
 
   /** Values in the order of the file. */
   record Listed(List<BigDecimal> values) implements Levels {
@@ -70,6 +76,71 @@ sealed interface Levels {
     @Override
     public List<BigDecimal> checked() {
       return List.of(least, most);
+    }
+
+    @Override
+    public boolean isContinuous() {
+      return true;
+    }
+  }
+
+  /**
+   * Values of a normal distribution that lie within bounds: the others are not there, and these are
+   * the likelier for it.
+   *
+   * @param deviation the standard deviation, without regard to the bounds
+   */
+  record Normal(BigDecimal mean, BigDecimal deviation, BigDecimal least, BigDecimal most)
+      implements Levels {
+
+    private static final NormalDistribution STANDARD = new NormalDistribution();
+
+    /** The part of all values that has to lie within the bounds. */
+    private static final double LEAST_MASS = 1e-9;
+
+    boolean hasMass() {
+      return share(upper()) - share(lower()) >= LEAST_MASS;
+    }
+
+    @Override
+    public BigDecimal at(double share) {
+      // Above the mean, shares are too close to 1 to be told apart: the other side is the same.
+      boolean isAbove = lower() > 0.0;
+      double from = isAbove ? share(-lower()) : share(lower());
+      double to = isAbove ? share(-upper()) : share(upper());
+      double deviations = STANDARD.inverseCumulativeProbability(from + share * (to - from));
+      double value =
+          mean.doubleValue() + (isAbove ? -deviations : deviations) * deviation.doubleValue();
+      return inside(value);
+    }
+
+    private BigDecimal inside(double value) {
+      if (value <= least.doubleValue()) {
+        return least;
+      }
+      return value >= most.doubleValue() ? most : BigDecimal.valueOf(value).round(DIGITS);
+    }
+
+    private static double share(double deviations) {
+      return STANDARD.cumulativeProbability(deviations);
+    }
+
+    private double lower() {
+      return least.subtract(mean).doubleValue() / deviation.doubleValue();
+    }
+
+    private double upper() {
+      return most.subtract(mean).doubleValue() / deviation.doubleValue();
+    }
+
+    @Override
+    public List<BigDecimal> checked() {
+      return List.of(least, most);
+    }
+
+    @Override
+    public boolean isContinuous() {
+      return true;
     }
   }
 }
