@@ -159,6 +159,9 @@ class CampaignTest {
     String xml = Files.readString(junit);
     assertTrue(xml.contains("<testsuite name=\"cases\" tests=\"6\" failures=\"2\""), xml);
     assertTrue(xml.contains("name=\"approach: speed = 50, gap = 60\" time=\"11.700\""), xml);
+    String page = Files.readString(results("approach/report.html"));
+    assertTrue(page.contains("<h2>speed and gap</h2>") && page.contains("class=\"map\""), page);
+    assertTrue(page.matches("(?s).*<figcaption>no impact</figcaption>.*margins of 4 cases: .*"));
     Path before = folder.resolve("before");
     Projects.copy(results("approach"), before);
     copy.replace("software-base/components/Brake_Request.py", "-9.0", "-5.0");
@@ -217,6 +220,22 @@ class CampaignTest {
         .expect(1)
         .says("1 of 4 cases ended")
         .says("(length = 4, wheelbase = 3.6): no scenario: Its wheelbase");
+  }
+
+  @Test
+  void whatIsDrawnIsShownAsPoints() throws IOException {
+    copy.write(
+        "approach.yaml",
+        """
+        scenario: stopped-vehicle-50
+        factors:
+          speed: {path: ego.speed_kmh, normal: {mean: 50, deviation: 9, within: [30, 60]}}
+          gap: {path: "actors[0].gap_m", uniform: [50, 70]}
+        sampling: {latin_hypercube: 3}
+        """);
+    campaign().expect(0).says("3 cases: 3 passed");
+    String page = Files.readString(results("approach/report.html"));
+    assertEquals(4, page.split("<circle class=\"passed\"", -1).length, page);
   }
 
   /** The vehicle never comes as near as the formula is about. */

@@ -32,7 +32,8 @@ final class CampaignPage {
       .failed { background: #b3362e; color: #fff; }
       .mixed { background: #d9a441; color: #000; }
       .untested { background: repeating-linear-gradient(45deg, #888 0 3px, #bbb 3px 6px); }
-      """;
+      """
+          + CampaignCharts.STYLE;
 
   private final Project project;
   private final CampaignPlan plan;
@@ -40,6 +41,7 @@ final class CampaignPage {
   private final List<CampaignRow> rows;
   private final CampaignSummary summary;
   private final StaticPage page;
+  private final CampaignCharts charts;
 
   private CampaignPage(Project project, CampaignPlan plan, Shard shard, List<CampaignRow> rows) {
     this.shard = shard;
@@ -48,6 +50,7 @@ final class CampaignPage {
     this.rows = rows;
     this.summary = new CampaignSummary(plan, rows);
     this.page = new StaticPage("Campaign " + plan.name(), STYLE);
+    this.charts = new CampaignCharts(page, rows);
   }
 
   static String of(
@@ -59,9 +62,10 @@ final class CampaignPage {
     CampaignPage page = new CampaignPage(project, plan, shard, rows);
     page.head();
     page.figures();
-    page.map();
+    page.factors();
     page.boundary();
     comparison.ifPresent(page::changes);
+    page.charts.margins();
     page.nearest();
     page.failures();
     return page.page.end("All cases are in " + CampaignStore.TABLE + ".");
@@ -86,36 +90,51 @@ final class CampaignPage {
     add("<div><dt>%s</dt><dd>%s</dd></div>", name, value);
   }
 
-  /** Adds a cell for each two values of the first two factors that have few enough. */
-  private void map() {
+  /** Adds the cases over the first two factors that differ: points where values are drawn. */
+  private void factors() {
     int[] shown =
         IntStream.range(0, plan.factors().size())
-            .filter(i -> values(i).size() > 1 && values(i).size() <= WIDEST)
+            .filter(i -> values(i).size() > 1)
+            .filter(i -> isDrawn(i) || values(i).size() <= WIDEST)
             .limit(2)
             .toArray();
     if (shown.length < 2) {
       return;
     }
-    List<BigDecimal> across = values(shown[1]);
     add("<section><h2>%s and %s</h2>\n", plan.names().get(shown[0]), plan.names().get(shown[1]));
+    if (isDrawn(shown[0]) || isDrawn(shown[1])) {
+      charts.points(shown[0], shown[1], plan.names());
+    } else {
+      map(shown[0], shown[1]);
+    }
+    raw("</section>\n");
+  }
+
+  private boolean isDrawn(int factor) {
+    return plan.factors().get(factor).levels().isContinuous();
+  }
+
+  /** Adds a cell for each two values. */
+  private void map(int down, int right) {
+    List<BigDecimal> across = values(right);
     raw(
         "<p class=\"muted\">Each cell has the cases that did not pass, of all with these values; the");
     raw(" others differ in the other factors.</p>\n");
     raw("<div class=\"scroll\"><table class=\"map\"><thead><tr><th></th>");
     across.forEach(value -> add("<th>%s</th>", value.toPlainString()));
     raw("</tr></thead><tbody>\n");
-    for (BigDecimal value : values(shown[0])) {
+    for (BigDecimal value : values(down)) {
       add("<tr><th>%s</th>", value.toPlainString());
       across.forEach(
           other ->
               cell(
                   rows.stream()
-                      .filter(row -> row.id().values().get(shown[0]).compareTo(value) == 0)
-                      .filter(row -> row.id().values().get(shown[1]).compareTo(other) == 0)
+                      .filter(row -> row.id().values().get(down).compareTo(value) == 0)
+                      .filter(row -> row.id().values().get(right).compareTo(other) == 0)
                       .toList()));
       raw("</tr>\n");
     }
-    raw("</tbody></table></div></section>\n");
+    raw("</tbody></table></div>\n");
   }
 
   private List<BigDecimal> values(int factor) {
