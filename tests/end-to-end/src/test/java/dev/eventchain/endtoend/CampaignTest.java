@@ -178,6 +178,9 @@ class CampaignTest {
   void factorsThatNameNothingOrDoNotFitAreFoundBeforeAnythingIsSimulated() throws IOException {
     copy.replace("approach.yaml", "ego.speed_kmh", "ego.sped_kmh");
     campaign().expect(2).says("approach.yaml:3:10").says("There is no key 'sped_kmh' here.");
+    copy.replace("approach.yaml", "ego.sped_kmh", "phases_ms.Radar_Trackin");
+    campaign().expect(2).says("The chain has no node 'Radar_Trackin'.").says("Radar_Tracking");
+    copy.replace("approach.yaml", "phases_ms.Radar_Trackin", "ego.sped_kmh");
     copy.replace(
         "approach.yaml",
         "path: ego.sped_kmh, values: [40, 50]",

@@ -30,6 +30,7 @@ import java.util.stream.IntStream;
 final class ScenarioTemplate {
 
   private static final String BENCH = "bench:";
+  private static final String PHASE = "phases_ms.";
   private static final int MOST_TRIED = 200;
 
   /** Larger than any number of a scenario or a bench. */
@@ -38,6 +39,7 @@ final class ScenarioTemplate {
   private final Bench usualBench;
   private final Function<SourceText, Bench> benches;
   private final Optional<Path> benchFile;
+  private final List<String> nodes;
   private final CampaignPlan plan;
   private final Path file;
   private final ObjectNode scenario;
@@ -53,6 +55,7 @@ final class ScenarioTemplate {
     this.usualBench = run.chain().bench();
     this.benches = run.benches();
     this.benchFile = run.project().bench();
+    this.nodes = run.chain().chain().getSoftware().stream().map(node -> node.getName()).toList();
     Scenario.read(file, usualBench);
     this.plan = plan;
     this.file = file;
@@ -88,10 +91,11 @@ final class ScenarioTemplate {
     long mark = FIRST_MARK;
     for (Map.Entry<SourceLocation, List<String>> of : paths(plan).entrySet()) {
       for (String path : of.getValue()) {
-        Optional<String> problem =
+        Optional<String> wrong =
             path.startsWith(BENCH) && bench.isEmpty()
                 ? Optional.of("The project has no bench.yaml for '" + path + "'.")
                 : taking(path.startsWith(BENCH) ? benchCopy.orElseThrow() : copy, path, mark++);
+        Optional<String> problem = wrong.or(() -> ofNoNode(path));
         problem.ifPresent(it -> found.add(Diagnostic.of(CampaignRules.FACTOR, it, of.getKey())));
       }
     }
@@ -99,6 +103,15 @@ final class ScenarioTemplate {
       return found;
     }
     return plan.sampling().kind() == Sampling.Kind.ROWS ? rows() : values();
+  }
+
+  /** Returns what is wrong with the path of a node's phase: any key is one, whatever the chain. */
+  private Optional<String> ofNoNode(String path) {
+    String node = path.substring(path.startsWith(PHASE) ? PHASE.length() : 0);
+    return path.startsWith(PHASE) && !nodes.contains(node)
+        ? Optional.of(
+            "The chain has no node '%s'. %s".formatted(node, NearestName.hint(node, nodes)).strip())
+        : Optional.empty();
   }
 
   /** Marks the number of a path; returns what is wrong with the path. */
