@@ -26,6 +26,8 @@ public final class Fingerprint {
   /** The content of a missing source. */
   public static final String ABSENT = "absent";
 
+  private static final String OWN_JARS = "eventchain-";
+
   /** The build of this program. */
   public static final String PROGRAM = program();
 
@@ -136,14 +138,19 @@ public final class Fingerprint {
     }
   }
 
-  /** Returns the build of the program, because another one may treat the same files differently. */
+  /**
+   * Returns the build of the program, because another one may treat the same files differently: the
+   * content of its own jars, wherever and whenever they were unpacked, and the names and sizes of
+   * the others, which have their version in their name.
+   */
   private static String program() {
     StringBuilder program = new StringBuilder();
     for (String entry : System.getProperty("java.class.path").split(File.pathSeparator, -1)) {
       File file = new File(entry);
       program.append(file.getName()).append('\n');
       if (file.isFile()) {
-        program.append(file.length()).append(' ').append(file.lastModified()).append('\n');
+        boolean isOwn = file.getName().startsWith(OWN_JARS);
+        program.append(isOwn ? contentOf(file.toPath()) : file.length()).append('\n');
       }
     }
     return Sha256.of(program.toString()).hex();
