@@ -17,6 +17,8 @@ final class CampaignRules {
   static final Rule EMPTY = Rule.error("campaign.empty");
   static final Rule FACTOR = Rule.error("campaign.factor");
   static final Rule FORMULA = Rule.error("campaign.formula");
+  static final Rule INPUTS_CHANGED =
+      Rule.error("campaign.inputs.changed", CommonTrait.UNSUPPRESSIBLE);
   static final Rule KEY_DUPLICATE = Rule.error("campaign.key.duplicate");
   static final Rule KEY_MISSING = Rule.error("campaign.key.missing");
   static final Rule KEY_UNKNOWN = Rule.error("campaign.key.unknown");

@@ -28,6 +28,7 @@ final class CampaignStore implements AutoCloseable {
   static final String TABLE = "cases.csv";
   static final String PAGE = "report.html";
 
+  private static final List<String> RESULTS = List.of(CASES, TABLE, PAGE);
   private static final String PARTS = "parts";
   private static final long PAUSE = 500;
 
@@ -77,7 +78,7 @@ final class CampaignStore implements AutoCloseable {
             .filter(it -> it.inputs().equals(empty.inputs()))
             .isPresent();
     if (!same) {
-      List.of(CASES, TABLE, PAGE).forEach(output::remove);
+      RESULTS.forEach(output::remove);
     }
     saved =
         Optional.of(saving.scheduleAtFixedRate(this::save, PAUSE, PAUSE, TimeUnit.MILLISECONDS));
@@ -151,6 +152,14 @@ final class CampaignStore implements AutoCloseable {
   /** Writes all cases into one file, after which nothing is missing. */
   synchronized void complete() {
     write(CASES, ResultJson.bytes(with(rows.values(), true)));
+    output.removeAll(PARTS);
+  }
+
+  /** Drops all results. */
+  synchronized void discard() {
+    unsaved.clear();
+    rows.clear();
+    RESULTS.forEach(output::remove);
     output.removeAll(PARTS);
   }
 

@@ -109,6 +109,7 @@ public final class Campaigns {
       }
       simulate(own, store);
       plan.boundary().ifPresent(it -> search(new BoundarySearch(it), list, store));
+      requireUnchanged(empty.inputs(), store);
       return outcome(store, known, earlier, System.nanoTime() - start);
     }
   }
@@ -128,6 +129,20 @@ public final class Campaigns {
     fingerprint.addFile(plan.file());
     plan.factors().forEach(factor -> fingerprint.add(factor.levels()));
     return fingerprint.value();
+  }
+
+  /** Drops the results if some of them may be of other files than the others. */
+  private void requireUnchanged(String before, CampaignStore store) {
+    if (!inputs().equals(before)) {
+      store.discard();
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.of(
+                  CampaignRules.INPUTS_CHANGED,
+                  "Files of the project or the campaign were changed while it ran.",
+                  SourceLocation.of(plan.file()))
+              .withHint("Nobody can say which cases are of which state. Run it again."));
+    }
   }
 
   /** Returns the cases of this part: combinations stay together along a boundary. */
