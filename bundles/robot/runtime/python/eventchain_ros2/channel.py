@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import fcntl
 import json
 import os
 import struct
@@ -16,6 +18,7 @@ from eventchain_ros2.simulation import LimitError
 LONGEST_FRAME = 1 << 25
 """Bytes."""
 
+_PIPE_BYTES = 1 << 18
 _FRAME = struct.Struct("<IB")
 
 
@@ -39,6 +42,14 @@ class Kind(IntEnum):
     STOP = 15
 
 
+def _widen(pipe: int) -> None:
+    """Let a pipe hold a step with a point cloud, where the system can: no side waits for the other one half-way."""
+    command = getattr(fcntl, "F_SETPIPE_SZ", None)
+    if command is not None:
+        with contextlib.suppress(OSError):  # it is no pipe, or one too many of this size
+            fcntl.fcntl(pipe, command, _PIPE_BYTES)
+
+
 class Channel:
     """Reads and writes frames."""
 
@@ -50,6 +61,8 @@ class Channel:
     def of_standard_streams(cls) -> Channel:
         """Take over standard input and output, so that user code cannot access them: it prints to standard error."""
         source, target = os.fdopen(os.dup(0), "rb", 0), os.fdopen(os.dup(1), "wb")
+        _widen(0)
+        _widen(1)
         nothing = os.open(os.devnull, os.O_RDONLY)
         os.dup2(nothing, 0)
         os.dup2(2, 1)
