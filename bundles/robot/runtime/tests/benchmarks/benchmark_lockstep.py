@@ -1,7 +1,7 @@
 """Prints the cost of the lock-step host: start, reset, and a step of 50 ms of a chain of four nodes at 20 Hz.
 
-Each step has a PointCloud2 of 4,000 points (64 kB), as in scenarios that do not say otherwise, and a vehicle status; the
-components do almost nothing.
+Each step has a PointCloud2 of 4,000 points (64 kB), as in scenarios that do not say otherwise, and a vehicle status.
+The components do almost nothing.
 """
 
 from __future__ import annotations
