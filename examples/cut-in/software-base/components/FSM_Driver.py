@@ -20,7 +20,9 @@ LATERAL_MARGIN = 0.1
 
 def between(distance, unsafe, safe):
     """Return how unsafe a distance is: 0 from `safe` on, 1 up to `unsafe`."""
-    return min(max((distance - safe) / (unsafe - safe), 0.0), 1.0)
+    if distance >= safe:
+        return 0.0
+    return 1.0 if distance < unsafe else (distance - safe) / (unsafe - safe)
 
 
 def proactive(distance, speed, other_speed):
@@ -37,7 +39,7 @@ def critical(distance, speed, other_speed, acceleration):
         return 0.0
     expected = max(acceleration, -COMFORTABLE)
     later = closing + REACTION * expected
-    if later <= 0.0:
+    if later < 0.0:
         return 1.0 if distance < closing**2 / abs(2 * acceleration) else 0.0
     reacting = REACTION * (closing + REACTION * expected / 2)
     safe = reacting + later**2 / (2 * COMFORTABLE)

@@ -37,9 +37,7 @@ class RSS_Driver:
     def execute(self, ahead, distance_along, distance_across, other_speed, lateral_speed, speed):
         """Take m and m/s; return the deceleration in m/s2."""
         unsafe = (
-            ahead
-            and distance_along < safe_along(speed, other_speed)
-            and distance_across < safe_across(lateral_speed)
+            ahead and distance_along < safe_along(speed, other_speed) and distance_across < safe_across(lateral_speed)
         )
         if not unsafe or self._reaction.lasts():
             return {"deceleration": 0.0}

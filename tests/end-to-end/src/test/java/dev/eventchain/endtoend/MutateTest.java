@@ -114,7 +114,8 @@ class MutateTest {
   }
 
   static Stream<String> examples() {
-    return Thorough.allOrFirst(List.of("radar-aeb", "lane-departure", "acc", "aeb")).stream();
+    return Thorough.allOrFirst(List.of("radar-aeb", "cut-in", "lane-departure", "acc", "aeb"))
+        .stream();
   }
 
   @InTurn

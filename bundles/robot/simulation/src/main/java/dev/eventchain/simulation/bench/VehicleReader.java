@@ -48,7 +48,7 @@ public final class VehicleReader {
   }
 
   private static double speedStep(ObjectReader section, double usual, Rule range) {
-    double step = number(section, SPEED_STEP, usual, 0, 1);
+    double step = number(section, SPEED_STEP, usual, 0, 0.5);
     if (step > 0.0 && step < SHORTEST_STEP) {
       String message = "A step lasts 0.01 s at least, and 0 means that the speed has none.";
       section.find(range, message, section.at(SPEED_STEP));

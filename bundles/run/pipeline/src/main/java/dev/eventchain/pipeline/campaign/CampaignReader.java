@@ -81,9 +81,11 @@ final class CampaignReader {
       String message = "Rows need factors that are all columns of one table.";
       section.find(CampaignRules.VALUE_RANGE, message, section.at("sampling"));
     }
-    List<Computed> computed =
-        section.object("computed").map(it -> computed(it, factors)).orElse(List.of());
-    requireUse(section, factors, computed);
+    Optional<ObjectReader> formulas = section.object("computed");
+    List<Computed> computed = formulas.map(it -> computed(it, factors)).orElse(List.of());
+    if (computed.size() == formulas.map(it -> it.names().size()).orElse(0)) {
+      requireUse(section, factors, computed);
+    } // else nobody knows what the formulas read that cannot be read
     List<SourceRange> conditions = conditions(section);
     int repetitions = (int) section.wholeNumber("repetitions", REPETITIONS).orElse(1);
     long seed = section.wholeNumber("seed", SEED).orElse(1);

@@ -42,25 +42,21 @@ sealed interface Levels {
   }
 
   /**
-   * The cells of a column, in the order of its table.
+   * A column of a table.
    *
    * @param table the name of the file, as the campaign file has it
+   * @param cells all cells, in their order
+   * @param checked the values among them
    */
-  record Column(String table, List<BigDecimal> cells) implements Levels {
+  record Column(String table, List<BigDecimal> cells, List<BigDecimal> checked) implements Levels {
 
-    public Column {
-      cells = List.copyOf(cells);
+    Column(String table, List<BigDecimal> cells) {
+      this(table, List.copyOf(cells), cells.stream().distinct().toList());
     }
 
     @Override
     public BigDecimal at(double share) {
-      List<BigDecimal> values = checked();
-      return values.get((int) (share * values.size()));
-    }
-
-    @Override
-    public List<BigDecimal> checked() {
-      return cells.stream().distinct().toList();
+      return checked.get((int) (share * checked.size()));
     }
   }
 

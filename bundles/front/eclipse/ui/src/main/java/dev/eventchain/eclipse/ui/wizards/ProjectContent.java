@@ -20,7 +20,8 @@ import org.eclipse.core.runtime.Status;
 final class ProjectContent {
 
   /** Examples that ship with the program. */
-  static final List<String> EXAMPLES = List.of("aeb", "acc", "lane-departure", "radar-aeb");
+  static final List<String> EXAMPLES =
+      List.of("aeb", "acc", "lane-departure", "radar-aeb", "cut-in");
 
   private final Program program;
   private final Path folder;
