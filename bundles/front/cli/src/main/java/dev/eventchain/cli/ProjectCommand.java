@@ -278,8 +278,12 @@ abstract class ProjectCommand implements Callable<Integer> {
 
   private void printText(Outcome outcome) {
     if (!outcome.failed()) {
-      int most = reporting.all ? Integer.MAX_VALUE : MOST_OF_ONE_RULE;
-      findings().print(DiagnosticFormat.textExcerpt(outcome.report(Main.version()), most));
+      Report report = outcome.report(Main.version());
+      findings()
+          .print(
+              reporting.all
+                  ? DiagnosticFormat.textOfAll(report)
+                  : DiagnosticFormat.textExcerpt(report, MOST_OF_ONE_RULE));
     }
     outcome.run().ifPresent(this::printVerdict);
   }

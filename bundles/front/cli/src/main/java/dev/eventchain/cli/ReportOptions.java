@@ -40,7 +40,8 @@ final class ReportOptions {
 
   @Option(
       names = "--all",
-      description = "Print all findings as text, not only the first 100 of each rule.")
+      description =
+          "Print all findings as text, not only the first 100 of each rule, and consequences in full.")
   boolean all;
 
   @Option(

@@ -1,11 +1,9 @@
 package dev.eventchain.maven;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.FindingExcerpt;
 import dev.eventchain.diagnostics.Printable;
-import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import org.apache.maven.plugin.logging.Log;
 
 /** Findings as lines of Maven's log, each at the level of its severity. */
@@ -21,19 +19,13 @@ final class FindingLines {
   }
 
   void print(List<Diagnostic> findings) {
-    Map<String, Integer> shown = new HashMap<>();
-    Map<String, Integer> more = new LinkedHashMap<>();
-    for (Diagnostic finding : findings) {
-      if (shown.merge(rule(finding), 1, Integer::sum) <= MOST_OF_ONE_RULE) {
-        print(finding);
-      } else {
-        more.merge(rule(finding), 1, Integer::sum);
-      }
-    }
-    more.forEach((rule, count) -> log.warn("... and " + count + " more " + rule));
+    FindingExcerpt excerpt = FindingExcerpt.of(findings, MOST_OF_ONE_RULE);
+    excerpt.shown().forEach(this::print);
+    excerpt.more().forEach((rule, count) -> log.warn("... and " + count + " more [" + rule + "]"));
   }
 
-  private void print(Diagnostic finding) {
+  private void print(FindingExcerpt.Shown shown) {
+    Diagnostic finding = shown.finding();
     print(finding, line(finding));
     String element = finding.location().element();
     if (!element.isEmpty()) {
@@ -41,6 +33,9 @@ final class FindingLines {
     }
     if (!finding.hint().isEmpty()) {
       print(finding, "  hint: " + clean(finding.hint()));
+    }
+    if (!shown.consequences().isEmpty()) {
+      print(finding, "  " + clean(shown.words()));
     }
   }
 
@@ -57,12 +52,9 @@ final class FindingLines {
     String place = finding.location().toString();
     return (place.isEmpty() ? "" : clean(place) + ": ")
         + clean(finding.message())
-        + " "
-        + rule(finding);
-  }
-
-  private static String rule(Diagnostic finding) {
-    return "[" + finding.id() + (finding.rule().isEmpty() ? "" : " " + clean(finding.rule())) + "]";
+        + " ["
+        + FindingExcerpt.ruleOf(finding)
+        + "]";
   }
 
   /** Escapes line breaks so that no line can pass for one of Maven's. */

@@ -54,6 +54,21 @@ class FindingLinesTest {
   }
 
   @Test
+  void consequencesAreNamedBelowTheirCause() {
+    Diagnostic cause = Diagnostic.of(Rule.error("a.b"), "Wrong.", PLACE);
+    Diagnostic consequence =
+        Diagnostic.of(Rule.error("a.c"), "Not tested.", SourceLocation.of("m/b.xmi"))
+            .withCause(new Diagnostic.Cause(PLACE, "it stops\n[ERROR] forged"));
+    print(List.of(cause, consequence));
+    assertEquals(
+        List.of(
+            "[ERROR] m/a.xmi:3:5: Wrong. [a.b]",
+            "[ERROR]   at: Library/books[1]",
+            "[ERROR]   1 consequence: it stops\n    | [ERROR] forged"),
+        lines);
+  }
+
+  @Test
   void oneRuleFillsNoScreens() {
     print(
         Collections.nCopies(102, Diagnostic.of(Rule.error("a.b"), "Wrong.", SourceLocation.NONE)));

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
@@ -19,6 +20,7 @@ import java.util.stream.Stream;
  *     if the id suffices
  * @param related other locations involved, most relevant first: the violated rule, or the other
  *     side of a contract
+ * @param cause the finding that it is a consequence of; empty if it stands for itself
  */
 public record Diagnostic(
     Rule kind,
@@ -27,7 +29,8 @@ public record Diagnostic(
     SourceLocation location,
     String hint,
     String rule,
-    List<SourceLocation> related)
+    List<SourceLocation> related,
+    Optional<Cause> cause)
     implements Comparable<Diagnostic> {
 
   /** Order by location, as in the file, then by all other components. */
@@ -38,7 +41,24 @@ public record Diagnostic(
           .thenComparing(Diagnostic::rule)
           .thenComparing(Diagnostic::message)
           .thenComparing(Diagnostic::hint)
-          .thenComparing(Diagnostic::related, Diagnostic::compare);
+          .thenComparing(Diagnostic::related, Diagnostic::compare)
+          .thenComparing(each -> each.cause.map(Cause::location).orElse(SourceLocation.NONE))
+          .thenComparing(each -> each.cause.map(Cause::consequence).orElse(""));
+
+  /**
+   * Another finding, of which a finding is a consequence: what resolves it may resolve both.
+   *
+   * @param location the location of the other finding, by which it is known
+   * @param consequence what the finding is called in a list of the other one's consequences
+   */
+  public record Cause(SourceLocation location, String consequence) {
+
+    /** Refuses nulls. */
+    public Cause {
+      Objects.requireNonNull(location);
+      Objects.requireNonNull(consequence);
+    }
+  }
 
   /** Refuses nulls; unknown values are empty. */
   public Diagnostic {
@@ -49,6 +69,19 @@ public record Diagnostic(
     Objects.requireNonNull(hint);
     Objects.requireNonNull(rule);
     related = List.copyOf(related);
+    Objects.requireNonNull(cause);
+  }
+
+  /** Creates a finding that stands for itself. */
+  public Diagnostic(
+      Rule kind,
+      Severity severity,
+      String message,
+      SourceLocation location,
+      String hint,
+      String rule,
+      List<SourceLocation> related) {
+    this(kind, severity, message, location, hint, rule, related, Optional.empty());
   }
 
   /** Returns a finding with the severity of its kind. */
@@ -73,29 +106,35 @@ public record Diagnostic(
 
   /** Returns this finding with another severity. */
   public Diagnostic withSeverity(Severity newSeverity) {
-    return new Diagnostic(kind, newSeverity, message, location, hint, rule, related);
+    return new Diagnostic(kind, newSeverity, message, location, hint, rule, related, cause);
   }
 
   /** Returns this finding with another hint. */
   public Diagnostic withHint(String newHint) {
-    return new Diagnostic(kind, severity, message, location, newHint, rule, related);
+    return new Diagnostic(kind, severity, message, location, newHint, rule, related, cause);
   }
 
   /** Returns this finding with the user's rule that found it. */
   public Diagnostic withRule(String newRule) {
-    return new Diagnostic(kind, severity, message, location, hint, newRule, related);
+    return new Diagnostic(kind, severity, message, location, hint, newRule, related, cause);
   }
 
   /** Returns this finding at another location. */
   public Diagnostic withLocation(SourceLocation newLocation) {
-    return new Diagnostic(kind, severity, message, newLocation, hint, rule, related);
+    return new Diagnostic(kind, severity, message, newLocation, hint, rule, related, cause);
   }
 
   /** Returns this finding with other related locations, without {@code NONE}. */
   public Diagnostic withRelated(SourceLocation... places) {
     List<SourceLocation> known =
         Stream.of(places).filter(place -> !place.equals(SourceLocation.NONE)).toList();
-    return new Diagnostic(kind, severity, message, location, hint, rule, known);
+    return new Diagnostic(kind, severity, message, location, hint, rule, known, cause);
+  }
+
+  /** Returns this finding as a consequence of another one. */
+  public Diagnostic withCause(Cause newCause) {
+    return new Diagnostic(
+        kind, severity, message, location, hint, rule, related, Optional.of(newCause));
   }
 
   private static int compare(List<SourceLocation> first, List<SourceLocation> second) {

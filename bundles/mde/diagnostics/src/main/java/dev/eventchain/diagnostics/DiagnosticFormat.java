@@ -40,17 +40,22 @@ public enum DiagnosticFormat {
   /** Returns the report in this format, ending with a line break. Text without content is empty. */
   public abstract String render(Report report);
 
+  /** Returns all findings as text, without a summary. */
+  public static String textOfAll(Report report) {
+    return TextReport.findings(report.diagnostics());
+  }
+
   /** Returns findings alone in this format. */
   public String render(List<Diagnostic> diagnostics) {
     return render(Report.of(diagnostics));
   }
 
   /**
-   * Returns the findings as text that fits a screen: the first few of each rule, and the number of
-   * the others.
+   * Returns the findings as text that fits a screen: consequences are named below their cause, and
+   * of each rule come the first few, and the number of the others.
    */
   public static String textExcerpt(Report report, int mostOfOneRule) {
-    return TextReport.findings(report, mostOfOneRule);
+    return TextReport.excerpt(FindingExcerpt.of(report.diagnostics(), mostOfOneRule));
   }
 
   /** Returns the name on the command line. */

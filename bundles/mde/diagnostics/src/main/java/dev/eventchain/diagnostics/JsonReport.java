@@ -96,6 +96,9 @@ final class JsonReport {
             }
           });
     }
+    if (finding.cause().isPresent()) {
+      json.object("cause", members -> place(finding.cause().get().location(), members));
+    }
   }
 
   private static void place(SourceLocation location, JsonText json) throws IOException {

@@ -1,8 +1,6 @@
 package dev.eventchain.diagnostics;
 
-import java.util.HashMap;
-import java.util.LinkedHashMap;
-import java.util.Map;
+import java.util.List;
 
 /** Report as plain text. */
 final class TextReport {
@@ -13,25 +11,29 @@ final class TextReport {
 
   /** Returns the whole report, with the summary if anything was checked. */
   static String render(Report report) {
-    String findings = findings(report, Integer.MAX_VALUE);
+    String findings = findings(report.diagnostics());
     return report.coverage().equals(Coverage.NONE) ? findings : findings + report.summary() + "\n";
   }
 
-  static String findings(Report report, int mostOfOneRule) {
+  static String findings(List<Diagnostic> findings) {
     StringBuilder text = new StringBuilder();
-    Map<String, Integer> shown = new HashMap<>();
-    Map<String, Integer> more = new LinkedHashMap<>();
-    for (Diagnostic diagnostic : report.diagnostics()) {
-      String rule = ruleOf(diagnostic);
-      if (shown.merge(rule, 1, Integer::sum) <= mostOfOneRule) {
-        append(diagnostic, text);
-      } else {
-        more.merge(rule, 1, Integer::sum);
+    findings.forEach(each -> append(each, text));
+    return text.toString();
+  }
+
+  static String excerpt(FindingExcerpt excerpt) {
+    StringBuilder text = new StringBuilder();
+    for (FindingExcerpt.Shown each : excerpt.shown()) {
+      append(each.finding(), text);
+      if (!each.consequences().isEmpty()) {
+        text.append("  ").append(Printable.lines(each.words())).append('\n');
       }
     }
-    more.forEach(
-        (rule, count) ->
-            text.append("... and ").append(count).append(" more [").append(rule).append("]\n"));
+    excerpt
+        .more()
+        .forEach(
+            (rule, count) ->
+                text.append("... and ").append(count).append(" more [").append(rule).append("]\n"));
     return text.toString();
   }
 
@@ -43,7 +45,7 @@ final class TextReport {
       text.append(Printable.lines(place)).append(": ");
     }
     text.append(diagnostic.severity()).append(": ").append(Printable.lines(diagnostic.message()));
-    text.append(" [").append(ruleOf(diagnostic)).append("]\n");
+    text.append(" [").append(FindingExcerpt.ruleOf(diagnostic)).append("]\n");
     appendExcerpt(location, text);
     if (!location.element().isEmpty()) {
       text.append("  at: ").append(Printable.lines(location.element())).append('\n');
@@ -54,11 +56,6 @@ final class TextReport {
     if (!diagnostic.hint().isEmpty()) {
       text.append("  hint: ").append(Printable.lines(diagnostic.hint())).append('\n');
     }
-  }
-
-  private static String ruleOf(Diagnostic diagnostic) {
-    String rule = diagnostic.rule().isEmpty() ? "" : " " + Printable.lines(diagnostic.rule());
-    return diagnostic.id() + rule;
   }
 
   /** Returns the location, or the element if no location is known. */

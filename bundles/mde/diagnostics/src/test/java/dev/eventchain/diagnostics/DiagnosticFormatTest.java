@@ -52,6 +52,53 @@ class DiagnosticFormatTest {
     assertEquals(6, DiagnosticFormat.TEXT.render(many).split("error:", -1).length - 1);
   }
 
+  private static Diagnostic at(String element) {
+    return Diagnostic.of(
+        Rule.error("a.b"), "At " + element + ".", SourceLocation.NONE.withElement(element));
+  }
+
+  private static Diagnostic consequence(String name, Diagnostic cause) {
+    return at(name).withCause(new Diagnostic.Cause(cause.location(), "the " + name));
+  }
+
+  @Test
+  void theExcerptTellsACauseOnceAndNamesItsConsequences() {
+    List<Diagnostic> found =
+        List.of(
+            consequence("first", at("cause")),
+            at("cause"),
+            consequence("second", at("cause")),
+            at("other"));
+    assertEquals(
+        """
+        error: At cause. [a.b]
+          at: cause
+          2 consequences: the first; the second
+        error: At other. [a.b]
+          at: other
+        """,
+        DiagnosticFormat.textExcerpt(Report.of(found), 2));
+    assertEquals(4, DiagnosticFormat.textOfAll(Report.of(found)).split("error:", -1).length - 1);
+    assertEquals(
+        "error: At cause. [a.b]\n  at: cause\n  2 consequences: the first; the second\n"
+            + "... and 1 more [a.b]\n",
+        DiagnosticFormat.textExcerpt(Report.of(found), 1));
+    String json = DiagnosticFormat.JSON.render(Report.of(found));
+    assertEquals(4, json.split("\"id\"", -1).length - 1, json);
+    assertEquals(2, json.split("\"cause\" : \\{", -1).length - 1, json);
+  }
+
+  @Test
+  void consequencesOfWhatIsNotShownAreShown() {
+    List<Diagnostic> found = List.of(consequence("first", at("suppressed")), at("other"));
+    String text = DiagnosticFormat.textExcerpt(Report.of(found), 9);
+    assertEquals(2, text.split("error:", -1).length - 1, text);
+    List<Diagnostic> two = List.of(at("a"), at("b"), consequence("of b", at("b")));
+    assertEquals(
+        "error: At a. [a.b]\n  at: a\n... and 2 more [a.b]\n",
+        DiagnosticFormat.textExcerpt(Report.of(two), 1));
+  }
+
   @Test
   void whatIsUnknownIsLeftOut() {
     Diagnostic bare = Diagnostic.of(Rule.warning("a.b"), "Odd.", SourceLocation.NONE);

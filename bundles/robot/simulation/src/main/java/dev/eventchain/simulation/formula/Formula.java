@@ -161,29 +161,29 @@ public final class Formula {
     SampledRun run = new SampledRun(trace);
     FormulaEvaluation evaluation = FormulaEvaluation.of(condition, run);
     if (evaluation.verdict() == Robustness.UNKNOWN) {
-      return Outcome.untested(unknown(evaluation, run));
+      return unknown(evaluation, run);
     }
     if (evaluation.verdict() < 0.0) {
       return outcome(false, evaluation, run);
     }
     FormulaEvaluation strict = FormulaEvaluation.strictly(condition, run);
-    return strict.verdict() > 0.0
-        ? outcome(true, strict, run)
-        : Outcome.untested(unknown(strict, run));
+    return strict.verdict() > 0.0 ? outcome(true, strict, run) : unknown(strict, run);
   }
 
-  private static String unknown(FormulaEvaluation evaluation, SampledRun run) {
+  private static Outcome unknown(FormulaEvaluation evaluation, SampledRun run) {
     FormulaEvaluation.Decision decision = evaluation.decision();
     if (decision.vacuity().isPresent()) {
-      return decision.vacuity().get();
+      return Outcome.untested(decision.vacuity().get());
     }
     return decision
         .comparison()
-        .map(it -> valueless(it, run, decision.sample()))
-        .orElse(
-            format(
-                "the run ended %s%s, before it was decided",
-                after(run, run.size() - 1), byAnImpact(run.trace())));
+        .map(it -> Outcome.untested(valueless(it, run, decision.sample())))
+        .orElseGet(
+            () ->
+                Outcome.undecided(
+                    format(
+                        "the run ended %s%s, before it was decided",
+                        after(run, run.size() - 1), byAnImpact(run.trace()))));
   }
 
   private static String byAnImpact(Trace trace) {

@@ -15,6 +15,7 @@ import java.util.OptionalDouble;
  * @param decided the time of what decides it, in s since the start; empty if no single moment does
  * @param otherwise the times next to it at which that is the other way round, in s: at most one
  *     before and one after
+ * @param undecided true if it was not tested because the run ended before its time
  */
 public record Outcome(
     boolean tested,
@@ -22,7 +23,8 @@ public record Outcome(
     String detail,
     Optional<Margin> margin,
     OptionalDouble decided,
-    List<Double> otherwise) {
+    List<Double> otherwise,
+    boolean undecided) {
 
   /** Copies the list. */
   public Outcome {
@@ -37,7 +39,8 @@ public record Outcome(
         detail,
         margin,
         margin.stream().mapToDouble(Margin::time).findFirst(),
-        List.of());
+        List.of(),
+        false);
   }
 
   public Outcome(boolean passed, String detail) {
@@ -46,7 +49,7 @@ public record Outcome(
 
   /** Creates an outcome without a size. */
   public Outcome(boolean passed, String detail, double decided) {
-    this(true, passed, detail, Optional.empty(), OptionalDouble.of(decided), List.of());
+    this(true, passed, detail, Optional.empty(), OptionalDouble.of(decided), List.of(), false);
   }
 
   public Outcome(boolean passed, String detail, Margin margin) {
@@ -55,12 +58,18 @@ public record Outcome(
 
   /** Returns a copy with the times at which what decides it is the other way round, in s. */
   Outcome withOtherwise(List<Double> times) {
-    return new Outcome(tested, passed, detail, margin, decided, times);
+    return new Outcome(tested, passed, detail, margin, decided, times, undecided);
   }
 
   /** Returns whether it was tested and does not hold. */
   public boolean failed() {
     return tested && !passed;
+  }
+
+  /** Returns the outcome of a criterion that a run did not decide, since it ended too early. */
+  public static Outcome undecided(String why) {
+    return new Outcome(
+        false, false, why, Optional.empty(), OptionalDouble.empty(), List.of(), true);
   }
 
   /** Returns the outcome of a criterion whose premise never came true. */

@@ -150,7 +150,8 @@ public final class FaultJudge {
         List.of(),
         List.of(),
         wanted.location(),
-        List.of());
+        List.of(),
+        Optional.empty());
   }
 
   private static String text(Detected wanted) {
@@ -186,7 +187,8 @@ public final class FaultJudge {
         List.of(),
         List.of(),
         wanted.location(),
-        List.of());
+        List.of(),
+        Optional.empty());
   }
 
   private static String measured(Detection detection, double start) {

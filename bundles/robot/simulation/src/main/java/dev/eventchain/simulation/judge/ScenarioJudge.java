@@ -167,10 +167,14 @@ public final class ScenarioJudge {
       return result(run.scenario(), criterion, Outcome.untested("not all components worked"));
     }
     Outcome outcome = withoutEvidence(criterion, run);
-    return result(
-        run.scenario(),
-        criterion,
-        outcome.passed() ? evidence.lackOf(criterion, run).orElse(outcome) : outcome);
+    CriterionResult result =
+        result(
+            run.scenario(),
+            criterion,
+            outcome.passed() ? evidence.lackOf(criterion, run).orElse(outcome) : outcome);
+    return ImpactCause.of(criterion, outcome, run, other -> withoutEvidence(other, run).failed())
+        .map(result::withCause)
+        .orElse(result);
   }
 
   private Outcome withoutEvidence(Expectation criterion, ScenarioRun run) {
@@ -200,7 +204,7 @@ public final class ScenarioJudge {
     }
     if (criterion instanceof Criterion && trace.isCut()) {
       return Optional.of(
-          Outcome.untested(
+          Outcome.undecided(
               RootLocale.format(
                   "the run ended after %.2f s of %.2f s by an impact (%s)",
                   end, run.scenario().duration(), trace.impact())));
@@ -228,7 +232,8 @@ public final class ScenarioJudge {
         scenario.judgedBy(criterion),
         criterion.limits(),
         criterion.location(),
-        criterion.requirements());
+        criterion.requirements(),
+        Optional.empty());
   }
 
   /** Returns whether the chain can influence a signal that a formula reads. */

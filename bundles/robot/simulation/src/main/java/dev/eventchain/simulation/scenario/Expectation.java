@@ -14,6 +14,11 @@ public interface Expectation {
   /** Returns the requirement in words. */
   String text();
 
+  /** Returns its name, or else the requirement in words. */
+  default String title() {
+    return text();
+  }
+
   /** Returns its location in the scenario. */
   SourceLocation location();
 

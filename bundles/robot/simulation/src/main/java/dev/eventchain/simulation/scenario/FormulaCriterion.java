@@ -49,6 +49,11 @@ public record FormulaCriterion(
   }
 
   @Override
+  public String title() {
+    return name.isEmpty() ? text() : name;
+  }
+
+  @Override
   public List<ScenarioVerdict.Limit> limits() {
     return formula.limits();
   }

@@ -31,12 +31,14 @@ final class ImpactRules {
     }
     return impact.isPresent()
         ? new Outcome(
-            false,
-            format(
-                "impact at %.1f km/h after %.2f s: %s",
-                impact.getAsDouble() * 3.6, World.seconds(trace.end().time()), trace.impact()),
-            atTheEnd(trace, -impact.getAsDouble()))
+            false, impactText(trace, impact.getAsDouble()), atTheEnd(trace, -impact.getAsDouble()))
         : new Outcome(true, gapText(trace) + fromBehind(trace), gapMargin(trace, 0));
+  }
+
+  private static String impactText(Trace trace, double speed) {
+    return format(
+        "impact at %.1f km/h after %.2f s: %s",
+        speed * 3.6, World.seconds(trace.end().time()), trace.impact());
   }
 
   /** Returns a note on rear impacts, which do not count as impacts of the ego. */
@@ -73,9 +75,14 @@ final class ImpactRules {
       return Outcome.untested("the run ended before its time");
     }
     double speed = trace.end().speed();
-    boolean stands = speed == 0.0 && trace.impactSpeed().isEmpty();
+    if (trace.impactSpeed().isPresent()) {
+      String text = impactText(trace, trace.impactSpeed().getAsDouble());
+      return new Outcome(false, text, atTheEnd(trace, -speed));
+    }
     String text = format("speed at the end %.1f km/h", speed * 3.6);
-    return stands ? new Outcome(true, text) : new Outcome(false, text, atTheEnd(trace, -speed));
+    return speed == 0.0
+        ? new Outcome(true, text)
+        : new Outcome(false, text, atTheEnd(trace, -speed));
   }
 
   static Outcome minimalGap(Trace trace, double limit) {
@@ -93,7 +100,7 @@ final class ImpactRules {
     return impact.isPresent()
         ? new Outcome(
             impact.getAsDouble() <= limit,
-            format("impact at %.1f km/h", impact.getAsDouble() * 3.6),
+            impactText(trace, impact.getAsDouble()),
             atTheEnd(trace, limit - impact.getAsDouble()))
         : new Outcome(true, "no impact");
   }

@@ -139,7 +139,7 @@ public record FaultVerdict(
                 ? "Scenario %s with fault '%s': expected %s, but found: %s."
                 : "Scenario %s with fault '%s': '%s' was not tested: %s.";
         String message = String.format(pattern, scenario, name, each.text(), each.measured());
-        found.add(Diagnostic.of(rule, message, each.location()));
+        found.add(each.asConsequence(Diagnostic.of(rule, message, each.location())));
       }
     }
     return found;

@@ -96,6 +96,8 @@ public record ScenarioVerdict(
    * @param limits the numbers that signals are compared with
    * @param location its location in the scenario
    * @param requirements ids of the requirements that it tests
+   * @param cause the finding about an impact that its own finding is a consequence of; empty if it
+   *     stands for itself
    */
   public record CriterionResult(
       String text,
@@ -108,7 +110,8 @@ public record ScenarioVerdict(
       List<Judged> judges,
       List<Limit> limits,
       SourceLocation location,
-      List<String> requirements) {
+      List<String> requirements,
+      Optional<Diagnostic.Cause> cause) {
 
     /** Copies the lists. */
     public CriterionResult {
@@ -116,6 +119,30 @@ public record ScenarioVerdict(
       judges = List.copyOf(judges);
       limits = List.copyOf(limits);
       requirements = List.copyOf(requirements);
+    }
+
+    /** Returns a copy that is a consequence of an impact. */
+    public CriterionResult withCause(Diagnostic.Cause impact) {
+      return new CriterionResult(
+          text,
+          tested,
+          passed,
+          measured,
+          margin,
+          decided,
+          otherwise,
+          judges,
+          limits,
+          location,
+          requirements,
+          Optional.of(impact));
+    }
+
+    /** Returns its finding, which names the cause if it is a consequence. */
+    Diagnostic asConsequence(Diagnostic finding) {
+      return cause
+          .map(it -> finding.withCause(it).withHint("See to it first that there is no impact."))
+          .orElse(finding);
     }
 
     /**
@@ -322,23 +349,25 @@ public record ScenarioVerdict(
   }
 
   private Diagnostic failed(CriterionResult criterion) {
-    return Diagnostic.of(
-        VerdictRules.CRITERION_FAILED,
-        String.format(
-            "Scenario %s: expected %s, but found: %s.",
-            scenario, criterion.text(), criterion.measured()),
-        criterion.location());
+    return criterion.asConsequence(
+        Diagnostic.of(
+            VerdictRules.CRITERION_FAILED,
+            String.format(
+                "Scenario %s: expected %s, but found: %s.",
+                scenario, criterion.text(), criterion.measured()),
+            criterion.location()));
   }
 
   private Diagnostic untested(CriterionResult criterion) {
-    return Diagnostic.of(
-            VerdictRules.CRITERION_UNTESTED,
-            String.format(
-                "Scenario %s: '%s' was not tested: %s.",
-                scenario, criterion.text(), criterion.measured()),
-            criterion.location())
-        .withHint(
-            "Change the scenario so that the situation occurs, mark the criterion as optional if"
-                + " correct software need not come to it, or leave it out.");
+    return criterion.asConsequence(
+        Diagnostic.of(
+                VerdictRules.CRITERION_UNTESTED,
+                String.format(
+                    "Scenario %s: '%s' was not tested: %s.",
+                    scenario, criterion.text(), criterion.measured()),
+                criterion.location())
+            .withHint(
+                "Change the scenario so that the situation occurs, mark the criterion as optional if"
+                    + " correct software need not come to it, or leave it out."));
   }
 }

@@ -1,5 +1,6 @@
 package dev.eventchain.simulation.judge;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -81,6 +82,55 @@ class ScenarioJudgeTest {
     return judge.criteria(braking(read), true);
   }
 
+  @Test
+  void whatAnImpactLeavesOpenIsItsConsequence() throws Exception {
+    String kept = "no_impact: true, stops: true, minimal_gap_m: 1, never_brakes: true";
+    List<CriterionResult> hit = afterAnImpact(kept);
+    assertEquals(5, hit.size(), hit::toString);
+    assertEquals(
+        List.of("no impact", "control commands arrive at least once a second"),
+        hit.stream().filter(each -> each.cause().isEmpty()).map(CriterionResult::text).toList());
+    assertEquals("no impact", causeOf(hit.get(1), hit));
+    assertTrue(hit.stream().anyMatch(each -> !each.tested()), hit::toString);
+    String allowed = "maximal_impact_speed_kmh: 90, never_brakes: true";
+    assertTrue(
+        afterAnImpact(allowed).stream().allMatch(each -> each.cause().isEmpty()),
+        "an impact that is allowed is no finding, so that nothing is a consequence of one");
+    List<CriterionResult> tooFast = afterAnImpact("maximal_impact_speed_kmh: 9, stops: true");
+    assertEquals("any impact is at 9.0 km/h or less", causeOf(tooFast.get(0), tooFast));
+    assertTrue(tooFast.toString().contains("impact at 50.0 km/h after"), tooFast::toString);
+    assertEquals("", causeOf(afterAnImpact("stops: true").get(0), List.of()));
+  }
+
+  private static String causeOf(CriterionResult consequence, List<CriterionResult> all) {
+    return consequence
+        .cause()
+        .flatMap(it -> all.stream().filter(each -> each.location().equals(it.location())).findAny())
+        .map(CriterionResult::text)
+        .orElse("");
+  }
+
+  /** Judges a run of a vehicle that drives into a car without braking. */
+  private List<CriterionResult> afterAnImpact(String criteria) throws Exception {
+    String scenario =
+        """
+        name: hit
+        title: A car in the way
+        requirements: [AEB-1]
+        duration_s: 8
+        ego: {speed_kmh: 50}
+        actors: [{gap_m: 30, speed_kmh: 0}]
+        accept: {%s}
+        """
+            .formatted(criteria);
+    Scenario read = Scenario.parse(SourceText.of("s.yaml", scenario), Bench.carla());
+    Path project = Files.createTempDirectory(folder, "hit");
+    ScenarioJudge judge =
+        new ScenarioJudge(
+            new AebProject(project).request(List.of(read)).simulatedChain(), List.of(), false);
+    return judge.criteria(run(read, 0.0), true).stream().filter(each -> !each.passed()).toList();
+  }
+
   /** Judges a run that brakes at once, so that the criteria on impact and standstill hold. */
   private static WeakReference<Trace> judged(ScenarioJudge judge, Scenario scenario) {
     ScenarioRun run = braking(scenario);
@@ -93,10 +143,17 @@ class ScenarioJudgeTest {
   }
 
   private static ScenarioRun braking(Scenario scenario) {
+    return run(scenario, 1.0);
+  }
+
+  private static ScenarioRun run(Scenario scenario, double brake) {
     World world =
         new World(scenario.situation(), new Trace(scenario.inputs(), scenario.situation().road()));
-    world.command(0, VehicleCommand.brake(1.0));
+    world.command(0, VehicleCommand.brake(brake));
     world.advanceTo(World.nanoseconds(scenario.duration()));
+    if (world.impacted()) {
+      world.trace().cutShort();
+    }
     return new ScenarioRun(
         scenario,
         world.trace(),

@@ -16,6 +16,8 @@ import java.util.OptionalDouble;
  * @param judges the words of requirements that it judges
  * @param limits the numbers that signals are compared with
  * @param requirements ids of the requirements that it tests; empty if these are its scenario's
+ * @param consequence true if it is a consequence of an impact, which another finding is about;
+ *     otherwise empty
  */
 public record Criterion(
     String text,
@@ -25,7 +27,8 @@ public record Criterion(
     Optional<Margin> margin,
     @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Judged> judges,
     @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Limit> limits,
-    Optional<List<String>> requirements) {
+    Optional<List<String>> requirements,
+    Optional<Boolean> consequence) {
 
   /**
    * Distance of a criterion from the opposite verdict, negative if it does not hold.

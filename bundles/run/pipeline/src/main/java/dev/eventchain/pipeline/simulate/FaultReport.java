@@ -83,7 +83,8 @@ final class FaultReport {
                     Optional.empty(),
                     List.of(),
                     List.of(),
-                    Optional.empty()))
+                    Optional.empty(),
+                    each.cause().map(it -> true)))
         .toList();
   }
 

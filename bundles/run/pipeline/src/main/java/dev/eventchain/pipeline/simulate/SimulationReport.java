@@ -240,7 +240,8 @@ public final class SimulationReport {
             .map(limit -> new Criterion.Limit(limit.signal(), limit.value()))
             .toList(),
         Optional.of(criterion.requirements())
-            .filter(named -> !named.equals(verdict.requirements())));
+            .filter(named -> !named.equals(verdict.requirements())),
+        criterion.cause().map(it -> true));
   }
 
   static Criterion.Margin margin(ScenarioVerdict.Margin margin) {

@@ -51,15 +51,14 @@ function criterionItem(criterion, before) {
     html("span", { class: "measured" + (tone === "good" ? "" : " " + tone) }, measured, marginOf(record(criterion.margin)), beforeOf(criterion, before)));
 }
 
-/** The criteria; those that an impact left untested, since the run ended with it, are folded. */
+/** The criteria; those that are consequences of an impact, since the run ended with it, are folded. */
 function criteriaLists(scenario) {
   const all = records(scenario.criteria);
-  const hit = records(scenario.measurements).some((one) => text(one.name) === "impact.speed");
-  const left = hit ? all.filter((criterion) => outcomeOf(criterion).tone === "warn" && text(criterion.measured).includes("by an impact")) : [];
+  const left = all.filter((criterion) => criterion.consequence === true);
   const items = (some) => some.map((criterion) => criterionItem(criterion, scenario.before));
   return [html("ul", { class: "criteria", "aria-label": "Criteria" }, items(all.filter((criterion) => !left.includes(criterion)))),
     left.length === 0 ? null : html("details", { class: "observed" },
-      html("summary", null, `Not tested, since the impact ended the run: ${count(left.length, "criterion", "criteria")}`),
+      html("summary", null, `Consequences of the impact, which ended the run: ${count(left.length, "criterion", "criteria")}`),
       html("ul", { class: "criteria" }, items(left)))];
 }
 

@@ -118,7 +118,8 @@ class SampleTableTest {
         List.of(),
         List.of(),
         SourceLocation.NONE,
-        List.of());
+        List.of(),
+        Optional.empty());
   }
 
   @Test

@@ -92,7 +92,15 @@ class EarlierRunTest {
 
   private static Criterion criterion(String text, String measured) {
     return new Criterion(
-        text, true, true, measured, Optional.empty(), List.of(), List.of(), Optional.empty());
+        text,
+        true,
+        true,
+        measured,
+        Optional.empty(),
+        List.of(),
+        List.of(),
+        Optional.empty(),
+        Optional.empty());
   }
 
   @Test
