@@ -15,7 +15,8 @@ function faultOutcome(fault) {
 }
 
 function faultName(fault, index) {
-  return [html("span", { id: "fault-" + (index + 1) }, code(text(fault.name))), html("div", { class: "small muted" }, text(fault.injected))];
+  return [html("span", { id: "fault-" + (index + 1) }, code(text(fault.name))), html("div", { class: "small muted" }, text(fault.injected)),
+    html("div", { class: "small muted" }, faultScenario(fault))];
 }
 
 function faultScenario(fault) {
@@ -39,12 +40,20 @@ function faultDrive(fault) {
     text(fault.effect) ? html("div", { class: "small muted" }, text(fault.effect)) : null];
 }
 
+/** How many of the scenario's criteria hold; of the others the first ones, and the rest for those who ask: what follows from an impact, above all. */
 function faultCriteria(fault) {
   const own = records(fault.criteria);
   const missed = own.filter((criterion) => criterion.passed !== true);
-  const holding = `${own.length - missed.length} of ${own.length} hold`;
-  return own.length === 0 ? "" : [holding, html("ul", { class: "small" }, missed.map((criterion) =>
-    html("li", null, `${criterion.tested === false ? "not tested" : "not met"}: ${text(criterion.text)} (${text(criterion.measured)})`)))];
+  const alone = missed.filter((criterion) => criterion.consequence !== true);
+  const shown = alone.slice(0, 2);
+  const rest = [...alone.slice(2), ...missed.filter((criterion) => criterion.consequence === true)];
+  const followed = missed.length - alone.length;
+  const item = (criterion) => html("li", null, `${criterion.tested === false ? "not tested" : "not met"}: ${text(criterion.text)}: `,
+    html("span", { class: "muted" }, text(criterion.measured)));
+  return own.length === 0 ? "" : [`${own.length - missed.length} of ${own.length} hold`, html("ul", { class: "small" }, shown.map(item)),
+    rest.length === 0 ? null : html("details", null,
+      html("summary", { class: "small" }, `${rest.length} more` + (followed === 0 ? "" : `, ${whole(followed)} as a consequence of the impact`)),
+      html("ul", { class: "small" }, rest.map(item)))];
 }
 
 function faultDetection(detection) {
@@ -78,9 +87,9 @@ function faultSection() {
   if (faults.length === 0) {
     return null;
   }
-  const columns = [{ name: "Fault", row: true, width: "21%" }, { name: "Scenario", width: "12%" }, { name: "The vehicle", width: "22%" },
-    { name: "Its own criteria", width: "15%" }, { name: "Detected", width: "18%" }, { name: "Result", width: "12%", plain: true }];
-  const rows = faults.map((fault, index) => ({ cells: [faultName(fault, index), faultScenario(fault), faultDrive(fault), faultCriteria(fault),
+  const columns = [{ name: "Fault", row: true, width: "20%" }, { name: "The vehicle", width: "21%" },
+    { name: "The scenario's own criteria", width: "28%" }, { name: "Detected", width: "20%" }, { name: "Result", width: "11%", plain: true }];
+  const rows = faults.map((fault, index) => ({ cells: [faultName(fault, index), faultDrive(fault), faultCriteria(fault),
     faultDetections(fault), faultExpected(fault)] }));
   return section("faults", "Faults",
     "Each fault alone, in a run of its scenario beside the one without it. A fault is judged by what its file expects; the scenario's own criteria are only told.",
