@@ -54,6 +54,23 @@ class LatencyEvidenceTest {
 
   @InTurn
   @Test
+  void latencyOfASensorCountsWhereItIsAskedFor() throws IOException {
+    ProjectCopy project = pedestrianBrake();
+    project.replace(
+        "bench.yaml",
+        "latency_ms: 40\n",
+        "latency_ms: 40\n    latency_counts_in: [list_to_brake]\n");
+    project.replace("model/chain.xmi", "maximum=\"150\"", "maximum=\"100\"");
+    project
+        .run()
+        .expect(1)
+        .says("error: 'list_to_brake' allows 100.0 ms from Crossing_Prediction to Brake_Arbiter")
+        .says("but 111.7");
+    project.requireNotPassed();
+  }
+
+  @InTurn
+  @Test
   void constraintWithoutAnExecutionTimeOnItsPathIsNotTested() throws IOException {
     ProjectCopy project = pedestrianBrake();
     project.replace("model/chain.xmi", " worstCaseExecutionTime=\"10.0\"", "");

@@ -43,6 +43,7 @@ class ValidatedInputsTest {
         "bench.yaml|unit: m,|unit: parsec,|bench.unit|bench.yaml:3",
         "bench.yaml|rate_hz: 50|rate_hz: 0|bench.value.range|bench.yaml:6",
         "bench.yaml|range: min(gap, radar.reach)|# nothing|bench.field.unset|",
+        "bench.yaml|rate_hz: 50|'rate_hz: 50\n    latency_ms: 9\n    latency_counts_in: [radar_to_lamp]'|bench.latency.unknown|bench.yaml:5",
         "bench.yaml|consumes:|consumes: [|bench.syntax|bench.yaml:",
         "scenarios/short-sight.yaml|duration_s: 14|duration_s: -8|scenario.value.range|short-sight.yaml:4",
         "scenarios/short-sight.yaml|seed: 4|seeed: 4|scenario.key.unknown|short-sight.yaml:3",

@@ -9,6 +9,7 @@ import dev.eventchain.messages.MessageValue;
 import dev.eventchain.messages.QosSettings;
 import dev.eventchain.messages.Unit;
 import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.simulation.formula.Formula;
 import dev.eventchain.simulation.formula.SampledRun;
 import dev.eventchain.simulation.formula.Signal;
@@ -158,8 +159,20 @@ public final class Bench {
    *
    * @param latency from the measurement of a message to its arrival, in ns
    * @param lost the fraction of the messages that are lost, 0 to 1; empty for none
+   * @param counted the names of the latency constraints whose times begin with the measurement, not
+   *     with the arrival
    */
-  public record Transfer(long latency, Optional<Term> lost) {
+  public record Transfer(long latency, Optional<Term> lost, List<String> counted) {
+
+    /** Copies the list. */
+    public Transfer {
+      counted = List.copyOf(counted);
+    }
+
+    /** Returns the part of the latency that counts in a latency constraint, in ns. */
+    public long countedIn(LatencyConstraint constraint) {
+      return counted.stream().anyMatch(it -> it.equals(constraint.getName())) ? latency : 0;
+    }
 
     /** Returns whether a message is lost. */
     public boolean loses(SampledRun moment, SplittableRandom random) {

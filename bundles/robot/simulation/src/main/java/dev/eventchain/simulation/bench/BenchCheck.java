@@ -12,6 +12,7 @@ import dev.eventchain.model.TopicIndex.Topic;
 import dev.eventchain.model.eventchain.ComponentImplementation;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.simulation.bench.Bench.Consumed;
 import dev.eventchain.simulation.bench.Bench.Effect;
 import dev.eventchain.simulation.bench.Bench.Field;
@@ -21,6 +22,7 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -37,12 +39,14 @@ final class BenchCheck {
 
   private final Bench bench;
   private final TopicIndex topics;
+  private final List<LatencyConstraint> constraints;
   private final Function<EObject, SourceLocation> locator;
   private final List<Diagnostic> found = new ArrayList<>();
 
   BenchCheck(Bench bench, EventChain chain, Function<EObject, SourceLocation> locator) {
     this.bench = bench;
     this.topics = TopicIndex.of(chain);
+    this.constraints = chain.getLatencyConstraints();
     this.locator = locator;
   }
 
@@ -59,6 +63,7 @@ final class BenchCheck {
     }
     bench.consumed().values().forEach(this::checkRequired);
     bench.consumed().values().forEach(this::checkWritten);
+    bench.provided().values().forEach(this::checkCounted);
     checkAnythingTaken();
     checkConflicts();
     return List.copyOf(found);
@@ -140,6 +145,40 @@ final class BenchCheck {
           data,
           "Write the same type in both.");
     }
+  }
+
+  /** Checks that the latency constraints that count a latency exist, and begin with its topic. */
+  private void checkCounted(Provided provided) {
+    for (String name : provided.transfer().counted()) {
+      if (constraints.stream().noneMatch(it -> beginsWith(it, name, provided.topic()))) {
+        found.add(uncounted(name, provided));
+      }
+    }
+  }
+
+  private boolean beginsWith(LatencyConstraint constraint, String name, String topic) {
+    return name.equals(constraint.getName())
+        && topics.find(topic).stream()
+            .flatMap(each -> each.subscribers().stream())
+            .anyMatch(reader -> reader.node() == constraint.getFirst());
+  }
+
+  private Diagnostic uncounted(String name, Provided provided) {
+    List<String> known =
+        constraints.stream()
+            .map(LatencyConstraint::getName)
+            .filter(Objects::nonNull)
+            .filter(it -> constraints.stream().anyMatch(e -> beginsWith(e, it, provided.topic())))
+            .toList();
+    return Diagnostic.of(
+            BenchRules.BENCH_LATENCY_UNKNOWN,
+            "The latency of %s counts in '%s', but no latency constraint of that name begins with a component that reads the topic."
+                .formatted(provided.topic(), name),
+            provided.location())
+        .withHint(
+            known.isEmpty()
+                ? "No latency constraint does. Leave it out, or bound the time from a reader of the topic."
+                : "These do: " + String.join(", ", known) + ".");
   }
 
   private void checkWritten(Consumed consumed) {

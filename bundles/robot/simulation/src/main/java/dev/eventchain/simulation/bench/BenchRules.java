@@ -16,6 +16,7 @@ public final class BenchRules {
   public static final Rule BENCH_KEY_DUPLICATE = Rule.error("bench.key.duplicate");
   public static final Rule BENCH_KEY_MISSING = Rule.error("bench.key.missing");
   public static final Rule BENCH_KEY_UNKNOWN = Rule.error("bench.key.unknown");
+  public static final Rule BENCH_LATENCY_UNKNOWN = Rule.error("bench.latency.unknown");
   public static final Rule BENCH_SYNTAX = Rule.error("bench.syntax", CommonTrait.UNSUPPRESSIBLE);
   public static final Rule BENCH_TOPIC_UNCONNECTED =
       Rule.error("bench.topic.unconnected", CommonTrait.UNTESTED);

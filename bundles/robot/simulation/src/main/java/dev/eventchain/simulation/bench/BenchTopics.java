@@ -35,6 +35,8 @@ final class BenchTopics {
   private static final String LIDAR = "lidar";
   private static final String OBJECTS = "objects";
   private static final String LASER_SCAN = "laser_scan";
+  private static final String LATENCY_KEY = "latency_ms";
+  private static final String COUNTED = "latency_counts_in";
   private static final NumberRange LATENCY = NumberRange.of(0, 2000);
   private static final String POINT_CLOUD = "sensor_msgs/msg/PointCloud2";
 
@@ -114,9 +116,7 @@ final class BenchTopics {
         section.object(OBJECTS).map(part -> new ObjectsReader(declared, topic, message).read(part));
     Optional<LaserScanner> scanner =
         section.object(LASER_SCAN).map(part -> LaserScanReader.read(part, rate));
-    double latency = section.number("latency_ms", LATENCY).orElse(0);
-    Bench.Transfer transfer =
-        new Bench.Transfer(Math.round(latency * 1e6), fields.part(section, "lost"));
+    Bench.Transfer transfer = transfer(section);
     if (isEmpty(section) && !section.has(SENSOR) && !section.has(OBJECTS) && !scans) {
       section.find(
           BenchRules.BENCH_KEY_MISSING,
@@ -126,6 +126,18 @@ final class BenchTopics {
     SensorConflicts.refuse(section, read, objects, scanner);
     section.refuseOthers();
     return new Provided(topic, type, rate, lidar, objects, scanner, read, transfer, place);
+  }
+
+  private Bench.Transfer transfer(ObjectReader section) {
+    double latency = section.number(LATENCY_KEY, LATENCY).orElse(0);
+    List<String> counted = section.texts(COUNTED);
+    if (!counted.isEmpty() && !section.has(LATENCY_KEY)) {
+      section.find(
+          BenchRules.BENCH_KEY_MISSING,
+          "There is no `latency_ms` that latency constraints could count.",
+          section.atKey(COUNTED));
+    }
+    return new Bench.Transfer(Math.round(latency * 1e6), fields.part(section, "lost"), counted);
   }
 
   private static boolean isEmpty(ObjectReader section) {

@@ -229,6 +229,15 @@ public final class SimulatedChain {
     return chain.getLatencyConstraints();
   }
 
+  /**
+   * Returns the time from the measurement to the arrival of a topic's messages that a latency
+   * constraint counts, in ns.
+   */
+  public long latencyBefore(String topic, LatencyConstraint constraint) {
+    Bench.Provided sensor = bench.provided().get(topic);
+    return sensor == null ? 0 : sensor.transfer().countedIn(constraint);
+  }
+
   /** Returns the full names of the topics that a node reads. */
   public Set<String> topicsReadBy(SoftwareNode node) {
     return topicsOf(node, TopicIndex.Topic::subscribers);

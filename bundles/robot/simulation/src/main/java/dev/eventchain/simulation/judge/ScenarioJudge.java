@@ -79,7 +79,7 @@ public final class ScenarioJudge {
         observed,
         WhatHappened.figures(trace, signals),
         latency(run.log(), chain),
-        chain.latencyConstraints().stream().map(each -> latency(run.log(), each)).toList(),
+        chain.latencyConstraints().stream().map(each -> latency(run, each)).toList(),
         MessageFlows.of(List.of(run), chain),
         WhatHappened.series(scenario.situation(), trace, signals),
         run.samples());
@@ -258,17 +258,17 @@ public final class ScenarioJudge {
    * Returns the measured latency of a constraint; an incomplete constraint is a finding of the
    * model.
    */
-  private static Optional<ScenarioVerdict.Latency> latency(
-      RunLog log, LatencyConstraint constraint) {
+  private Optional<ScenarioVerdict.Latency> latency(ScenarioRun run, LatencyConstraint constraint) {
     if (constraint.getFirst() == null || constraint.getLast() == null) {
       return Optional.empty();
     }
     List<ChainLatency.Latency> found =
         ChainLatency.between(
-            log,
+            run.log(),
             constraint.getFirst().getName(),
             constraint.getLast().getName(),
-            constraint.getKind() == LatencyKind.DATA_AGE);
+            constraint.getKind() == LatencyKind.DATA_AGE,
+            topic -> chain.latencyBefore(topic, constraint));
     return statistics(found.stream().map(ChainLatency.Latency::time).toList())
         .map(statistics -> new ScenarioVerdict.Latency(statistics, slowest(found), 0));
   }

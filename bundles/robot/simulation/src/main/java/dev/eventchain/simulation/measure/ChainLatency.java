@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.ToLongFunction;
 import java.util.stream.Collectors;
 
 /**
@@ -58,7 +59,7 @@ public final class ChainLatency {
    * Part of a node in a latency, in ns: the hop to it, and its processing of the sample.
    *
    * @param topic the topic of the hop; empty if the node's activation is the stimulus
-   * @param waiting age of the sample at the node's start
+   * @param waiting age of the sample at the node's start; of a stimulus, with what counts before it
    * @param execution from its start to the publication of its sample; to its end for the last node
    */
   public record Part(String topic, String node, long waiting, long execution) {}
@@ -87,12 +88,19 @@ public final class ChainLatency {
   private final RunLog log;
   private final Set<String> first;
   private final Map<String, Integer> positions;
+  private final long before;
   private final Map<SampleId, Passage> writers = new HashMap<>();
 
-  private ChainLatency(RunLog log, Set<String> first, Map<String, Integer> positions) {
+  /**
+   * Creates the latencies of a stimulus.
+   *
+   * @param before the time that counts before each of its samples, in ns
+   */
+  private ChainLatency(RunLog log, Set<String> first, Map<String, Integer> positions, long before) {
     this.log = log;
     this.first = first;
     this.positions = positions;
+    this.before = before;
   }
 
   /**
@@ -107,7 +115,7 @@ public final class ChainLatency {
         log.nodes().keySet().stream()
             .filter(node -> reads(log, node).contains(source))
             .collect(Collectors.toSet());
-    ChainLatency latency = new ChainLatency(log, readers, ActivationOrder.of(log, readers));
+    ChainLatency latency = new ChainLatency(log, readers, ActivationOrder.of(log, readers), 0);
     List<Long> latencies = new ArrayList<>();
     Set<Long> answered = new HashSet<>();
     for (Step step : latency.steps()) {
@@ -131,10 +139,22 @@ public final class ChainLatency {
    * @return empty if no output of the last node is based on an input of the first
    */
   public static List<Latency> between(RunLog log, String first, String last, boolean dataAge) {
+    return between(log, first, last, dataAge, topic -> 0);
+  }
+
+  /**
+   * Returns the latencies between two nodes likewise, from a time before the samples of some topics
+   * on.
+   *
+   * @param before the time that counts before a sample of a topic, in ns
+   */
+  public static List<Latency> between(
+      RunLog log, String first, String last, boolean dataAge, ToLongFunction<String> before) {
     List<Latency> latencies = new ArrayList<>();
     Map<String, Integer> positions = ActivationOrder.of(log, Set.of(first));
     for (String stimulus : stimuli(log, first, positions.keySet())) {
-      ChainLatency latency = new ChainLatency(log, Set.of(first), positions);
+      ChainLatency latency =
+          new ChainLatency(log, Set.of(first), positions, before.applyAsLong(stimulus));
       Set<Long> answered = new HashSet<>();
       for (Step step : latency.steps()) {
         Passage passage = latency.follow(step, stimulus);
@@ -214,7 +234,7 @@ public final class ChainLatency {
       Passage writer = writers.get(read);
       Passage found = null;
       if (starts && read.topic().equals(stimulus)) {
-        long time = log.time(read);
+        long time = log.time(read) - before;
         found = new Passage(step, time, stimulus, time, null);
       } else if (!starts && writer != null && writer.step().position() < step.position()) {
         found = new Passage(step, writer.origin(), read.topic(), log.time(read), writer);

@@ -95,6 +95,20 @@ class ChainLatencyTest {
             .collect(Collectors.joining(" ")));
   }
 
+  @Test
+  void whatCountsBeforeAStimulusIsPartOfItsWaiting() throws IOException {
+    RunLog log = log("two-paths.json");
+    ChainLatency.Latency arrived = ChainLatency.between(log, "A", "C", false).get(0);
+    ChainLatency.Latency measured =
+        ChainLatency.between(log, "A", "C", false, topic -> topic.equals("/scan") ? 7 : 0).get(0);
+    assertEquals(arrived.time() + 7, measured.time());
+    assertEquals(arrived.parts().get(0).waiting() + 7, measured.parts().get(0).waiting());
+    assertEquals(arrived.parts().get(1), measured.parts().get(1));
+    assertEquals(
+        arrived,
+        ChainLatency.between(log, "A", "C", false, topic -> topic.isEmpty() ? 7 : 0).get(0));
+  }
+
   @ParameterizedTest
   @ValueSource(ints = {1, 2, 3, 5, 8, 15})
   void partsSumUpToTheTime(int nodes) {
