@@ -16,7 +16,7 @@ LAYERS = (
     {"definitions"},
     {"clock", "cyclone", "faults", "graph", "logger", "node_sources", "parameters", "refusals"},
     {"qos", "type_support", "validation"},
-    {"catalog", "codec", "dds_qos", "processes"},
+    {"best_available", "catalog", "codec", "dds_qos", "processes"},
     {"dds_endpoints", "idl", "messages", "simulation"},
     {"context", "discovery", "output_faults", "value_latency"},
     {"dds_entities"},

@@ -11,9 +11,13 @@ from time import sleep, time_ns
 import pytest
 from conftest import FIXTURES
 from eventchain_ros2 import live
+from eventchain_ros2.clock import Duration
 from eventchain_ros2.dds_entities import Participant
+from eventchain_ros2.endpoints import Publisher, Subscription
+from eventchain_ros2.messages import Messages
+from eventchain_ros2.qos import LivelinessPolicy, QoSProfile, ReliabilityPolicy, qos_profile_best_available
 from node_processes import World, clock, number, numbers
-from wire import DEFINITIONS, MILLISECOND, wait_until
+from wire import DEFINITIONS, MILLISECOND, STRING, wait_until
 
 
 def test_a_generated_node_file_runs_unchanged(world: World) -> None:
@@ -264,3 +268,38 @@ def test_spinning_makes_one_wait_set(
     finally:
         nodes.stop()
     assert len(made) == 1
+
+
+def test_what_is_best_available_is_decided_by_what_was_discovered(
+    participants: tuple[Participant, Participant], messages: Messages
+) -> None:
+    other, own = participants
+    modest = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT, deadline=Duration(seconds=0.1))
+    other.writer("/camera", STRING, modest)
+    demanding = QoSProfile(depth=1, liveliness=LivelinessPolicy.MANUAL_BY_TOPIC)
+    other.reader("/lamp", STRING, demanding)
+    writers, readers = own.announced_writers(), own.announced_readers()
+    wait_until(lambda: writers.profiles("rt/camera") and readers.profiles("rt/lamp"), "discovery")
+    nodes = live.Live(own, [])
+    try:
+        process = nodes.add_process("node")
+        arguments = nodes, process, messages.get(STRING)
+        subscription = Subscription(*arguments, "/camera", print, qos_profile_best_available)
+        publisher = Publisher(*arguments, "/lamp", qos_profile_best_available)
+        asked, offered = subscription.qos_profile, publisher.qos_profile
+        assert (asked.reliability.name, asked.durability.name, asked.liveliness.name) == (
+            "BEST_EFFORT",
+            "VOLATILE",
+            "AUTOMATIC",
+        )
+        assert asked.deadline == Duration(seconds=0.1)
+        assert (offered.reliability.name, offered.durability.name, offered.liveliness.name) == (
+            "RELIABLE",
+            "TRANSIENT_LOCAL",
+            "MANUAL_BY_TOPIC",
+        )
+        alone = Subscription(*arguments, "/nobody", print, qos_profile_best_available)
+        assert alone.qos_profile.durability.name == "TRANSIENT_LOCAL"
+        assert not offered.deadline.nanoseconds
+    finally:
+        nodes.stop()

@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 import rclpy
+from eventchain_ros2.best_available import for_anyone
 from eventchain_ros2.simulation import Simulation
 from rclpy.duration import Duration
 from rclpy.exceptions import (
@@ -22,9 +23,13 @@ from rclpy.qos import (
     DurabilityPolicy,
     HistoryPolicy,
     InvalidQoSProfileException,
+    LivelinessPolicy,
+    QoSCompatibility,
     QoSPresetProfiles,
     QoSProfile,
     ReliabilityPolicy,
+    qos_check_compatible,
+    qos_profile_best_available,
     qos_profile_sensor_data,
 )
 from rclpy.time import Time
@@ -236,6 +241,73 @@ def test_an_offer_that_satisfies_the_request_delivers(simulation: Simulation, of
     simulation.advance(MILLISECOND)
     assert node.received == [(0.0, 1.0)]
     assert simulation.warnings == []
+
+
+STRICT = QoSProfile(
+    depth=1,
+    durability=DurabilityPolicy.TRANSIENT_LOCAL,
+    liveliness=LivelinessPolicy.MANUAL_BY_TOPIC,
+    deadline=Duration(seconds=0.1),
+)
+
+
+def policies(endpoint: Any) -> list[str]:
+    profile = endpoint.qos_profile
+    names = [profile.reliability.name, profile.durability.name, profile.liveliness.name]
+    return [*names, f"{profile.deadline.nanoseconds / MILLISECOND:.0f}"]
+
+
+@pytest.mark.parametrize(
+    ("others", "subscription", "publisher"),
+    [
+        ([10], "RELIABLE VOLATILE AUTOMATIC 0", "RELIABLE TRANSIENT_LOCAL AUTOMATIC 0"),
+        ([10, BEST_EFFORT], "BEST_EFFORT VOLATILE AUTOMATIC 0", "RELIABLE TRANSIENT_LOCAL AUTOMATIC 0"),
+        ([STRICT], "RELIABLE TRANSIENT_LOCAL MANUAL_BY_TOPIC 100", "RELIABLE TRANSIENT_LOCAL MANUAL_BY_TOPIC 100"),
+        ([STRICT, 10], "RELIABLE VOLATILE AUTOMATIC 100", "RELIABLE TRANSIENT_LOCAL MANUAL_BY_TOPIC 100"),
+        ([], "RELIABLE TRANSIENT_LOCAL MANUAL_BY_TOPIC 0", "RELIABLE TRANSIENT_LOCAL AUTOMATIC 0"),
+        ([qos_profile_best_available], "RELIABLE TRANSIENT_LOCAL AUTOMATIC 0", "RELIABLE TRANSIENT_LOCAL AUTOMATIC 0"),
+    ],
+)
+@pytest.mark.parametrize("others_first", [True, False])
+def test_what_is_best_available_is_decided_by_all_other_ends(
+    simulation: Simulation, others: list[Any], subscription: str, publisher: str, others_first: bool
+) -> None:
+    node, found = Recorder(), []
+    for make, other in ((node.subscribe, node.advertise), (node.advertise, node.subscribe)):
+        topic = f"/{make.__name__}"
+        before = [other(topic, each) for each in others] if others_first else []
+        found.append(make(topic, qos_profile_best_available))
+        after = [] if others_first else [other(topic, each) for each in others]
+        assert len(before + after) == len(others)
+    simulation.settle()
+    assert [" ".join(policies(each)) for each in found] == [subscription, publisher]
+
+
+@pytest.mark.parametrize("other", [10, BEST_EFFORT, LATCHED, STRICT, qos_profile_best_available])
+def test_what_suits_anyone_matches_every_end(other: Any) -> None:
+    profile = QoSProfile(depth=other) if isinstance(other, int) else other
+    subscription = for_anyone(qos_profile_best_available, publishes=False)
+    assert qos_check_compatible(profile, subscription) == (QoSCompatibility.OK, "")
+    publisher = for_anyone(qos_profile_best_available, publishes=True)
+    assert qos_check_compatible(publisher, profile)[1] in ("", "ERROR: incompatible DEADLINE")
+
+
+def test_best_available_ends_exchange_samples(simulation: Simulation) -> None:
+    node = Recorder()
+    node.subscribe("/number", qos_profile_best_available)
+    gone = node.create_subscription(type(number(0.0)), "/number", node.receive, qos_profile_best_available)
+    publisher = node.advertise("/number", BEST_EFFORT)
+    publisher.publish(number(1.0))
+    node.destroy_subscription(gone)
+    simulation.advance(MILLISECOND)
+    node.advertise("/late", qos_profile_best_available).publish(number(2.0))
+    simulation.advance(2 * MILLISECOND)
+    node.subscribe("/late", LATCHED)
+    simulation.advance(3 * MILLISECOND)
+    assert [value for _, value in node.received] == [1.0, 2.0]
+    assert simulation.warnings == []
+    assert qos_check_compatible(BEST_EFFORT, qos_profile_best_available)[0] == QoSCompatibility.OK
+    assert qos_check_compatible(qos_profile_best_available, STRICT)[0] == QoSCompatibility.OK
 
 
 def test_late_readers_get_the_last_samples_of_a_transient_local_writer(simulation: Simulation) -> None:

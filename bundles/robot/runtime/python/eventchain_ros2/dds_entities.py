@@ -66,6 +66,12 @@ class _Domain:
                 cyclone.load().dds_delete(domain.handle)
 
 
+def dds_topic(topic: str, profile: QoSProfile) -> str:
+    """Return the name on the wire of a topic of ROS 2: that of `/scan` is `rt/scan`."""
+    plain = topic == graph.TOPIC or profile.avoid_ros_namespace_conventions
+    return topic if plain else f"rt/{topic.lstrip('/')}"
+
+
 class Participant:
     """Participant of a domain. Its sockets and threads exist once it is created.
 
@@ -156,8 +162,7 @@ class Participant:
 
     def _make(self, function: str, topic: str, type_name: str, profile: QoSProfile) -> tuple[int, str, str, Announced]:
         hashed = type_hash(type_name, self.definition)
-        plain = topic == graph.TOPIC or profile.avoid_ros_namespace_conventions
-        name = topic if plain else f"rt/{topic.lstrip('/')}"
+        name = dds_topic(topic, profile)
         user_data = f"typehash={hashed};".encode()
         with self.lifetime.opened(), dds_qos(profile, user_data, ignore_own=self._ignore_own) as qos:
             made = getattr(self._library, function)(self.handle, self._topic(name, type_name), qos, None)

@@ -16,6 +16,7 @@ LONGEST_BLOCK = 100_000_000
 """How long one native call may take, in ns: Python sees signals only between calls."""
 
 _XCDR1 = 0
+_MANUAL_BY_TOPIC = 2
 _IGNORE_PARTICIPANT = 1
 _UNLIMITED = -1
 _POLICIES = {
@@ -62,7 +63,9 @@ def dds_qos(profile: QoSProfile, user_data: bytes, *, ignore_own: bool = False) 
         library.dds_qset_deadline(made, _nanoseconds(profile.deadline))
         library.dds_qset_lifespan(made, _nanoseconds(profile.lifespan))
         manual = profile.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC
-        library.dds_qset_liveliness(made, 2 if manual else 0, _nanoseconds(profile.liveliness_lease_duration))
+        library.dds_qset_liveliness(
+            made, _MANUAL_BY_TOPIC if manual else 0, _nanoseconds(profile.liveliness_lease_duration)
+        )
         library.dds_qset_data_representation(made, 1, (ctypes.c_int16 * 1)(_XCDR1))
         library.dds_qset_writer_data_lifecycle(made, False)
         library.dds_qset_ignorelocal(made, _IGNORE_PARTICIPANT if ignore_own else 0)
@@ -81,6 +84,30 @@ def _history(profile: QoSProfile) -> tuple[int, int]:
 def _nanoseconds(duration: Duration) -> int:
     """Return a duration, which is infinite for zero."""
     return min(duration.nanoseconds, INFINITY) or INFINITY
+
+
+def announced_profile(qos: int) -> QoSProfile:
+    """Return the policies of an announced writer or reader that others have to match."""
+    library = cyclone.load()
+    kind, time = ctypes.c_int32(), ctypes.c_int64()
+    reliable = library.dds_qget_reliability(qos, kind, time) and kind.value == 1
+    transient = library.dds_qget_durability(qos, kind) and kind.value >= 1
+    deadline = time.value if library.dds_qget_deadline(qos, time) else INFINITY
+    manual = library.dds_qget_liveliness(qos, kind, time) and kind.value == _MANUAL_BY_TOPIC
+    lease = time.value if library.dds_qget_liveliness(qos, kind, time) else INFINITY
+    return QoSProfile(
+        depth=1,
+        reliability=ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT,
+        durability=DurabilityPolicy.TRANSIENT_LOCAL if transient else DurabilityPolicy.VOLATILE,
+        liveliness=LivelinessPolicy.MANUAL_BY_TOPIC if manual else LivelinessPolicy.AUTOMATIC,
+        deadline=_duration(deadline),
+        liveliness_lease_duration=_duration(lease),
+    )
+
+
+def _duration(nanoseconds: int) -> Duration:
+    """Return a duration of DDS, which is zero for an infinite one."""
+    return Duration(nanoseconds=0 if nanoseconds >= INFINITY else nanoseconds)
 
 
 def user_data(qos: int) -> dict[str, str]:

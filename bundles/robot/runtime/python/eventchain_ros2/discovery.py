@@ -9,6 +9,8 @@ from contextlib import contextmanager
 from eventchain_ros2 import cyclone
 from eventchain_ros2.cyclone import ANY_STATE, checked
 from eventchain_ros2.dds_endpoints import Announced, Lifetime
+from eventchain_ros2.dds_qos import announced_profile
+from eventchain_ros2.qos import QoSProfile
 
 WRITERS, READERS = 0x7FFF0003, 0x7FFF0004
 """The library's topics for them: DDS_BUILTIN_TOPIC_DCPSPUBLICATION and DDS_BUILTIN_TOPIC_DCPSSUBSCRIPTION."""
@@ -30,7 +32,7 @@ class Announcements:
     def __init__(self, lifetime: Lifetime, participant: int, topic: int) -> None:
         self._lifetime = lifetime
         self._library = cyclone.load()
-        self._there: dict[int, Announced] = {}
+        self._there: dict[int, tuple[Announced, QoSProfile]] = {}
         with lifetime.opened():
             self._handle = checked(self._library.dds_create_reader(participant, topic, None, None), "discovery")
             self.condition = checked(self._library.dds_create_readcondition(self._handle, ANY_STATE), "discovery")
@@ -43,6 +45,13 @@ class Announcements:
 
     def there(self) -> set[Announced]:
         """Return the current announcements."""
+        return {announced for announced, _ in self._known()}
+
+    def profiles(self, topic: str) -> list[QoSProfile]:
+        """Return the policies of those on a topic, by its DDS name, that are known now."""
+        return [profile for announced, profile in self._known() if announced.topic == topic]
+
+    def _known(self) -> list[tuple[Announced, QoSProfile]]:
         samples = (ctypes.c_void_p * _MOST_TAKEN)()
         infos = (cyclone.SampleInfo * _MOST_TAKEN)()
         with self.opened():
@@ -51,7 +60,7 @@ class Announcements:
                 for sample, info in zip(samples[: checked(count, "discovery")], infos, strict=False):
                     self._note(sample, info)
                 if not count:
-                    return set(self._there.values())
+                    return list(self._there.values())
                 self._library.dds_return_loan(self._handle, samples, count)
 
     def _note(self, sample: int | None, info: cyclone.SampleInfo) -> None:
@@ -60,4 +69,4 @@ class Announcements:
         elif info.valid_data and sample:
             endpoint = cyclone.Endpoint.from_address(sample)
             names = (name.decode(errors="replace") for name in (endpoint.topic_name, endpoint.type_name))
-            self._there[info.instance_handle] = Announced(*names)
+            self._there[info.instance_handle] = Announced(*names), announced_profile(endpoint.qos)

@@ -23,11 +23,15 @@ class Publisher:
         self.msg_type = message_class
         self.type_name = type_name(message_class)
         self.topic = simulation.topic(topic)
-        self.qos_profile = qos_profile
         self.matched: list[Receiver] = []
+        self.decide(qos_profile)
+        simulation.add_publisher(self)
+
+    def decide(self, qos_profile: QoSProfile) -> None:
+        """Set the profile, before anything is published with it."""
+        self.qos_profile = qos_profile
         transient = qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL
         self.retained: deque[Sample] = deque(maxlen=qos_profile.capacity() if transient else 0)
-        simulation.add_publisher(self)
 
     @property
     def topic_name(self) -> str:
@@ -88,9 +92,13 @@ class Subscription:
         self.type_name = type_name(message_class)
         self.topic = simulation.topic(topic)
         self.callback = callback
-        self.qos_profile = qos_profile
         self.raw = raw
+        self.decide(qos_profile)
         simulation.add_subscription(self)
+
+    def decide(self, qos_profile: QoSProfile) -> None:
+        """Set the profile, before anything is received with it."""
+        self.qos_profile = qos_profile
 
     @property
     def topic_name(self) -> str:

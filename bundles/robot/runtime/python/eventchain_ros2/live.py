@@ -16,8 +16,9 @@ from functools import partial
 from time import monotonic_ns, time_ns
 from typing import Any, cast
 
+from eventchain_ros2.best_available import for_publisher, for_subscription, is_undecided
 from eventchain_ros2.dds_endpoints import Announced
-from eventchain_ros2.dds_entities import ClosedError, Participant, Reader, WaitSet, Writer
+from eventchain_ros2.dds_entities import ClosedError, Participant, Reader, WaitSet, Writer, dds_topic
 from eventchain_ros2.definitions import message_name
 from eventchain_ros2.discovery import Announcements
 from eventchain_ros2.parameters import Parameter
@@ -80,6 +81,7 @@ class Live(Simulation):
     def add_publisher(self, publisher: Publisher) -> None:
         """Create a writer."""
         publisher.topic.publishers.append(publisher)
+        self._decide(publisher, publishes=True)
         profile = publisher.qos_profile
         writer = self._participant.writer(publisher.topic.name, publisher.type_name, profile)
         self._writers[publisher] = writer
@@ -91,11 +93,19 @@ class Live(Simulation):
     def add_subscription(self, subscription: Subscription) -> None:
         """Create a reader."""
         subscription.topic.subscriptions.append(subscription)
+        self._decide(subscription, publishes=False)
         profile = subscription.qos_profile
         reader = self._participant.reader(subscription.topic.name, subscription.type_name, profile)
         self._readers[subscription] = reader
         self._watch.add(reader)
         self._changed()
+
+    def _decide(self, endpoint: Any, *, publishes: bool) -> None:
+        """Decide what is best available by the ends that have been discovered."""
+        if is_undecided(endpoint.qos_profile):
+            others = self._watch.profiles(Writer if publishes else Reader, endpoint)
+            decide = for_publisher if publishes else for_subscription
+            endpoint.decide(decide(endpoint.qos_profile, others))
 
     def remove(self, endpoint: Any) -> None:
         """Close its writer or reader."""
@@ -312,6 +322,10 @@ class _Watch:
         """Stop watching it."""
         self._ends.remove(end)
         self._told.pop(end, None)
+
+    def profiles(self, kind: type, end: Publisher | Subscription) -> list[QoSProfile]:
+        """Return the policies of the other ends of a topic that have been discovered: for a reader, of the writers."""
+        return self._others[kind].profiles(dds_topic(end.topic.name, end.qos_profile))
 
     def _run(self) -> None:
         try:

@@ -53,6 +53,7 @@ class Scenario(HostedNodes):
         self.prepare(sources)
         self._connect_world()
         self.start_nodes()
+        self.simulation.settle()
 
     def _connect_world(self) -> None:
         process = self.simulation.add_process("")

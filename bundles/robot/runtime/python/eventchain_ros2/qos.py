@@ -27,6 +27,7 @@ class ReliabilityPolicy(IntEnum):
     RELIABLE = 1
     BEST_EFFORT = 2
     UNKNOWN = 3
+    BEST_AVAILABLE = 4
 
 
 class DurabilityPolicy(IntEnum):
@@ -36,6 +37,7 @@ class DurabilityPolicy(IntEnum):
     TRANSIENT_LOCAL = 1
     VOLATILE = 2
     UNKNOWN = 3
+    BEST_AVAILABLE = 4
 
 
 class LivelinessPolicy(IntEnum):
@@ -45,6 +47,11 @@ class LivelinessPolicy(IntEnum):
     AUTOMATIC = 1
     MANUAL_BY_TOPIC = 3
     UNKNOWN = 4
+    BEST_AVAILABLE = 5
+
+
+BEST_AVAILABLE_DURATION = Duration(nanoseconds=2**63 - 2)
+"""A deadline or lease duration that is decided by the other ends."""
 
 
 class InvalidQoSProfileException(Exception):  # noqa: N818 - rclpy's name
@@ -130,25 +137,29 @@ def _duration(value: object) -> Duration:
 
 
 def incompatible_policies(offered: QoSProfile, requested: QoSProfile) -> Iterator[str]:
-    """Return the names of the policies whose offer does not satisfy the request (DDS 1.4, section 2.2.3)."""
-    if requested.reliability != ReliabilityPolicy.BEST_EFFORT and offered.reliability == ReliabilityPolicy.BEST_EFFORT:
+    """Return the names of the policies whose offer does not satisfy the request (DDS 1.4, section 2.2.3).
+
+    What is best available satisfies and is satisfied: it is decided by the other ends.
+    """
+    if requested.reliability not in _ASKS_LITTLE and offered.reliability == ReliabilityPolicy.BEST_EFFORT:
         yield "RELIABILITY"
-    if (
-        requested.durability == DurabilityPolicy.TRANSIENT_LOCAL
-        and offered.durability != DurabilityPolicy.TRANSIENT_LOCAL
-    ):
+    if requested.durability == DurabilityPolicy.TRANSIENT_LOCAL and offered.durability not in _KEEPS:
         yield "DURABILITY"
     if _longer(offered.deadline, requested.deadline):
         yield "DEADLINE"
-    manual = LivelinessPolicy.MANUAL_BY_TOPIC
-    weaker = requested.liveliness == manual and offered.liveliness != manual
+    weaker = requested.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC and offered.liveliness not in _ASSERTS
     if weaker or _longer(offered.liveliness_lease_duration, requested.liveliness_lease_duration):
         yield "LIVELINESS"
 
 
+_ASKS_LITTLE = (ReliabilityPolicy.BEST_EFFORT, ReliabilityPolicy.BEST_AVAILABLE)
+_KEEPS = (DurabilityPolicy.TRANSIENT_LOCAL, DurabilityPolicy.BEST_AVAILABLE)
+_ASSERTS = (LivelinessPolicy.MANUAL_BY_TOPIC, LivelinessPolicy.BEST_AVAILABLE)
+
+
 def _longer(offered: Duration, requested: Duration) -> bool:
     """Return whether the offered period is longer than the requested one; zero is infinite."""
-    if not requested.nanoseconds:
+    if not requested.nanoseconds or BEST_AVAILABLE_DURATION in (offered, requested):
         return False
     return not offered.nanoseconds or offered.nanoseconds > requested.nanoseconds
 
@@ -179,6 +190,14 @@ qos_profile_sensor_data = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST
 qos_profile_services_default = QoSProfile(depth=10)
 qos_profile_parameters = QoSProfile(depth=1000)
 qos_profile_parameter_events = QoSProfile(depth=1000)
+qos_profile_best_available = QoSProfile(
+    depth=10,
+    reliability=ReliabilityPolicy.BEST_AVAILABLE,
+    durability=DurabilityPolicy.BEST_AVAILABLE,
+    liveliness=LivelinessPolicy.BEST_AVAILABLE,
+    deadline=BEST_AVAILABLE_DURATION,
+    liveliness_lease_duration=BEST_AVAILABLE_DURATION,
+)
 qos_profile_action_status_default = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
@@ -192,6 +211,7 @@ class QoSPresetProfiles(Enum):
     PARAMETERS = qos_profile_parameters
     PARAMETER_EVENTS = qos_profile_parameter_events
     ACTION_STATUS_DEFAULT = qos_profile_action_status_default
+    BEST_AVAILABLE = qos_profile_best_available
 
     @classmethod
     def get_from_short_key(cls, name: str) -> QoSProfile:

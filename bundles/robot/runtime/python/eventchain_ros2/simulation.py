@@ -14,6 +14,7 @@ from heapq import heappop, heappush
 from time import thread_time_ns
 from typing import Any, NamedTuple
 
+from eventchain_ros2.best_available import decided, for_anyone, is_undecided
 from eventchain_ros2.faults import NEVER, Fault
 from eventchain_ros2.processes import (
     Activation,
@@ -83,6 +84,7 @@ class Simulation:
         self._events: list[Event] = []
         self._count = 0
         self._starting: Process | None = None
+        self._undecided: list[Any] = []  # publishers and subscriptions
         self._records = 0
         self._spent = 0  # processor time of components within the running callback, ns
         self._sent = False  # whether the running callback has published
@@ -153,6 +155,7 @@ class Simulation:
 
     def add_publisher(self, publisher: Publisher) -> None:
         """Connect a publisher with the subscriptions of its topic."""
+        self._decide(publisher, publishes=True)
         publisher.topic.publishers.append(publisher)
         for subscription in publisher.topic.subscriptions:
             self._connect(publisher, subscription)
@@ -161,11 +164,25 @@ class Simulation:
 
     def add_subscription(self, subscription: Subscription) -> None:
         """Connect a subscription with the publishers of its topic."""
+        self._decide(subscription, publishes=False)
         subscription.topic.subscriptions.append(subscription)
         for publisher in subscription.topic.publishers:
             self._connect(publisher, subscription)
         if self.bridge:
             self.bridge.opened(subscription)
+
+    def _decide(self, endpoint: Any, *, publishes: bool) -> None:
+        """Decide later what is best available; at once, if other processes have ends that are not known here."""
+        if is_undecided(endpoint.qos_profile) and self.bridge:
+            endpoint.decide(for_anyone(endpoint.qos_profile, publishes=publishes))
+        elif is_undecided(endpoint.qos_profile):
+            self._undecided.append(endpoint)
+
+    def settle(self) -> None:
+        """Decide what is best available, once all nodes have started and before any time passes."""
+        undecided, self._undecided = self._undecided, []
+        for publisher, subscription in decided(undecided):
+            self._connect(publisher, subscription)
 
     def remove(self, endpoint: Publisher | Subscription) -> None:
         """Notify the bridge of a destroyed endpoint."""
@@ -173,6 +190,8 @@ class Simulation:
             self.bridge.closed(endpoint)
 
     def _connect(self, publisher: Publisher, subscription: Subscription) -> None:
+        if is_undecided(publisher.qos_profile) or is_undecided(subscription.qos_profile):
+            return  # until it is decided
         topic = publisher.topic.name
         if publisher.type_name != subscription.type_name:
             types = f"{subscription.type_name} is subscribed and {publisher.type_name} published"
@@ -228,6 +247,7 @@ class Simulation:
 
     def advance(self, until: int) -> None:
         """Let time pass. Events due exactly at `until` belong to the next call, after the samples published then."""
+        self.settle()
         events = self._events
         while events and events[0].time < until and self.running:
             event = heappop(events)
@@ -241,6 +261,7 @@ class Simulation:
 
     def happen(self, until: int, *, timers: bool) -> None:
         """Run all events that are due until then, inclusive; timers of that time only on request."""
+        self.settle()
         last = until, (_TIMER if timers else _SAMPLE)
         events = self._events
         while events and events[0][:2] <= last and self.running:
@@ -279,6 +300,7 @@ class Simulation:
             RuntimeError: there is no limit, and no further event.
 
         """
+        self.settle()
         limit = None if timeout is None else self.now + timeout
         for process in self.processes:
             process.paused = process not in processes

@@ -1,6 +1,7 @@
 """As `rclpy.qos`."""
 
 from eventchain_ros2.qos import (
+    BEST_AVAILABLE_DURATION,
     DurabilityPolicy,
     HistoryPolicy,
     InvalidQoSProfileException,
@@ -11,6 +12,7 @@ from eventchain_ros2.qos import (
     ReliabilityPolicy,
     qos_check_compatible,
     qos_profile_action_status_default,
+    qos_profile_best_available,
     qos_profile_default,
     qos_profile_parameter_events,
     qos_profile_parameters,
@@ -23,11 +25,15 @@ QoSDurabilityPolicy = DurabilityPolicy
 QoSHistoryPolicy = HistoryPolicy
 QoSLivelinessPolicy = LivelinessPolicy
 QoSReliabilityPolicy = ReliabilityPolicy
+DeadlineBestAvailable = BEST_AVAILABLE_DURATION
+LivelinessLeaseDurationeBestAvailable = BEST_AVAILABLE_DURATION  # rclpy's spelling
 
 __all__ = [
+    "DeadlineBestAvailable",
     "DurabilityPolicy",
     "HistoryPolicy",
     "InvalidQoSProfileException",
+    "LivelinessLeaseDurationeBestAvailable",
     "LivelinessPolicy",
     "QoSCompatibility",
     "QoSDurabilityPolicy",
@@ -39,6 +45,7 @@ __all__ = [
     "ReliabilityPolicy",
     "qos_check_compatible",
     "qos_profile_action_status_default",
+    "qos_profile_best_available",
     "qos_profile_default",
     "qos_profile_parameter_events",
     "qos_profile_parameters",
