@@ -1,5 +1,7 @@
 package dev.eventchain.simulation.sensor;
 
+import dev.eventchain.messages.FieldType;
+import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.MessageValue;
 import dev.eventchain.messages.Unit;
 import dev.eventchain.simulation.world.Actor;
@@ -22,7 +24,8 @@ import java.util.stream.Stream;
 /**
  * A list of the objects around, as from radars and cameras, the nearest first. Overhead structures
  * and flat plates are no objects. Objects wholly hidden behind others ({@link Sight}), as seen from
- * the sensor, are left out; walls, posts and the vehicle itself hide nothing.
+ * the sensor, are left out; walls, posts and the vehicle itself hide nothing. Where there are more
+ * than a message can hold or count, it ends with the nearest of them.
  *
  * @param mounting where it is, and where it looks
  * @param range maximum distance, in m: along its direction, or with a view of more than half a
@@ -31,7 +34,7 @@ import java.util.stream.Stream;
  * @param missed fraction of the objects that a message randomly omits, 0 to 1
  * @param columns what is said of each object
  * @param constants what is the same for each object
- * @param count the field that holds the number of objects
+ * @param count the field that holds the number of the objects in the message
  */
 public record ObjectSensor(
     Mounting mounting,
@@ -44,6 +47,8 @@ public record ObjectSensor(
 
   /** Height of the sensor over the road, in m: behind the bumper, as for radars. Assumed. */
   private static final double MOUNTED = 0.5;
+
+  private static final int ALL = Integer.MAX_VALUE;
 
   public ObjectSensor {
     columns = List.copyOf(columns);
@@ -168,12 +173,7 @@ public record ObjectSensor(
   }
 
   private void write(List<SeenObject> seen, SplittableRandom random, MessageValue message) {
-    int size = seen.size();
-    for (String path : paths()) {
-      if (count.filter(path::equals).isEmpty()) {
-        size = Math.min(size, Listed.of(path).capacity(message.type()));
-      }
-    }
+    int size = Math.min(seen.size(), capacity(message.type()));
     for (String list : messageLists()) {
       new Listed(list, "").make(message, size);
     }
@@ -190,6 +190,27 @@ public record ObjectSensor(
     if (count.isPresent()) {
       message.set(count.get(), size);
     }
+  }
+
+  /** Returns how many objects all lists can hold, and the field that counts them can tell. */
+  private int capacity(MessageType type) {
+    int capacity = count.map(path -> largest(type.resolve(path).type().orElseThrow())).orElse(ALL);
+    for (String path : paths()) {
+      if (count.filter(path::equals).isEmpty()) {
+        capacity = Math.min(capacity, Listed.of(path).capacity(type));
+      }
+    }
+    return capacity;
+  }
+
+  private static int largest(FieldType integer) {
+    return switch (integer.kind()) {
+      case INT8 -> Byte.MAX_VALUE;
+      case BYTE, CHAR, UINT8 -> 0xFF;
+      case INT16 -> Short.MAX_VALUE;
+      case UINT16 -> 0xFFFF;
+      default -> ALL;
+    };
   }
 
   private static Object value(Column column, SeenObject object, SplittableRandom random) {

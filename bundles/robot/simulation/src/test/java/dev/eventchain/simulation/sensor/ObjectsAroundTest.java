@@ -23,6 +23,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -30,13 +31,16 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Tests lists of objects to the side, behind and all around, and their messages in arrays. */
 class ObjectsAroundTest {
 
-  private static final MessageType TYPE =
-      MessageCatalog.of(List.of(Path.of("src/test/resources/benches/msg")))
-          .find("demo_msgs/msg/Detections")
-          .orElseThrow();
+  private static final MessageType TYPE = type("demo_msgs/msg/Detections");
 
   /** Of the ego and of a car, in m. */
   private static final double LENGTH = 4.5;
+
+  private static MessageType type(String name) {
+    return MessageCatalog.of(List.of(Path.of("src/test/resources/benches/msg")))
+        .find(name)
+        .orElseThrow();
+  }
 
   private static Column column(String field, Property property) {
     return new Column("detections[]." + field, property, property.unit(), 0);
@@ -195,5 +199,21 @@ class ObjectsAroundTest {
     List<MessageValue> seen = seen(world, Mounting.FRONT, 60);
     assertEquals(3, seen.size());
     assertEquals(List.of(4.0, 3.0, 2.0), seen.stream().map(each -> each.number("id")).toList());
+  }
+
+  @Test
+  void listEndsWhereItsNumberEnds() {
+    Column distance = new Column("distance", Property.DISTANCE, Property.DISTANCE.unit(), 0);
+    ObjectSensor sensor =
+        new ObjectSensor(
+            Mounting.FRONT, 500, Math.PI, 0, List.of(distance), List.of(), Optional.of("count"));
+    MessageValue message = MessageValue.of(type("demo_msgs/msg/Pedestrians"));
+    Actor[] crowd =
+        IntStream.range(0, 300)
+            .mapToObj(i -> TestActors.moving(ActorKind.PEDESTRIAN, 30, i - 150, 0))
+            .toArray(Actor[]::new);
+    sensor.fill(world(crowd), new SplittableRandom(1), message);
+    assertEquals(255, message.number("count"));
+    assertEquals(255, ((float[]) message.get("distance")).length);
   }
 }
