@@ -51,10 +51,22 @@ class ReportInBrowserTest {
             .findFirst();
     assumeTrue(browser.isPresent(), "there is no Chromium");
     Path page = reportOfVehicleThatDoesNotBrake();
-    String shown = text(dom(browser.get(), page));
-    assertEquals(Set.of(), missing(page, shown));
+    String drawn = dom(browser.get(), page);
+    assertEquals(Set.of(), missing(page, text(drawn)));
+    assertEquals(List.of(), axesWithoutScale(drawn));
     int height = height(browser.get(), page);
     assertTrue(height > 1_000 && height < MOST_PIXELS, height + " pixels");
+  }
+
+  /** Returns the plots whose axis has fewer than two labels. */
+  private static List<String> axesWithoutScale(String drawn) {
+    List<String> plots =
+        Stream.of(drawn.split("<g role=\"img\"", -1))
+            .skip(1)
+            .map(plot -> plot.substring(0, plot.indexOf("</g>")))
+            .toList();
+    assertTrue(plots.size() > 5, "only " + plots.size() + " plots");
+    return plots.stream().filter(plot -> plot.split("class=\"tick\"", -1).length < 3).toList();
   }
 
   private Path reportOfVehicleThatDoesNotBrake() throws IOException {

@@ -72,12 +72,20 @@ function digitsOf(values) {
 function ticks(bottom, top, atMost) {
   const rough = (top - bottom) / atMost;
   const power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * [1, 2, 5, 10].find((factor) => factor * power >= rough * 0.999);
+  const steps = [0.2, 0.5, 1, 2, 5, 10].map((factor) => factor * power);
+  let index = steps.findIndex((step) => step >= rough * 0.999);
+  if (index > 0 && multiples(bottom, top, steps[index]).length < 2) {
+    index--; // three of the next finer ones fit: a single label gives no scale
+  }
+  return { values: multiples(bottom, top, steps[index]), digits: Math.max(0, -Math.floor(Math.log10(steps[index]) + 1e-9)) };
+}
+
+function multiples(bottom, top, step) {
   const result = [];
   for (let value = Math.ceil(bottom / step - 1e-9) * step; value <= top + step * 1e-6; value += step) {
     result.push(Math.abs(value) < step * 1e-9 ? 0 : value);
   }
-  return { values: result, digits: Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) };
+  return result;
 }
 
 function extent(values) {
