@@ -14,12 +14,13 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from eventchain_ros2.node_sources import RUNTIME
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from eventchain_ros2.parameters import Parameter
 
-SOURCES = str(Path(__file__).resolve().parents[1])
 UNAVAILABLE = 3
 USAGE = """usage: python -m eventchain_ros2 [--messages FILE]... NODE.py
          [--ros-args -p [NODE:]NAME:=VALUE | --params-file FILE ...]"""
@@ -159,7 +160,7 @@ def run(command: Command) -> None:
 
     context.start_with(start)
     sys.argv = [str(command.node), *command.arguments]
-    sys.path[:] = [SOURCES, str(_root(command.node)), *(path for path in sys.path[1:] if path != SOURCES)]
+    sys.path[:] = [RUNTIME, str(_root(command.node)), *(path for path in sys.path[1:] if path != RUNTIME)]
     try:
         runpy.run_path(str(command.node), run_name="__main__")
     finally:
