@@ -45,6 +45,7 @@ public final class Main {
           StageCommands.Simulate.class,
           AcceptCommand.class,
           CampaignCommand.class,
+          SearchCommand.class,
           MutateCommand.class,
           EvaluateCommand.class,
           InitCommand.class,

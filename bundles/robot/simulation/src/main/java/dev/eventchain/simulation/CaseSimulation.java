@@ -26,6 +26,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.IntFunction;
 
 /**
@@ -48,6 +49,16 @@ public final class CaseSimulation {
 
     /** Receives the result of a case. */
     void done(int number, CaseResult result);
+  }
+
+  /** The numbers of cases, handed out to several threads while others are simulated. */
+  public interface Numbers {
+
+    /** Waits for a case; returns empty once there will be none any more. */
+    OptionalInt next();
+
+    /** Lets nobody wait any longer, since the simulation ends. */
+    void stop();
   }
 
   /**
@@ -75,6 +86,16 @@ public final class CaseSimulation {
       throws InterruptedException {
     HostPool.Job job = (number, hosts) -> work(number, each, hosts, listener);
     new HostPool(cases, this::start, job).run(request.settings().processes());
+  }
+
+  /**
+   * Simulates cases that are not known at the beginning, as {@link #run(int, IntFunction,
+   * Listener)}. No process is started before there is a case for it.
+   */
+  public void run(Numbers cases, IntFunction<Case> each, Listener listener)
+      throws InterruptedException {
+    HostPool.Job job = (number, hosts) -> work(number, each, hosts, listener);
+    new HostPool(cases, Integer.MAX_VALUE, this::start, job).run(request.settings().processes());
   }
 
   private HostPool.State work(

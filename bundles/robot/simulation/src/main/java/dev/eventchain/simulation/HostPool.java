@@ -3,6 +3,7 @@ package dev.eventchain.simulation;
 import dev.eventchain.simulation.host.NodeHosts;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -12,10 +13,13 @@ import java.util.function.IntFunction;
 /** Processes that do numbered jobs in parallel. */
 final class HostPool {
 
-  private final int jobs;
+  /** The number of no job. */
+  private static final int NONE = -1;
+
+  private final CaseSimulation.Numbers numbers;
+  private final int most;
   private final IntFunction<NodeHosts> start;
   private final Job job;
-  private final AtomicInteger next = new AtomicInteger();
   private final AtomicBoolean stopped = new AtomicBoolean();
   private final List<NodeHosts> open = new ArrayList<>();
   private final SortedMap<Integer, Throwable> failures = new TreeMap<>();
@@ -44,9 +48,37 @@ final class HostPool {
    * @param start starts processes, given their index among those in parallel
    */
   HostPool(int jobs, IntFunction<NodeHosts> start, Job job) {
-    this.jobs = jobs;
+    this(upTo(jobs), jobs, start, job);
+  }
+
+  /**
+   * Creates a pool.
+   *
+   * @param numbers the jobs
+   * @param most how many of them there may be at the same time
+   * @param start starts processes, given their index among those in parallel
+   */
+  HostPool(CaseSimulation.Numbers numbers, int most, IntFunction<NodeHosts> start, Job job) {
+    this.numbers = numbers;
+    this.most = most;
     this.start = start;
     this.job = job;
+  }
+
+  private static CaseSimulation.Numbers upTo(int jobs) {
+    AtomicInteger next = new AtomicInteger();
+    return new CaseSimulation.Numbers() {
+      @Override
+      public OptionalInt next() {
+        int number = next.getAndIncrement();
+        return number < jobs ? OptionalInt.of(number) : OptionalInt.empty();
+      }
+
+      @Override
+      public void stop() {
+        // Nobody waits.
+      }
+    };
   }
 
   /**
@@ -56,7 +88,7 @@ final class HostPool {
    */
   void run(int parallel) throws InterruptedException {
     List<Thread> workers = new ArrayList<>();
-    for (int i = 0; i < Math.min(parallel, jobs); i++) {
+    for (int i = 0; i < Math.min(parallel, most); i++) {
       int turn = i;
       Thread worker = new Thread(() -> work(turn), "simulation " + (i + 1));
       workers.add(worker);
@@ -78,6 +110,7 @@ final class HostPool {
   /** Ends the processes, which also ends the threads that wait for their answers. */
   private void stop(List<Thread> workers) throws InterruptedException {
     stopped.set(true);
+    numbers.stop();
     synchronized (open) {
       open.forEach(NodeHosts::close);
     }
@@ -95,14 +128,19 @@ final class HostPool {
 
   /** Does jobs until none is left, with new processes after a job that ended its processes. */
   private void work(int turn) {
-    int[] taken = {next.getAndIncrement()};
+    int[] taken = {NONE};
     try {
-      while (!stopped.get() && taken[0] < jobs) {
+      taken[0] = next();
+      while (!stopped.get() && taken[0] != NONE) {
         workInOneProcess(turn, taken);
       }
     } catch (RuntimeException | Error e) { // rethrown by run(), so that no thread ends unnoticed
       failed(taken[0], e);
     }
+  }
+
+  private int next() {
+    return numbers.next().orElse(NONE);
   }
 
   /**
@@ -116,10 +154,10 @@ final class HostPool {
       open.add(hosts);
     }
     try {
-      while (!stopped.get() && taken[0] < jobs) {
+      while (!stopped.get() && taken[0] != NONE) {
         State state = job.work(taken[0], hosts);
         if (state != State.UNDONE) {
-          taken[0] = next.getAndIncrement();
+          taken[0] = next();
         }
         if (state != State.DONE) {
           return;
@@ -136,5 +174,6 @@ final class HostPool {
   private synchronized void failed(int number, Throwable failure) {
     stopped.set(true);
     failures.put(number, failure);
+    numbers.stop();
   }
 }

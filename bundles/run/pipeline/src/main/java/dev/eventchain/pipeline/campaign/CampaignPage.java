@@ -218,7 +218,7 @@ final class CampaignPage {
     raw("</tbody></table></div></section>\n");
   }
 
-  private static String margin(CriterionMargin margin) {
+  static String margin(CriterionMargin margin) {
     String unit = margin.unit().equals("1") ? "" : " " + margin.unit();
     return String.format(Locale.ROOT, "%.3g%s", margin.margin().orElseThrow(), unit);
   }

@@ -19,6 +19,7 @@ import java.util.Optional;
  * @param conditions keep the combinations for which all are true
  * @param repetitions of each combination, with other seeds
  * @param seed of what is drawn
+ * @param search what a search does with it
  */
 record CampaignPlan(
     Path file,
@@ -30,7 +31,8 @@ record CampaignPlan(
     List<SourceRange> conditions,
     int repetitions,
     long seed,
-    Optional<Boundary> boundary) {
+    Optional<Boundary> boundary,
+    SearchSettings search) {
 
   /**
    * A search for the values at which the verdict flips.
@@ -44,6 +46,22 @@ record CampaignPlan(
     factors = List.copyOf(factors);
     computed = List.copyOf(computed);
     conditions = List.copyOf(conditions);
+  }
+
+  /** Returns the plan of a search: each combination once, and no grid. */
+  CampaignPlan ofSearch() {
+    return new CampaignPlan(
+        file,
+        name,
+        scenario,
+        factors,
+        computed,
+        Sampling.USUAL,
+        conditions,
+        1,
+        seed,
+        Optional.empty(),
+        search);
   }
 
   List<String> names() {

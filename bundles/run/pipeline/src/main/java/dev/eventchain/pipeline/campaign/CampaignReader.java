@@ -40,10 +40,12 @@ final class CampaignReader {
   private static final BigDecimal DEVIATIONS = BigDecimal.valueOf(6);
 
   private final Path file;
+  private final boolean isSearched;
   private final SourceText text;
 
-  private CampaignReader(Path file) {
+  private CampaignReader(Path file, boolean isSearched) {
     this.file = file;
+    this.isSearched = isSearched;
     this.text = SourceText.read(file);
   }
 
@@ -53,7 +55,16 @@ final class CampaignReader {
    * @throws DiagnosticException (INPUT) with every problem of the file
    */
   static CampaignPlan read(Path file) {
-    return new CampaignReader(file).read();
+    return new CampaignReader(file, false).read();
+  }
+
+  /**
+   * Reads a campaign file for a search, which goes between the bounds of factors by itself.
+   *
+   * @throws DiagnosticException (INPUT) with every problem of the file
+   */
+  static CampaignPlan readForSearch(Path file) {
+    return new CampaignReader(file, true).read();
   }
 
   private CampaignPlan read() {
@@ -72,7 +83,7 @@ final class CampaignReader {
     section.text("description"); // for people
     List<Factor> factors = section.requiredObject("factors").map(this::factors).orElse(List.of());
     Sampling sampling = section.object("sampling").map(this::sampling).orElse(Sampling.USUAL);
-    if (!sampling.kind().isDrawn()) {
+    if (!sampling.kind().isDrawn() && !isSearched) {
       factors.stream()
           .filter(factor -> factor.levels().isContinuous())
           .forEach(factor -> section.find(undrawn(factor)));
@@ -91,10 +102,22 @@ final class CampaignReader {
     long seed = section.wholeNumber("seed", SEED).orElse(1);
     Optional<CampaignPlan.Boundary> boundary =
         section.object("boundary").flatMap(part -> boundary(part, factors, sampling));
+    SearchSettings search =
+        section.object("search").map(SearchSettings::read).orElse(SearchSettings.USUAL);
     section.refuseOthers();
     String name = file.getFileName().toString().replaceFirst("\\.ya?ml$", "");
     return new CampaignPlan(
-        file, name, scenario, factors, computed, sampling, conditions, repetitions, seed, boundary);
+        file,
+        name,
+        scenario,
+        factors,
+        computed,
+        sampling,
+        conditions,
+        repetitions,
+        seed,
+        boundary,
+        search);
   }
 
   /** Returns how many tables the factors are from; 0 if one is from none. */

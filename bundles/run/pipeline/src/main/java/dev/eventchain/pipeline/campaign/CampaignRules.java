@@ -23,6 +23,9 @@ final class CampaignRules {
   static final Rule KEY_MISSING = Rule.error("campaign.key.missing");
   static final Rule KEY_UNKNOWN = Rule.error("campaign.key.unknown");
   static final Rule MERGE = Rule.error("campaign.merge");
+  static final Rule SEARCH_CRITERION = Rule.error("search.criterion");
+  static final Rule SEARCH_FOUND = Rule.error("search.found");
+  static final Rule SEARCH_NOTHING = Rule.warning("search.nothing-to-minimise");
   static final Rule SIZE = Rule.error("campaign.size");
   static final Rule SYNTAX = Rule.error("campaign.syntax", CommonTrait.UNSUPPRESSIBLE);
   static final Rule VALUE_RANGE = Rule.error("campaign.value.range");

@@ -11,7 +11,9 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
@@ -57,9 +59,13 @@ final class CampaignStore implements AutoCloseable {
       Executors.newSingleThreadScheduledExecutor(CampaignStore::thread);
   private Optional<Future<?>> saved = Optional.empty();
 
-  /** Opens the folder, with the results of an interrupted campaign with the same inputs. */
+  /**
+   * Opens the folder, with the results of an interrupted campaign with the same inputs.
+   *
+   * @param results the folder with those of all campaigns
+   */
   CampaignStore(Path results, Cases empty) {
-    this.folder = results.resolve(FOLDER).resolve(empty.shard().folder(empty.campaign()));
+    this.folder = results.resolve(empty.shard().folder(empty.campaign()));
     this.output = OutputFolder.open(folder);
     this.empty = empty;
     output.write(RunContext.IGNORE, new byte[0], OutputFolder.OnEdit.OVERWRITE);
@@ -69,8 +75,12 @@ final class CampaignStore implements AutoCloseable {
     }
   }
 
-  /** Removes what is of other inputs, and lets results be kept from now on. */
-  void begin() {
+  /**
+   * Removes what is of other inputs, and lets results be kept from now on.
+   *
+   * @param others files that are of the same inputs as the table
+   */
+  void begin(String... others) {
     boolean same =
         output
             .read(CASES)
@@ -79,6 +89,7 @@ final class CampaignStore implements AutoCloseable {
             .isPresent();
     if (!same) {
       RESULTS.forEach(output::remove);
+      List.of(others).forEach(output::removeAll);
     }
     saved =
         Optional.of(saving.scheduleAtFixedRate(this::save, PAUSE, PAUSE, TimeUnit.MILLISECONDS));
@@ -147,6 +158,14 @@ final class CampaignStore implements AutoCloseable {
 
   private Cases with(Collection<CampaignRow> some, boolean complete) {
     return new Cases(empty.campaign(), empty.inputs(), empty.shard(), complete, List.copyOf(some));
+  }
+
+  /** Forgets all other cases. */
+  synchronized void retain(Collection<CampaignCase> cases) {
+    Set<CampaignCase> kept = new TreeSet<>(CampaignCase.ORDER);
+    kept.addAll(cases);
+    rows.keySet().retainAll(kept);
+    unsaved.clear();
   }
 
   /** Writes all cases into one file, after which nothing is missing. */

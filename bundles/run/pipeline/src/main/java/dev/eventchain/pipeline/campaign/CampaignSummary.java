@@ -38,9 +38,14 @@ final class CampaignSummary {
    * boundary is searched, cases are to fail on one side of it.
    */
   List<Diagnostic> findings(SourceLocation place) {
+    return findings(place, plan.boundary().isEmpty() || count(Label.PASSED) == 0);
+  }
+
+  /** As {@link #findings(SourceLocation)}, with or without one for the cases that failed. */
+  List<Diagnostic> findings(SourceLocation place, boolean withFailed) {
     List<Diagnostic> found = new ArrayList<>();
     add(found, Label.ERROR, "ended by an error", CampaignRules.CASE_ERROR, place);
-    if (plan.boundary().isEmpty() || count(Label.PASSED) == 0) {
+    if (withFailed) {
       add(found, Label.FAILED, "failed", CampaignRules.CASE_FAILED, place);
     }
     add(found, Label.UNTESTED, "not tested", CampaignRules.CASE_UNTESTED, place);

@@ -5,15 +5,17 @@ import dev.eventchain.simulation.verdict.CaseResult;
 import dev.eventchain.simulation.verdict.CaseResult.CriterionMargin;
 import java.math.BigDecimal;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
 
 /**
- * The cases as a table (RFC 4180, with line feeds): number, factors, repetition, verdict, impact
- * speed, end, the margin of each criterion with its unit, and the reason.
+ * The cases as a table (RFC 4180, with line feeds): number, further columns, factors, repetition,
+ * verdict, impact speed, end, the margin of each criterion with its unit, and the reason.
  */
 final class CampaignTable {
 
@@ -24,6 +26,7 @@ final class CampaignTable {
   private record Column(String criterion, String unit) {}
 
   private final Set<Column> columns = new LinkedHashSet<>();
+  private final Map<String, List<String>> further = new LinkedHashMap<>();
 
   CampaignTable(List<String> factors, List<CampaignRow> rows) {
     this.factors = factors;
@@ -37,8 +40,15 @@ final class CampaignTable {
     }
   }
 
+  /** Adds a column after the first one, with a cell for each case. */
+  CampaignTable with(String name, List<String> cells) {
+    further.put(name, cells);
+    return this;
+  }
+
   byte[] csv() {
     List<String> head = new ArrayList<>(List.of("case"));
+    head.addAll(further.keySet());
     head.addAll(factors);
     head.addAll(List.of("repetition", "verdict", "impact_speed_mps", "end_s"));
     columns.forEach(it -> head.add("margin of " + it.criterion() + " in " + it.unit()));
@@ -54,6 +64,7 @@ final class CampaignTable {
   private List<String> cells(int number, CampaignRow row) {
     CaseResult result = row.result();
     List<String> cells = new ArrayList<>(List.of(Integer.toString(number)));
+    further.values().forEach(column -> cells.add(column.get(number - 1)));
     row.id().values().stream().map(BigDecimal::toPlainString).forEach(cells::add);
     cells.add(Integer.toString(row.id().repetition()));
     cells.add(result.label().name().toLowerCase(Locale.ROOT));

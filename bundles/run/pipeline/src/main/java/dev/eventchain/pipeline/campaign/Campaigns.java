@@ -5,26 +5,17 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.Suppressions;
-import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.Outcome;
-import dev.eventchain.pipeline.engine.PipelineRun;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.RunOptions;
-import dev.eventchain.pipeline.run.RunResult;
 import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.simulate.SimulateStage;
-import dev.eventchain.pipeline.simulate.SimulationChecks;
-import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.simulation.CaseSimulation;
-import dev.eventchain.simulation.scenario.Scenario;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.math.BigDecimal;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -40,18 +31,13 @@ public final class Campaigns {
   private final RunContext run;
   private final CampaignOptions options;
   private final CampaignPlan plan;
-  private final Scenario scenario;
-  private final ScenarioTemplate template;
-  private Optional<CaseSimulation> simulation = Optional.empty();
+  private final CampaignScene scene;
 
-  private Campaigns(RunContext run, CampaignOptions options, CampaignPlan plan) {
-    this.run = run;
+  private Campaigns(CampaignScene scene, CampaignOptions options) {
+    this.run = scene.run();
     this.options = options;
-    this.plan = plan;
-    List<Scenario> scenarios =
-        Scenario.readFolder(run.project().scenarios(), run.chain().bench(), run::find);
-    this.scenario = ScenarioTemplate.find(scenarios, plan);
-    this.template = new ScenarioTemplate(run, plan, Path.of(scenario.location().file()));
+    this.plan = scene.plan();
+    this.scene = scene;
   }
 
   /**
@@ -64,16 +50,12 @@ public final class Campaigns {
    */
   public static CampaignOutcome run(
       Project project, RunOptions settings, CampaignOptions options, Progress progress) {
-    CampaignPlan plan = CampaignReader.read(options.file());
-    RunResult generated = PipelineRun.run(project, settings, progress, Optional.empty()).result();
-    if (generated.failure().isPresent() || Diagnostic.anyError(generated.diagnostics())) {
-      return new CampaignOutcome(Outcome.of(generated), "");
-    }
-    try (OutputFolder output = OutputFolder.open(settings.output())) {
-      RunContext run = new RunContext(project, settings, output, progress, Optional.empty());
-      generated.diagnostics().forEach(run::find);
-      return new Campaigns(run, options, plan).run();
-    }
+    return CampaignScene.of(
+        project,
+        settings,
+        CampaignReader.read(options.file()),
+        progress,
+        scene -> new Campaigns(scene, options).run());
   }
 
   /** Returns the JSON Schema of campaign files. */
@@ -87,17 +69,19 @@ public final class Campaigns {
 
   private CampaignOutcome run() {
     long start = System.nanoTime();
-    requireSound();
+    scene.requireSound();
     CaseList list = new CaseList(plan);
     List<CampaignCase> all = list.cases();
     // First, since it may be the folder that is written into.
     Optional<CampaignComparison.Earlier> earlier = options.compared().map(CampaignComparison::read);
     CampaignStore.Cases empty =
-        new CampaignStore.Cases(plan.name(), inputs(), options.shard(), false, List.of());
-    try (CampaignStore store = new CampaignStore(run.options().output(), empty)) {
+        new CampaignStore.Cases(plan.name(), scene.inputs(), options.shard(), false, List.of());
+    try (CampaignStore store =
+        new CampaignStore(run.options().output().resolve(CampaignStore.FOLDER), empty)) {
       List<CampaignCase> own = own(all);
       if (options.replayed().isPresent()) {
-        return new CaseReplay(run, plan, template, store).replay(options.replayed().getAsInt());
+        return new CaseReplay(run, plan, scene.template(), store)
+            .replay(options.replayed().getAsInt());
       }
       if (options.dryRun()) {
         return estimate(own, store);
@@ -109,39 +93,8 @@ public final class Campaigns {
       }
       simulate(own, store);
       plan.boundary().ifPresent(it -> search(new BoundarySearch(it), list, store));
-      requireUnchanged(empty.inputs(), store);
+      scene.requireUnchanged(empty.inputs(), store);
       return outcome(store, known, earlier, System.nanoTime() - start);
-    }
-  }
-
-  private void requireSound() {
-    List<Diagnostic> problems = template.check();
-    if (!problems.isEmpty()) {
-      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
-    }
-    SimulationChecks.requireSound(run, List.of(scenario)).forEach(run::find);
-  }
-
-  /** Returns a hash of all that a result depends on: what a simulation does, and the campaign. */
-  private String inputs() {
-    Fingerprint fingerprint = new Fingerprint(run);
-    new SimulateStage().fingerprint(run, fingerprint);
-    fingerprint.addFile(plan.file());
-    plan.factors().forEach(factor -> fingerprint.add(factor.levels()));
-    return fingerprint.value();
-  }
-
-  /** Drops the results if some of them may be of other files than the others. */
-  private void requireUnchanged(String before, CampaignStore store) {
-    if (!inputs().equals(before)) {
-      store.discard();
-      throw new DiagnosticException(
-          DiagnosticException.Reason.INPUT,
-          Diagnostic.of(
-                  CampaignRules.INPUTS_CHANGED,
-                  "Files of the project or the campaign were changed while it ran.",
-                  SourceLocation.of(plan.file()))
-              .withHint("Nobody can say which cases are of which state. Run it again."));
     }
   }
 
@@ -179,10 +132,11 @@ public final class Campaigns {
     CampaignProgress progress =
         new CampaignProgress(run.progress(), store.rows().size(), open.size());
     try {
-      simulation()
+      scene
+          .simulation()
           .run(
               open.size(),
-              number -> template.of(open.get(number)),
+              number -> scene.template().of(open.get(number)),
               (number, result) -> {
                 store.add(new CampaignRow(open.get(number), result));
                 progress.done(result);
@@ -193,19 +147,6 @@ public final class Campaigns {
     } finally {
       store.save();
     }
-  }
-
-  private CaseSimulation simulation() {
-    if (simulation.isEmpty()) {
-      int processes = Runtime.getRuntime().availableProcessors();
-      simulation =
-          Optional.of(
-              new CaseSimulation(
-                  SimulateStage.request(run, List.of(scenario))
-                      .with(it -> it.withProcesses(processes)),
-                  run.python(Stage.SIMULATE)));
-    }
-    return simulation.get();
   }
 
   /** Simulates a few cases, evenly from all, to say how long all take. */

@@ -166,7 +166,7 @@ final class CaseList {
   }
 
   /** Returns one share in each of equal parts, in random order. */
-  private static double[] strata(int cases, SplittableRandom random) {
+  static double[] strata(int cases, SplittableRandom random) {
     double[] shares = new double[cases];
     for (int k = 0; k < cases; k++) {
       int other = random.nextInt(k + 1);

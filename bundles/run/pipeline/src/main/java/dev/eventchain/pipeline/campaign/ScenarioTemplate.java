@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline.campaign;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.LongNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -9,6 +10,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
+import dev.eventchain.documents.YamlLayout;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.CaseSimulation;
 import dev.eventchain.simulation.bench.Bench;
@@ -59,8 +61,8 @@ final class ScenarioTemplate {
     Scenario.read(file, usualBench);
     this.plan = plan;
     this.file = file;
-    this.scenario = tree(file);
-    this.bench = benchFile.map(ScenarioTemplate::tree);
+    this.scenario = tree(SourceText.read(file));
+    this.bench = benchFile.map(it -> tree(SourceText.read(it)));
     this.variesBench =
         paths(plan).values().stream().flatMap(List::stream).anyMatch(it -> it.startsWith(BENCH));
   }
@@ -73,14 +75,9 @@ final class ScenarioTemplate {
     return paths;
   }
 
-  private static ObjectNode tree(Path file) {
+  private static ObjectNode tree(SourceText text) {
     return (ObjectNode)
-        Document.parse(
-                SourceText.read(file),
-                DocumentFormat.YAML,
-                CampaignRules.OF_DOCUMENTS,
-                finding -> {})
-            .root();
+        Document.parse(text, DocumentFormat.YAML, CampaignRules.OF_DOCUMENTS, finding -> {}).root();
   }
 
   /** Returns a finding for each path that leads nowhere, or where another one leads. */
@@ -216,6 +213,54 @@ final class ScenarioTemplate {
       copy.set("seed", LongNode.valueOf(seed + each.repetition() - 1));
     }
     return copy.toPrettyString();
+  }
+
+  /** Returns the scenario of a case as YAML, under another name and title. */
+  String text(CampaignCase each, String name, String title) {
+    SourceText text = SourceText.of(file.toString(), text(each));
+    ObjectNode copy = tree(text);
+    copy.put("name", name);
+    copy.put("title", title);
+    return YamlLayout.of(copy);
+  }
+
+  /** Returns the bench of a case as YAML; empty if it is the project's own. */
+  Optional<String> bench(CampaignCase each) {
+    Optional<ObjectNode> copy = bench.map(ObjectNode::deepCopy);
+    copy.ifPresent(it -> setAll(it, true, each));
+    return copy.map(YamlLayout::of)
+        .filter(text -> !text.equals(YamlLayout.of(bench.orElseThrow())));
+  }
+
+  /**
+   * Returns the values of the factors in the files as they are written; empty for a factor without
+   * a value there, or with several.
+   */
+  List<Optional<BigDecimal>> usual() {
+    ObjectNode copy = scenario.deepCopy();
+    Optional<ObjectNode> benchCopy = bench.map(ObjectNode::deepCopy);
+    List<Optional<BigDecimal>> usual = new ArrayList<>();
+    for (Factor factor : plan.factors()) {
+      List<Optional<BigDecimal>> values =
+          factor.paths().stream()
+              .map(path -> value(path.startsWith(BENCH) ? benchCopy.orElseThrow() : copy, path))
+              .distinct()
+              .toList();
+      usual.add(values.size() == 1 ? values.get(0) : Optional.empty());
+    }
+    return usual;
+  }
+
+  private static Optional<BigDecimal> value(ObjectNode root, String path) {
+    try {
+      NumberPath.Place place = numberPath(path).in(root);
+      JsonNode value = place.owner().path(place.key());
+      return value.isNumber()
+          ? Optional.of(value.decimalValue().stripTrailingZeros())
+          : Optional.empty();
+    } catch (NumberPath.WrongPathException e) {
+      throw new IllegalStateException("a path that was checked", e);
+    }
   }
 
   private void setAll(ObjectNode root, boolean ofBench, CampaignCase each) {

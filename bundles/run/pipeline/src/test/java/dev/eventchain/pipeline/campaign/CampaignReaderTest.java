@@ -69,12 +69,30 @@ class CampaignReaderTest {
     all.append("computed: {g: {path: r, paths: [t], formula: 2 * f}}\n");
     all.append("sampling: {grid: true}\nwhere: [f > 0]\nrepetitions: 2\nseed: 3\n");
     all.append("boundary: {factor: f, resolution: 1}\n");
+    all.append("search: {criterion: c, method: random, runs: 20, seeds: 2, stop: first_failure}\n");
     CampaignPlan plan = CampaignReader.read(Files.writeString(folder.resolve("a.yaml"), all));
     assertEquals(List.of("q", "p"), plan.factors().get(0).paths());
+    assertEquals(20, plan.search().runs());
+    assertTrue(plan.search().stopsAtFirst());
+    schema
+        .at("/properties/search/properties")
+        .fieldNames()
+        .forEachRemaining(key -> assertTrue(all.toString().contains(key + ":"), key));
     schema
         .path("properties")
         .fieldNames()
         .forEachRemaining(key -> assertTrue(all.toString().contains(key + ":"), key));
+  }
+
+  /** A search goes between bounds by itself, and a grid has no end of values there. */
+  @Test
+  void onlyASearchNeedsNoSamplingOfBounds() throws IOException {
+    Path file = folder.resolve("a.yaml");
+    Files.writeString(file, "scenario: s\nfactors: {f: {path: p, uniform: [1, 2]}}\n");
+    assertEquals(1, CampaignReader.readForSearch(file).factors().size());
+    DiagnosticException refused =
+        assertThrows(DiagnosticException.class, () -> CampaignReader.read(file));
+    assertEquals("campaign.size", refused.diagnostics().get(0).id());
   }
 
   @ParameterizedTest

@@ -1,0 +1,74 @@
+package dev.eventchain.cli;
+
+import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.pipeline.Outcome;
+import dev.eventchain.pipeline.campaign.CampaignOutcome;
+import dev.eventchain.pipeline.campaign.Searches;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Stage;
+import java.nio.file.Path;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code search}: looks for cases of a scenario that fail. */
+@Command(
+    name = "search",
+    mixinStandardHelpOptions = true,
+    description = {
+      "Search for cases of a scenario that fail, by minimising the margins of its criteria.",
+      "FILE is a campaign file: its factors and conditions are what is searched, and its section"
+          + " 'search' says how. The nodes are generated first, as far as something has changed."
+          + " Each distinct failure becomes a scenario with the simplest values that fail alike."
+          + " Results are in OUTPUT/searches/NAME: cases.csv, cases.json and found/. The same"
+          + " command continues where it was interrupted, and comes to the same bytes. That nothing"
+          + " was found does not prove that there is nothing."
+    })
+final class SearchCommand extends ProjectCommand {
+
+  private final Console console;
+
+  @Parameters(index = "0", paramLabel = "DIR", description = "The project's folder.")
+  private Path folder;
+
+  @Parameters(index = "1", paramLabel = "FILE", description = "The campaign file.")
+  private Path file;
+
+  @Option(
+      names = "--keep",
+      description =
+          "Copy what was found into DIR/scenarios/found, under the first free numbers; nothing is"
+              + " overwritten.")
+  private boolean keep;
+
+  @Mixin private LlmOptions llm;
+
+  SearchCommand(Console console) {
+    super(console);
+    this.console = console;
+  }
+
+  @Override
+  Outcome work() {
+    Project project = Project.open(folder);
+    CampaignOutcome result =
+        Searches.run(
+            project,
+            runOptions(
+                project,
+                outputOf(project),
+                Stage.DESIGN,
+                Stage.GENERATE,
+                false,
+                llm,
+                new ScenarioOptions()),
+            file,
+            keep,
+            new ProgressLines(console.err(), console.terminal()));
+    if (format() == DiagnosticFormat.TEXT) {
+      console.out().print(result.text());
+    }
+    return result.outcome();
+  }
+}

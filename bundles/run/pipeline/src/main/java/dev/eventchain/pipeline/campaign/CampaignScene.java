@@ -1,0 +1,144 @@
+package dev.eventchain.pipeline.campaign;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.output.OutputFolder;
+import dev.eventchain.pipeline.Outcome;
+import dev.eventchain.pipeline.engine.PipelineRun;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Progress;
+import dev.eventchain.pipeline.run.RunOptions;
+import dev.eventchain.pipeline.run.RunResult;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.simulate.SimulateStage;
+import dev.eventchain.pipeline.simulate.SimulationChecks;
+import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.simulation.CaseSimulation;
+import dev.eventchain.simulation.scenario.Scenario;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+
+/** What the cases of a campaign file are simulated with: the generated nodes and the scenario. */
+final class CampaignScene {
+
+  private final RunContext run;
+  private final CampaignPlan plan;
+  private final List<Scenario> scenarios;
+  private final Scenario scenario;
+  private final ScenarioTemplate template;
+  private Optional<CaseSimulation> simulation = Optional.empty();
+
+  private CampaignScene(RunContext run, CampaignPlan plan) {
+    this.run = run;
+    this.plan = plan;
+    this.scenarios = Scenario.readFolder(run.project().scenarios(), run.chain().bench(), run::find);
+    this.scenario = ScenarioTemplate.find(scenarios, plan);
+    this.template = new ScenarioTemplate(run, plan, Path.of(scenario.location().file()));
+  }
+
+  /**
+   * Generates the nodes of a project, as far as something has changed, and works with them.
+   *
+   * @param settings options of the run up to the generation, in lock-step
+   * @param work is not done if the nodes cannot be generated
+   * @throws DiagnosticException for failures caused by the project, the campaign file or this
+   *     machine
+   */
+  static CampaignOutcome of(
+      Project project,
+      RunOptions settings,
+      CampaignPlan plan,
+      Progress progress,
+      Function<CampaignScene, CampaignOutcome> work) {
+    RunResult generated = PipelineRun.run(project, settings, progress, Optional.empty()).result();
+    if (generated.failure().isPresent() || Diagnostic.anyError(generated.diagnostics())) {
+      return new CampaignOutcome(Outcome.of(generated), "");
+    }
+    try (OutputFolder output = OutputFolder.open(settings.output())) {
+      RunContext run = new RunContext(project, settings, output, progress, Optional.empty());
+      generated.diagnostics().forEach(run::find);
+      return work.apply(new CampaignScene(run, plan));
+    }
+  }
+
+  RunContext run() {
+    return run;
+  }
+
+  CampaignPlan plan() {
+    return plan;
+  }
+
+  /** Returns all scenarios of the project. */
+  List<Scenario> scenarios() {
+    return scenarios;
+  }
+
+  /** Returns the one whose cases are simulated. */
+  Scenario scenario() {
+    return scenario;
+  }
+
+  ScenarioTemplate template() {
+    return template;
+  }
+
+  /**
+   * Checks what can be checked before a case is simulated.
+   *
+   * @throws DiagnosticException (INPUT) with every problem
+   */
+  void requireSound() {
+    List<Diagnostic> problems = template.check();
+    if (!problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
+    }
+    SimulationChecks.requireSound(run, List.of(scenario)).forEach(run::find);
+  }
+
+  /** Returns a hash of all that a result depends on: what a simulation does, and the campaign. */
+  String inputs() {
+    Fingerprint fingerprint = new Fingerprint(run);
+    new SimulateStage().fingerprint(run, fingerprint);
+    fingerprint.addFile(plan.file());
+    plan.factors().forEach(factor -> fingerprint.add(factor.levels()));
+    return fingerprint.value();
+  }
+
+  /**
+   * Drops the results if some of them may be of other files than the others.
+   *
+   * @param before the hash of all inputs before the first case
+   * @throws DiagnosticException (INPUT) if it is another one now
+   */
+  void requireUnchanged(String before, CampaignStore store) {
+    if (!inputs().equals(before)) {
+      store.discard();
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.of(
+                  CampaignRules.INPUTS_CHANGED,
+                  "Files of the project or the campaign were changed while it ran.",
+                  SourceLocation.of(plan.file()))
+              .withHint("Nobody can say which cases are of which state. Run it again."));
+    }
+  }
+
+  /** Returns the simulation of cases, on all processors. */
+  CaseSimulation simulation() {
+    if (simulation.isEmpty()) {
+      int processes = Runtime.getRuntime().availableProcessors();
+      simulation =
+          Optional.of(
+              new CaseSimulation(
+                  SimulateStage.request(run, List.of(scenario))
+                      .with(it -> it.withProcesses(processes)),
+                  run.python(Stage.SIMULATE)));
+    }
+    return simulation.get();
+  }
+}

@@ -1,0 +1,87 @@
+package dev.eventchain.pipeline.campaign;
+
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.SplittableRandom;
+
+/** The factors of a campaign as a unit cube: a coordinate is the share of a factor's values. */
+final class SearchSpace {
+
+  private final CampaignPlan plan;
+  private final Conditions conditions;
+
+  /**
+   * Creates a space.
+   *
+   * @throws dev.eventchain.diagnostics.DiagnosticException (INPUT) if a condition cannot be read
+   */
+  SearchSpace(CampaignPlan plan) {
+    this.plan = plan;
+    this.conditions = new Conditions(plan);
+  }
+
+  int dimensions() {
+    return plan.factors().size();
+  }
+
+  Levels levels(int factor) {
+    return plan.factors().get(factor).levels();
+  }
+
+  /** Returns the case at a point. */
+  CampaignCase at(double[] point) {
+    List<BigDecimal> values = new ArrayList<>();
+    for (int i = 0; i < point.length; i++) {
+      values.add(levels(i).at(point[i]));
+    }
+    return new CampaignCase(values, 1);
+  }
+
+  /** Returns whether the conditions keep a case; they hold their values while they are judged. */
+  synchronized boolean keeps(CampaignCase each) {
+    return conditions.keep(each);
+  }
+
+  /** Returns whether a value is not outside of a factor's smallest and largest ones. */
+  boolean spans(int factor, BigDecimal value) {
+    List<BigDecimal> values = levels(factor).checked();
+    return Collections.min(values).compareTo(value) <= 0
+        && Collections.max(values).compareTo(value) >= 0;
+  }
+
+  /** Returns points that fill the range of each factor evenly. */
+  List<double[]> spread(int points, SplittableRandom random) {
+    List<double[]> spread = new ArrayList<>();
+    for (int k = 0; k < points; k++) {
+      spread.add(new double[dimensions()]);
+    }
+    for (int i = 0; i < dimensions(); i++) {
+      double[] shares = CaseList.strata(points, random);
+      for (int k = 0; k < points; k++) {
+        spread.get(k)[i] = shares[k];
+      }
+    }
+    return spread;
+  }
+
+  private static String plain(BigDecimal value) {
+    return value.stripTrailingZeros().toPlainString();
+  }
+
+  /**
+   * Returns what is searched, in words: {@code speed from 30 to 60, gap from 10 to 50 (5 values)}.
+   */
+  String words() {
+    List<String> words = new ArrayList<>();
+    for (Factor factor : plan.factors()) {
+      List<BigDecimal> values = factor.levels().checked();
+      String ends =
+          "from %s to %s".formatted(plain(Collections.min(values)), plain(Collections.max(values)));
+      boolean drawn = factor.levels() instanceof Levels.Uniform;
+      words.add(factor.name() + " " + ends + (drawn ? "" : " (" + values.size() + " values)"));
+    }
+    return String.join(", ", words);
+  }
+}

@@ -1,0 +1,146 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.fixtures.InTurn;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests the search for failing cases with the small radar example. */
+class SearchTest {
+
+  private static final Path CAMPAIGN =
+      Program.ROOT.resolve("tests/end-to-end/src/test/resources/search/radar-aeb.yaml");
+  private static final String BRAKE = "software-base/components/Brake_Request.py";
+
+  @TempDir Path folder;
+  private ProjectCopy copy;
+
+  @BeforeEach
+  void copyTheExample() throws IOException {
+    copy = ProjectCopy.of("radar-aeb", folder);
+    settings("runs: 16, seeds: 2");
+  }
+
+  private void settings(String search) throws IOException {
+    copy.write("approach.yaml", Files.readString(CAMPAIGN) + "search: {" + search + "}\n");
+  }
+
+  private Program.Ended search(Program program, String... more) {
+    Object[] arguments = new Object[more.length + 3];
+    arguments[0] = "search";
+    arguments[1] = copy.path();
+    arguments[2] = copy.path().resolve("approach.yaml");
+    System.arraycopy(more, 0, arguments, 3, more.length);
+    return program.run(arguments);
+  }
+
+  private Path results(String name) {
+    return copy.path().resolve("out/searches/approach/" + name);
+  }
+
+  private List<byte[]> bytes() throws IOException {
+    return List.of(
+        Files.readAllBytes(results("cases.csv")), Files.readAllBytes(results("cases.json")));
+  }
+
+  @Test
+  void nothingIsFoundInTheExampleAndTheSameOnAnyNumberOfProcessors() throws IOException {
+    search(new Program())
+        .expect(0)
+        .says("16 cases: 16 passed, 0 failed")
+        .says("smallest margin of 'no impact': ")
+        .says("Searched by cma_es with 2 seeds: speed from 45 to 60, gap from 60 to 90, ")
+        .says("That nothing was found in 16 runs does not prove that there is nothing.");
+    List<String> rows = Files.readAllLines(results("cases.csv"));
+    assertEquals(17, rows.size());
+    assertTrue(rows.get(0).startsWith("case,search_seed,search_run,speed,gap,offset,brake,"));
+    List<byte[]> expected = bytes();
+    search(new Program()).expect(0).says("= Simulate");
+    assertSame(expected);
+    Files.delete(results("cases.json"));
+    search(new Program().with("JAVA_TOOL_OPTIONS", "-XX:ActiveProcessorCount=1"))
+        .expect(0)
+        .says("✓ Simulate");
+    assertSame(expected);
+  }
+
+  private void assertSame(List<byte[]> expected) throws IOException {
+    List<byte[]> found = bytes();
+    for (int i = 0; i < expected.size(); i++) {
+      assertArrayEquals(expected.get(i), found.get(i));
+    }
+  }
+
+  /** It brakes too late for the fastest approaches only. */
+  @Test
+  void aDefectIsFoundAndKeptAsAScenarioThatFails() throws IOException {
+    settings("runs: 60, seeds: 2, criterion: no impact, stop: first_failure");
+    copy.replace(BRAKE, "FULL_BRAKE_TTC = 1.6", "FULL_BRAKE_TTC = 1.3");
+    Path junit = folder.resolve("junit.xml");
+    search(new Program(), "--keep", "--report", "junit=" + junit)
+        .expect(1)
+        .says("[search.found]")
+        .says("It stopped at the first failure.");
+    assertTrue(Files.readString(junit).contains("failures=\"1\""));
+    Path kept = copy.path().resolve("scenarios/found/stopped-vehicle-50-found-1.yaml");
+    String text = Files.readString(kept);
+    assertTrue(text.contains("name: stopped-vehicle-50-found-1\n"), text);
+    assertEquals(text, Files.readString(results("found/stopped-vehicle-50-found-1.yaml")));
+    search(new Program(), "--keep").expect(1).says("Kept: " + kept);
+    Files.writeString(kept, text.replace("duration_s: 12", "duration_s: 13"));
+    search(new Program(), "--keep").expect(1).says("-found-2.yaml");
+    copy.onlyScenario("scenarios/found");
+    new Program()
+        .run("run", copy.path())
+        .expect(1)
+        .says("FAILED")
+        .says("stopped-vehicle-50-found-1")
+        .says("stopped-vehicle-50-found-2");
+  }
+
+  @Test
+  void aCriterionThatIsNoneIsFoundBeforeAnythingIsSimulated() throws IOException {
+    settings("criterion: no impacts");
+    search(new Program())
+        .expect(2)
+        .says("approach.yaml:8:21")
+        .says("No criterion of 'stopped-vehicle-50' begins with 'no impacts'.")
+        .says("[search.criterion]");
+    settings("criterion: the");
+    search(new Program()).expect(2).says("Several criteria");
+    assertFalse(Files.exists(results("cases.csv")));
+  }
+
+  /** Whether it stands at the end has no margin while it does. */
+  @InTurn
+  @Test
+  void aCriterionWithoutAMarginLeadsNowhere() throws IOException {
+    settings("runs: 10, criterion: the vehicle stops");
+    search(new Program()).expect(0).says("[search.nothing-to-minimise]").says("Searched at random");
+  }
+
+  @InTurn
+  @Test
+  void numbersOfTheBenchAreNotKept() throws IOException {
+    copy.write(
+        "approach.yaml",
+        """
+        scenario: stopped-vehicle-50
+        factors:
+          reach: {path: "bench:inputs.radar.reach.value", uniform: [8, 12]}
+        search: {runs: 10, stop: first_failure}
+        """);
+    search(new Program(), "--keep").expect(1).says("Not kept: ").says("[search.found]");
+    assertTrue(Files.exists(results("found/stopped-vehicle-50-found-1.bench.txt")));
+    assertFalse(Files.exists(copy.path().resolve("scenarios/found")));
+  }
+}
