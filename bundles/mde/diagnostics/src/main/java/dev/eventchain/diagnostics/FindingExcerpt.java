@@ -26,7 +26,7 @@ public record FindingExcerpt(List<Shown> shown, Map<String, Integer> more) {
       consequences = List.copyOf(consequences);
     }
 
-    /** Returns a sentence about the consequences; empty without any. */
+    /** Returns the number and the names of the consequences; empty without any. */
     public String words() {
       if (consequences.isEmpty()) {
         return "";
@@ -43,7 +43,8 @@ public record FindingExcerpt(List<Shown> shown, Map<String, Integer> more) {
   }
 
   /**
-   * Returns an excerpt. A finding is folded if its cause is shown, and not if that is suppressed.
+   * Returns an excerpt. A finding is folded under its cause if that is among the findings, and not
+   * if that is suppressed.
    *
    * @param mostOfOneRule the largest number of findings of one rule that are shown
    */

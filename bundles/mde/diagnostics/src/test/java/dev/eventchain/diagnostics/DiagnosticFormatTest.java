@@ -80,8 +80,12 @@ class DiagnosticFormatTest {
         DiagnosticFormat.textExcerpt(Report.of(found), 2));
     assertEquals(4, DiagnosticFormat.textOfAll(Report.of(found)).split("error:", -1).length - 1);
     assertEquals(
-        "error: At cause. [a.b]\n  at: cause\n  2 consequences: the first; the second\n"
-            + "... and 1 more [a.b]\n",
+        """
+        error: At cause. [a.b]
+          at: cause
+          2 consequences: the first; the second
+        ... and 1 more [a.b]
+        """,
         DiagnosticFormat.textExcerpt(Report.of(found), 1));
     String json = DiagnosticFormat.JSON.render(Report.of(found));
     assertEquals(4, json.split("\"id\"", -1).length - 1, json);
@@ -95,7 +99,11 @@ class DiagnosticFormatTest {
     assertEquals(2, text.split("error:", -1).length - 1, text);
     List<Diagnostic> two = List.of(at("a"), at("b"), consequence("of b", at("b")));
     assertEquals(
-        "error: At a. [a.b]\n  at: a\n... and 2 more [a.b]\n",
+        """
+        error: At a. [a.b]
+          at: a
+        ... and 2 more [a.b]
+        """,
         DiagnosticFormat.textExcerpt(Report.of(two), 1));
   }
 

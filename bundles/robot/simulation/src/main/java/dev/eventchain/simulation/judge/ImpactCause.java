@@ -37,7 +37,7 @@ final class ImpactCause {
    */
   static Optional<Diagnostic.Cause> of(
       Expectation criterion, Outcome outcome, ScenarioRun run, Predicate<Expectation> fails) {
-    boolean follows = outcome.undecided() || outcome.failed() && isFailedByImpacts(criterion);
+    boolean follows = outcome.undecided() || (outcome.failed() && isFailedByImpacts(criterion));
     if (!follows || run.trace().impactSpeed().isEmpty()) {
       return Optional.empty();
     }
