@@ -56,7 +56,26 @@ def for_anyone(profile: QoSProfile, *, publishes: bool) -> QoSProfile:
     return _decided(profile, [], reliable=False, kept=False, manual=False, longest=True)
 
 
-def decided(endpoints: list[Any]) -> Iterator[tuple[Any, Any]]:
+class Undecided:
+    """Publishers and subscriptions with policies that are decided once all ends are known."""
+
+    def __init__(self) -> None:
+        self._endpoints: list[Any] = []
+
+    def add(self, endpoint: Any, *, publishes: bool, bridged: bool) -> None:
+        """Decide later, if anything has to be; at once, if other processes have ends that are not known here."""
+        if is_undecided(endpoint.qos_profile) and bridged:
+            endpoint.decide(for_anyone(endpoint.qos_profile, publishes=publishes))
+        elif is_undecided(endpoint.qos_profile):
+            self._endpoints.append(endpoint)
+
+    def settle(self) -> Iterator[tuple[Any, Any]]:
+        """Decide; return the publishers and subscriptions that may match now."""
+        endpoints, self._endpoints = self._endpoints, []
+        return _settled(endpoints)
+
+
+def _settled(endpoints: list[Any]) -> Iterator[tuple[Any, Any]]:
     """Decide the profiles of publishers and subscriptions by the ends of their topics, publishers first.
 
     Returns:

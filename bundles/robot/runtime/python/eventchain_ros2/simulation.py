@@ -14,7 +14,7 @@ from heapq import heappop, heappush
 from time import thread_time_ns
 from typing import Any, NamedTuple
 
-from eventchain_ros2.best_available import decided, for_anyone, is_undecided
+from eventchain_ros2.best_available import Undecided, is_undecided
 from eventchain_ros2.faults import NEVER, Fault
 from eventchain_ros2.processes import (
     Activation,
@@ -84,7 +84,7 @@ class Simulation:
         self._events: list[Event] = []
         self._count = 0
         self._starting: Process | None = None
-        self._undecided: list[Any] = []  # publishers and subscriptions
+        self._undecided = Undecided()
         self._records = 0
         self._spent = 0  # processor time of components within the running callback, ns
         self._sent = False  # whether the running callback has published
@@ -155,7 +155,7 @@ class Simulation:
 
     def add_publisher(self, publisher: Publisher) -> None:
         """Connect a publisher with the subscriptions of its topic."""
-        self._decide(publisher, publishes=True)
+        self._undecided.add(publisher, publishes=True, bridged=self.bridge is not None)
         publisher.topic.publishers.append(publisher)
         for subscription in publisher.topic.subscriptions:
             self._connect(publisher, subscription)
@@ -164,24 +164,16 @@ class Simulation:
 
     def add_subscription(self, subscription: Subscription) -> None:
         """Connect a subscription with the publishers of its topic."""
-        self._decide(subscription, publishes=False)
+        self._undecided.add(subscription, publishes=False, bridged=self.bridge is not None)
         subscription.topic.subscriptions.append(subscription)
         for publisher in subscription.topic.publishers:
             self._connect(publisher, subscription)
         if self.bridge:
             self.bridge.opened(subscription)
 
-    def _decide(self, endpoint: Any, *, publishes: bool) -> None:
-        """Decide later what is best available; at once, if other processes have ends that are not known here."""
-        if is_undecided(endpoint.qos_profile) and self.bridge:
-            endpoint.decide(for_anyone(endpoint.qos_profile, publishes=publishes))
-        elif is_undecided(endpoint.qos_profile):
-            self._undecided.append(endpoint)
-
     def settle(self) -> None:
         """Decide what is best available, once all nodes have started and before any time passes."""
-        undecided, self._undecided = self._undecided, []
-        for publisher, subscription in decided(undecided):
+        for publisher, subscription in self._undecided.settle():
             self._connect(publisher, subscription)
 
     def remove(self, endpoint: Publisher | Subscription) -> None:

@@ -161,7 +161,7 @@ class CampaignTest {
     assertTrue(xml.contains("name=\"approach: speed = 50, gap = 60\" time=\"11.700\""), xml);
     String page = Files.readString(results("approach/report.html"));
     assertTrue(page.contains("<h2>speed and gap</h2>") && page.contains("class=\"map\""), page);
-    assertTrue(page.matches("(?s).*<figcaption>no impact</figcaption>.*margins of 4 cases: .*"));
+    assertTrue(page.matches("(?s).*<figcaption>no impact</figcaption>.*4 values: .*"));
     Path before = folder.resolve("before");
     Projects.copy(results("approach"), before);
     copy.replace("software-base/components/Brake_Request.py", "-9.0", "-5.0");

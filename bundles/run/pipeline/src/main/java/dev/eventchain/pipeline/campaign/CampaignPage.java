@@ -1,15 +1,21 @@
 package dev.eventchain.pipeline.campaign;
 
 import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.report.PageCharts;
 import dev.eventchain.pipeline.report.StaticPage;
 import dev.eventchain.simulation.verdict.CaseResult.CriterionMargin;
 import dev.eventchain.simulation.verdict.CaseResult.Label;
 import java.math.BigDecimal;
 import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.DoubleSummaryStatistics;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.TreeSet;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /** The results of a campaign as one HTML file without scripts. */
@@ -17,6 +23,7 @@ final class CampaignPage {
 
   private static final int NEAREST = 10;
   private static final int NEAREST_OF_ONE = 3;
+  private static final double ROUNDING = 1e-5;
 
   /** More values than these would make a table that nobody sees as a whole. */
   private static final int WIDEST = 60;
@@ -33,7 +40,7 @@ final class CampaignPage {
       .mixed { background: #d9a441; color: #000; }
       .untested { background: repeating-linear-gradient(45deg, #888 0 3px, #bbb 3px 6px); }
       """
-          + CampaignCharts.STYLE;
+          + PageCharts.STYLE;
 
   private final Project project;
   private final CampaignPlan plan;
@@ -41,7 +48,7 @@ final class CampaignPage {
   private final List<CampaignRow> rows;
   private final CampaignSummary summary;
   private final StaticPage page;
-  private final CampaignCharts charts;
+  private final PageCharts charts;
 
   private CampaignPage(Project project, CampaignPlan plan, Shard shard, List<CampaignRow> rows) {
     this.shard = shard;
@@ -50,7 +57,7 @@ final class CampaignPage {
     this.rows = rows;
     this.summary = new CampaignSummary(plan, rows);
     this.page = new StaticPage("Campaign " + plan.name(), STYLE);
-    this.charts = new CampaignCharts(page, rows);
+    this.charts = new PageCharts(page);
   }
 
   static String of(
@@ -65,7 +72,7 @@ final class CampaignPage {
     page.factors();
     page.boundary();
     comparison.ifPresent(page::changes);
-    page.charts.margins();
+    page.margins();
     page.nearest();
     page.failures();
     return page.page.end("All cases are in " + CampaignStore.TABLE + ".");
@@ -103,7 +110,7 @@ final class CampaignPage {
     }
     add("<section><h2>%s and %s</h2>\n", plan.names().get(shown[0]), plan.names().get(shown[1]));
     if (isDrawn(shown[0]) || isDrawn(shown[1])) {
-      charts.points(shown[0], shown[1], plan.names());
+      points(shown[0], shown[1]);
     } else {
       map(shown[0], shown[1]);
     }
@@ -112,6 +119,26 @@ final class CampaignPage {
 
   private boolean isDrawn(int factor) {
     return plan.factors().get(factor).levels().isContinuous();
+  }
+
+  /** Adds a point for each case; what did not pass lies above what did. */
+  private void points(int up, int across) {
+    charts.points(
+        plan.names().get(across),
+        plan.names().get(up),
+        rows.stream()
+            .sorted(Comparator.comparing(row -> !row.is(Label.PASSED)))
+            .map(row -> point(row, across, up))
+            .toList());
+  }
+
+  private PageCharts.Point point(CampaignRow row, int across, int up) {
+    List<BigDecimal> values = row.id().values();
+    return new PageCharts.Point(
+        values.get(across).doubleValue(),
+        values.get(up).doubleValue(),
+        row.result().label().name().toLowerCase(Locale.ROOT),
+        "case " + (rows.indexOf(row) + 1));
   }
 
   /** Adds a cell for each two values. */
@@ -201,6 +228,42 @@ final class CampaignPage {
     raw("</section>\n");
   }
 
+  /** Adds, for each criterion whose margins differ, how many cases have which. */
+  private void margins() {
+    Map<String, List<CriterionMargin>> byCriterion = new LinkedHashMap<>();
+    for (CampaignRow row : rows) {
+      for (CriterionMargin each : row.result().criteria()) {
+        if (each.margin().isPresent()) {
+          byCriterion
+              .computeIfAbsent(each.name() + "\n" + each.unit(), key -> new ArrayList<>())
+              .add(each);
+        }
+      }
+    }
+    byCriterion.values().removeIf(all -> !differ(values(all)));
+    if (byCriterion.isEmpty()) {
+      return;
+    }
+    raw("<section><h2>Margins</h2>\n<p class=\"muted\">How many cases have which margin; what is");
+    raw(" below 0 failed. Criteria whose margin is the same in all cases are left out.</p>\n");
+    raw("<div class=\"charts\">\n");
+    byCriterion
+        .values()
+        .forEach(all -> charts.histogram(all.get(0).name(), unit(all.get(0)), values(all)));
+    raw("</div></section>\n");
+  }
+
+  private static double[] values(List<CriterionMargin> margins) {
+    return margins.stream().mapToDouble(each -> each.margin().orElseThrow()).toArray();
+  }
+
+  /** Returns whether values differ by more than rounding does. */
+  private static boolean differ(double[] values) {
+    DoubleSummaryStatistics all = DoubleStream.of(values).summaryStatistics();
+    double size = Math.max(Math.abs(all.getMin()), Math.abs(all.getMax()));
+    return all.getMax() - all.getMin() > ROUNDING * size;
+  }
+
   private void nearest() {
     List<CampaignSummary.Near> nearest = summary.nearest(NEAREST_OF_ONE);
     if (nearest.isEmpty()) {
@@ -219,8 +282,11 @@ final class CampaignPage {
   }
 
   static String margin(CriterionMargin margin) {
-    String unit = margin.unit().equals("1") ? "" : " " + margin.unit();
-    return String.format(Locale.ROOT, "%.3g%s", margin.margin().orElseThrow(), unit);
+    return String.format(Locale.ROOT, "%.3g%s", margin.margin().orElseThrow(), unit(margin));
+  }
+
+  private static String unit(CriterionMargin margin) {
+    return margin.unit().equals("1") ? "" : " " + margin.unit();
   }
 
   private void onceMore(int number) {

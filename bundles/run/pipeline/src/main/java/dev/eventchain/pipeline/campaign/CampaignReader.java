@@ -83,20 +83,8 @@ final class CampaignReader {
     section.text("description"); // for people
     List<Factor> factors = section.requiredObject("factors").map(this::factors).orElse(List.of());
     Sampling sampling = section.object("sampling").map(this::sampling).orElse(Sampling.USUAL);
-    if (!sampling.kind().isDrawn() && !isSearched) {
-      factors.stream()
-          .filter(factor -> factor.levels().isContinuous())
-          .forEach(factor -> section.find(undrawn(factor)));
-    }
-    if (sampling.kind() == Sampling.Kind.ROWS && tables(factors) != 1) {
-      String message = "Rows need factors that are all columns of one table.";
-      section.find(CampaignRules.VALUE_RANGE, message, section.at("sampling"));
-    }
-    Optional<ObjectReader> formulas = section.object("computed");
-    List<Computed> computed = formulas.map(it -> computed(it, factors)).orElse(List.of());
-    if (computed.size() == formulas.map(it -> it.names().size()).orElse(0)) {
-      requireUse(section, factors, computed);
-    } // else nobody knows what the formulas read that cannot be read
+    requireFit(section, factors, sampling);
+    List<Computed> computed = computedOf(section, factors);
     List<SourceRange> conditions = conditions(section);
     int repetitions = (int) section.wholeNumber("repetitions", REPETITIONS).orElse(1);
     long seed = section.wholeNumber("seed", SEED).orElse(1);
@@ -118,6 +106,28 @@ final class CampaignReader {
         seed,
         boundary,
         search);
+  }
+
+  /** Requires of the factors that their values can be combined as asked for. */
+  private void requireFit(ObjectReader section, List<Factor> factors, Sampling sampling) {
+    if (!sampling.kind().isDrawn() && !isSearched) {
+      factors.stream()
+          .filter(factor -> factor.levels().isContinuous())
+          .forEach(factor -> section.find(undrawn(factor)));
+    }
+    if (sampling.kind() == Sampling.Kind.ROWS && tables(factors) != 1) {
+      String message = "Rows need factors that are all columns of one table.";
+      section.find(CampaignRules.VALUE_RANGE, message, section.at("sampling"));
+    }
+  }
+
+  private List<Computed> computedOf(ObjectReader section, List<Factor> factors) {
+    Optional<ObjectReader> formulas = section.object("computed");
+    List<Computed> computed = formulas.map(it -> computed(it, factors)).orElse(List.of());
+    if (computed.size() == formulas.map(it -> it.names().size()).orElse(0)) {
+      requireUse(section, factors, computed);
+    } // else nobody knows what the formulas read that cannot be read
+    return computed;
   }
 
   /** Returns how many tables the factors are from; 0 if one is from none. */

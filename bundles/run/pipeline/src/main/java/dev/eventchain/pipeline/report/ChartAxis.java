@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.report;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
