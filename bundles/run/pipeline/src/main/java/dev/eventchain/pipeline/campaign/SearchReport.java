@@ -88,16 +88,7 @@ final class SearchReport {
                   CampaignPage.margin(each.margin()),
                   each.row().id().words(plan)));
     }
-    for (int i = 0; i < finds.size(); i++) {
-      SearchFinds.Find find = finds.get(i);
-      text.append(
-          "found: %s: %s, by %s (case %d made simpler)%n"
-              .formatted(
-                  files.get(i),
-                  find.simple().id().words(plan),
-                  find.criteria().stream().map(SearchReport::brief).collect(joining("; ")),
-                  find.run() + 1));
-    }
+    text.append(found(files));
     int sets = SearchFinds.sets(search.runs()).size();
     if (sets > SearchFinds.MOST_SETS) {
       text.append(
@@ -109,6 +100,21 @@ final class SearchReport {
       text.append("%s to tell finds apart and to make them simpler%n".formatted(cases));
     }
     return text.append(notSearched()).toString();
+  }
+
+  private String found(List<String> files) {
+    StringBuilder text = new StringBuilder();
+    for (int i = 0; i < finds.size(); i++) {
+      SearchFinds.Find find = finds.get(i);
+      text.append(
+          "found: %s: %s, by %s (case %d made simpler)%n"
+              .formatted(
+                  files.get(i),
+                  find.simple().id().words(plan),
+                  find.criteria().stream().map(SearchReport::brief).collect(joining("; ")),
+                  find.run() + 1));
+    }
+    return text.toString();
   }
 
   /** Returns what was searched, and that this is not all there is. */
