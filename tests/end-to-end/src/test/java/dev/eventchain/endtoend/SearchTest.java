@@ -18,7 +18,8 @@ import org.junit.jupiter.api.io.TempDir;
 class SearchTest {
 
   private static final Path CAMPAIGN =
-      Program.ROOT.resolve("tests/end-to-end/src/test/resources/search/radar-aeb-stopped-vehicle-50.yaml");
+      Program.ROOT.resolve(
+          "tests/end-to-end/src/test/resources/search/radar-aeb-stopped-vehicle-50.yaml");
   private static final String BRAKE = "software-base/components/Brake_Request.py";
 
   @TempDir Path folder;

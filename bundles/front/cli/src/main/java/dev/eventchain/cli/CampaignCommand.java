@@ -3,6 +3,7 @@ package dev.eventchain.cli;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.pipeline.Outcome;
+import dev.eventchain.pipeline.campaign.CampaignEngine;
 import dev.eventchain.pipeline.campaign.CampaignOptions;
 import dev.eventchain.pipeline.campaign.CampaignOutcome;
 import dev.eventchain.pipeline.campaign.Campaigns;
@@ -11,6 +12,7 @@ import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.Stage;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -69,6 +71,15 @@ final class CampaignCommand extends ProjectCommand {
   private List<Path> merged = List.of();
 
   @Option(
+      names = "--engine",
+      paramLabel = "ray[=ADDRESS]",
+      description =
+          "Simulate on the nodes of a Ray cluster: of the one at ADDRESS, or 'auto' for that which"
+              + " this machine is a node of; without an address, of a new one of this machine alone."
+              + " Ray is installed on first use.")
+  private String engine;
+
+  @Option(
       names = "--case",
       paramLabel = "NUMBER",
       description =
@@ -98,21 +109,53 @@ final class CampaignCommand extends ProjectCommand {
       console.out().print(Campaigns.schema());
       return Outcome.of(Coverage.NONE, List.of(), List.of());
     }
-    if (!merged.isEmpty() && (shard != null || replayed != null || dryRun)) {
-      throw wrongUsage("--merge stands alone");
-    }
+    requireOne();
     Project project = Project.open(folder);
     CampaignOutcome result =
         Campaigns.run(
             project,
             upToGeneration(project),
             new CampaignOptions(
-                file, dryRun, shard(), replayed(), merged, Optional.ofNullable(compared)),
+                file,
+                dryRun,
+                shard(),
+                replayed(),
+                merged,
+                Optional.ofNullable(engine).map(this::engine),
+                Optional.ofNullable(compared)),
             new ProgressLines(console.err(), console.terminal()));
     if (format() == DiagnosticFormat.TEXT) {
       console.out().print(result.text());
     }
     return result.outcome();
+  }
+
+  private void requireOne() {
+    boolean only = shard != null || replayed != null || dryRun;
+    if (!merged.isEmpty() && (only || engine != null)) {
+      throw wrongUsage("--merge stands alone");
+    }
+    if (engine != null && only) {
+      throw wrongUsage("--engine is for the whole campaign, without --shard, --case and --dry-run");
+    }
+  }
+
+  private CampaignEngine engine(String text) {
+    if (!text.equals("ray") && !text.matches("ray=\\S+")) {
+      throw wrongUsage("the engine is --engine ray or --engine ray=ADDRESS");
+    }
+    List<String> options = new ArrayList<>(List.of("--date", day().toString()));
+    options.addAll(List.of("--time-limit", Long.toString(timeLimit().toSeconds())));
+    if (llm.llm != null) {
+      options.addAll(List.of("--llm", llm.llm));
+    }
+    Optional<Path> suppressions = suppressionsFile().map(it -> it.toAbsolutePath().normalize());
+    suppressions.ifPresent(
+        it -> options.addAll(List.of("--suppressions", CampaignEngine.FILES + it)));
+    return new CampaignEngine(
+        text.substring(Math.min(text.length(), "ray=".length())),
+        options,
+        suppressions.stream().toList());
   }
 
   private RunOptions upToGeneration(Project project) {

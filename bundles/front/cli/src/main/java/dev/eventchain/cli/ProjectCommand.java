@@ -151,6 +151,11 @@ abstract class ProjectCommand implements Callable<Integer> {
     return reporting.suppressions(project.suppressions(), console.today());
   }
 
+  /** Returns the file of suppressions that the command line names. */
+  final Optional<Path> suppressionsFile() {
+    return Optional.ofNullable(reporting.suppressions);
+  }
+
   /** Returns the day for which suppressions and acceptances are evaluated. */
   final LocalDate day() {
     return reporting.day(console.today());

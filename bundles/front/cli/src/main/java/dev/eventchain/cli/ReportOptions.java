@@ -50,7 +50,7 @@ final class ReportOptions {
       description =
           "Findings that do not count, each with a reason and an expiry date (default: "
               + "DIR/eventchain-suppressions.yaml, if there is one).")
-  private Path suppressions;
+  Path suppressions;
 
   @Option(
       names = "--date",

@@ -33,8 +33,12 @@ final class EnvironmentFinder {
   private static final List<String> PLAIN = List.of(SCRIPT, "requirements.txt");
   private static final List<String> WITH_CYCLONEDDS =
       List.of(SCRIPT, "requirements.txt", "requirements-cyclonedds.txt");
+  private static final List<String> WITH_RAY = List.of(SCRIPT, "requirements-ray.txt");
   private static final Map<Integer, Rule> RULES =
-      Map.of(4, PythonRules.DDS_UNAVAILABLE, 5, PythonRules.PYTHON_WHEELS_MISSING);
+      Map.of(
+          4, PythonRules.DDS_UNAVAILABLE,
+          5, PythonRules.PYTHON_WHEELS_MISSING,
+          6, PythonRules.RAY_UNAVAILABLE);
   private static final List<String> NAMES =
       List.of("python3", "python3.13", "python3.12", "python3.11", "python3.10", "python3.14");
   private static final String CHECK = "Name a Python that can be started in EVENTCHAIN_PYTHON.";
@@ -54,6 +58,10 @@ final class EnvironmentFinder {
 
   PythonEnvironment findWithCycloneDds() {
     return find(WITH_CYCLONEDDS, List.of("--cyclonedds"));
+  }
+
+  PythonEnvironment findWithRay() {
+    return find(WITH_RAY, List.of("--ray"));
   }
 
   /**

@@ -57,6 +57,18 @@ public final class PythonEnvironment {
   }
 
   /**
+   * Finds or creates an environment that has Ray, and not what components need: it starts no
+   * component.
+   *
+   * @throws dev.eventchain.diagnostics.DiagnosticException as {@link #ensure}, except for
+   *     confinement, and {@code ray.unavailable} with the reason UNAVAILABLE: Ray does not exist
+   *     for this machine, or cannot be downloaded
+   */
+  public static PythonEnvironment ensureWithRay(Consumer<String> progress) {
+    return new EnvironmentFinder(System.getenv(), progress).findWithRay();
+  }
+
+  /**
    * Describes briefly what {@link #ensure} would do, without doing it: the version of Python, and
    * whether the packages are present or where they come from. If they are not present, pip
    * downloads them once into a temporary folder.

@@ -10,6 +10,7 @@ final class PythonRules {
   static final Rule PYTHON_CONFINEMENT_UNKNOWN = Rule.error("python.confinement.unknown");
   static final Rule PYTHON_UNAVAILABLE = Rule.error("python.unavailable");
   static final Rule PYTHON_WHEELS_MISSING = Rule.error("python.wheels.missing");
+  static final Rule RAY_UNAVAILABLE = Rule.error("ray.unavailable");
   static final Rule TEMPORARY_UNWRITABLE = Rule.error("temporary.unwritable");
 
   private PythonRules() {}

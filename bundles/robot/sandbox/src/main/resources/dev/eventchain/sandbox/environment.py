@@ -1,6 +1,6 @@
 """Create Eventchain's own Python environment if necessary, and print its path.
 
-    python3 environment.py [--development] [--cyclonedds] [--check | --print-executable | --run ARGUMENT...]
+    python3 environment.py [--development] [--cyclonedds | --ray] [--check | --print-executable | --run ARGUMENT...]
 
 The environment is a virtual environment in ``${XDG_CACHE_HOME:-~/.cache}/eventchain/python-<key>``. The key covers the
 pinned requirements beside this file and the Python that runs, so a change of either builds a new one and keeps the old
@@ -8,15 +8,16 @@ one. Concurrent first runs build it once: the builder holds a lock, and writes t
 incomplete environment is never used and is rebuilt.
 
 ``--development`` adds the tools of the build (ruff, mypy, pytest), and ``--cyclonedds`` Eclipse Cyclone DDS, for nodes
-that communicate outside of the simulation; each in a separate environment. ``--check`` creates nothing, and prints
-``state: `` with the version of Python and the source of the packages. It fails where creation would fail: pip downloads
-the packages into a temporary folder. ``--run ARGUMENT...`` replaces this process by the environment's Python with these
-arguments. ``EVENTCHAIN_PYTHON`` names the base Python; the default is this one, or a newer one of the PATH if this one
-is too old. ``EVENTCHAIN_WHEELS`` names a folder of wheels: the packages then come from there only.
+that communicate outside of the simulation; each in a separate environment. ``--ray`` is for the environment that has
+Ray and nothing else. ``--check`` creates nothing, and prints ``state: `` with the version of Python and the source of
+the packages. It fails where creation would fail: pip downloads the packages into a temporary folder. ``--run
+ARGUMENT...`` replaces this process by the environment's Python with these arguments. ``EVENTCHAIN_PYTHON`` names the
+base Python; the default is this one, or a newer one of the PATH if this one is too old. ``EVENTCHAIN_WHEELS`` names a
+folder of wheels: the packages then come from there only.
 
 Exit code 3: a requirement is missing on this machine; standard error then has lines ``error: `` and ``hint: ``. Exit
-code 4 is the same if only Cyclone DDS is unavailable, and 5 if ``EVENTCHAIN_WHEELS`` lacks a wheel. Only the standard
-library is used, and nothing newer than Python 3.7, so that an old Python can still report the error.
+code 4 is the same if only Cyclone DDS is unavailable, 6 if only Ray is, and 5 if ``EVENTCHAIN_WHEELS`` lacks a wheel.
+Only the standard library is used, and nothing newer than Python 3.7, so that an old Python can still report the error.
 """
 
 from __future__ import annotations
@@ -38,12 +39,18 @@ NEWER_NAMES = ("python3.13", "python3.12", "python3.11", "python3.10", "python3.
 UNAVAILABLE = 3
 CYCLONEDDS_UNAVAILABLE = 4
 WHEELS_MISSING = 5
+RAY_UNAVAILABLE = 6
 MARKER = "complete.txt"
 HERE = Path(__file__).resolve().parent
 CYCLONEDDS = HERE / "requirements-cyclonedds.txt"
+RAY = HERE / "requirements-ray.txt"
 MIRROR = "point pip to a mirror with PIP_INDEX_URL or PIP_FIND_LINKS, or EVENTCHAIN_WHEELS to a folder of wheels"
 WITHOUT_CYCLONEDDS = (
     "its wheel is for Linux on x86_64, macOS and Windows; where it exists, allow network access once, or " + MIRROR
+)
+WITHOUT_RAY = (
+    "its wheels are for Linux, macOS and Windows and the versions of Python that it names; where there is one, "
+    "allow network access once, or " + MIRROR
 )
 # Loads the library: an installed wheel may not fit the system's own libraries.
 LOAD_CYCLONEDDS = """
@@ -81,7 +88,7 @@ def main(arguments: list[str]) -> int:
     options = parse(arguments)
     try:
         use_suitable_python(arguments)
-        requirements = requirements_of(options.development, options.cyclonedds)
+        requirements = requirements_of(options)
         if options.check:
             print("state: %s, %s" % (platform.python_version(), outlook(requirements)))
             return 0
@@ -102,6 +109,7 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description="Create Eventchain's Python environment if it is not there yet.")
     parser.add_argument("--development", action="store_true", help="with ruff, mypy and pytest")
     parser.add_argument("--cyclonedds", action="store_true", help="with Eclipse Cyclone DDS")
+    parser.add_argument("--ray", action="store_true", help="with Ray only")
     parser.add_argument("--check", action="store_true", help="say what would be done, and whether it can be")
     parser.add_argument("--print-executable", action="store_true", help="print the path of its Python")
     parser.add_argument("--run", nargs=argparse.REMAINDER, help="run its Python with these arguments")
@@ -148,12 +156,14 @@ def replace_process(executable: str, arguments: list[str]) -> NoReturn:
         ) from problem
 
 
-def requirements_of(development: bool, cyclonedds: bool) -> list[Path]:
+def requirements_of(options: argparse.Namespace) -> list[Path]:
     """Return the files that name the packages of an environment."""
+    if options.ray:
+        return [RAY]
     requirements = [HERE / "requirements.txt"]
-    if development:
+    if options.development:
         requirements.append(HERE / "requirements-development.txt")
-    if cyclonedds:
+    if options.cyclonedds:
         requirements.append(CYCLONEDDS)
     return requirements
 
@@ -290,6 +300,8 @@ def obtain(pip: list[str], action: list[str], requirements: list[Path], wheels: 
     try:
         if CYCLONEDDS in requirements:
             run(command, "Eclipse Cyclone DDS cannot be installed", WITHOUT_CYCLONEDDS, CYCLONEDDS_UNAVAILABLE)
+        elif RAY in requirements:
+            run(command, "Ray cannot be installed", WITHOUT_RAY, RAY_UNAVAILABLE)
         else:
             run(command, "the Python packages cannot be installed", "allow network access once, or " + MIRROR)
     except UnavailableError as problem:

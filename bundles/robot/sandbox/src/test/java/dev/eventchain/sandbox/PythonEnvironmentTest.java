@@ -123,6 +123,18 @@ class PythonEnvironmentTest {
 
   @InTurn
   @Test
+  void rayThatCannotBeHadIsNamed() throws IOException {
+    Path other = Files.writeString(folder.resolve("constraint"), "ray==2.9.0\n");
+    Map<String, String> settings =
+        settings(Map.of("XDG_CACHE_HOME", folder + "/cache", "PIP_CONSTRAINT", other.toString()));
+    EnvironmentFinder finder = new EnvironmentFinder(settings, line -> {});
+    Diagnostic problem = failure("ray.unavailable", finder::findWithRay);
+    assertTrue(problem.message().startsWith("Ray cannot be installed"), problem.message());
+    assertTrue(problem.hint().contains("PIP_INDEX_URL"), problem.hint());
+  }
+
+  @InTurn
+  @Test
   void packagesComeFromAFolderOfWheelsAndFromNowhereElse() throws IOException {
     Path wheels = Files.createDirectories(folder.resolve("wheels"));
     for (String requirement : requirements()) {

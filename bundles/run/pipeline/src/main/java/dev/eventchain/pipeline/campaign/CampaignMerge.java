@@ -17,23 +17,47 @@ final class CampaignMerge {
   private final List<Diagnostic> problems = new ArrayList<>();
 
   /**
-   * Returns the cases of all parts.
+   * Returns all parts, in their order.
    *
    * @param folders the folders of the parts, in any order
-   * @throws DiagnosticException (INPUT) {@code campaign.merge} if one is missing, twice, broken or
-   *     of other inputs
+   * @throws DiagnosticException (INPUT) {@code campaign.merge} if one is missing, twice, broken, of
+   *     other inputs, or of another platform than the first one
    */
-  static List<CampaignRow> rows(List<Path> folders, String inputs) {
+  static List<CampaignStore.Cases> parts(List<Path> folders, String inputs) {
     CampaignMerge merge = new CampaignMerge();
     folders.forEach(folder -> merge.add(folder, inputs));
     merge.requireAll(folders);
     if (!merge.problems.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, merge.problems);
     }
-    return merge.parts.values().stream()
-        .flatMap(part -> part.rows().stream())
-        .sorted(CampaignRow.ORDER)
-        .toList();
+    return List.copyOf(merge.parts.values());
+  }
+
+  /**
+   * Returns a part that was simulated elsewhere.
+   *
+   * @param own cases that it has to fit to
+   * @param node where it was simulated
+   * @throws DiagnosticException (INPUT) {@code campaign.merge} if it does not
+   */
+  static CampaignStore.Cases require(
+      byte[] bytes, CampaignStore.Cases own, Shard shard, String node) {
+    CampaignStore.Cases part = CampaignStore.read(bytes).orElse(null);
+    Path name = Path.of(shard.folder(own.campaign()));
+    CampaignMerge merge = new CampaignMerge();
+    if (merge.isSound(name, part, own.inputs()) && !part.shard().equals(shard)) {
+      merge.problem(name, "is another part", "");
+    } else if (merge.problems.isEmpty() && !part.isLike(own)) {
+      merge.problem(
+          name,
+          "was simulated with %s on the node %s, but this machine has %s"
+              .formatted(part.platform(), node, own.platform()),
+          "Let all nodes have the same versions: one image, EVENTCHAIN_PYTHON, JAVA_HOME.");
+    }
+    if (!merge.problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, merge.problems);
+    }
+    return part;
   }
 
   private void add(Path folder, String inputs) {
@@ -45,16 +69,33 @@ final class CampaignMerge {
       problem(folder, "has no " + CampaignStore.CASES + ", so that this part is not complete", "");
       return;
     }
+    if (!isSound(folder, cases, inputs)) {
+      return;
+    }
+    String platform = parts.isEmpty() ? cases.platform() : parts.firstEntry().getValue().platform();
+    if (parts.putIfAbsent(cases.shard().number(), cases) != null) {
+      problem(folder, "is part " + cases.shard().number() + ", which another one is, too", "");
+    } else if (!cases.platform().equals(platform)) {
+      problem(
+          folder,
+          "was simulated with " + cases.platform() + ", but another one with " + platform,
+          "Simulate all parts with the same versions.");
+    }
+  }
+
+  private boolean isSound(Path folder, CampaignStore.Cases cases, String inputs) {
     if (cases == null || !cases.complete()) {
       problem(folder, "is broken, or from another version of this program", "");
-    } else if (!cases.inputs().equals(inputs)) {
+      return false;
+    }
+    if (!cases.inputs().equals(inputs)) {
       problem(
           folder,
           "is of another state of the project, the campaign file or this program",
           "Simulate this part again with what is here now.");
-    } else if (parts.putIfAbsent(cases.shard().number(), cases) != null) {
-      problem(folder, "is part " + cases.shard().number() + ", which another one is, too", "");
+      return false;
     }
+    return true;
   }
 
   private void requireAll(List<Path> folders) {

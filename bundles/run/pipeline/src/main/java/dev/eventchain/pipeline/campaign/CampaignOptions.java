@@ -12,6 +12,7 @@ import java.util.OptionalInt;
  * @param dryRun whether cases are only counted, and a few of them timed
  * @param replayed the number of the only case that is simulated, from 1, as in the table
  * @param merged the folders of parts that are put together instead of simulating; usually none
+ * @param engine what simulates instead of this machine
  * @param compared the folder of the results of another campaign
  */
 public record CampaignOptions(
@@ -20,6 +21,7 @@ public record CampaignOptions(
     Shard shard,
     OptionalInt replayed,
     List<Path> merged,
+    Optional<CampaignEngine> engine,
     Optional<Path> compared) {
 
   public CampaignOptions {

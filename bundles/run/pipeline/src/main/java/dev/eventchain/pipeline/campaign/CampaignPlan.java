@@ -68,6 +68,15 @@ record CampaignPlan(
     return factors.stream().map(Factor::name).toList();
   }
 
+  /** Returns the tables that factors have their values from. */
+  List<Path> tables() {
+    return factors.stream()
+        .filter(factor -> factor.levels() instanceof Levels.Column)
+        .map(factor -> file.resolveSibling(((Levels.Column) factor.levels()).table()))
+        .distinct()
+        .toList();
+  }
+
   /** Returns the values of the factors of a case, by their names. */
   Map<String, Double> numbers(CampaignCase each) {
     Map<String, Double> numbers = new LinkedHashMap<>();

@@ -15,6 +15,7 @@ final class CampaignRules {
   static final Rule CRITERION_UNTESTED =
       Rule.error("campaign.criterion.untested", CommonTrait.UNTESTED);
   static final Rule EMPTY = Rule.error("campaign.empty");
+  static final Rule ENGINE = Rule.error("campaign.engine");
   static final Rule FACTOR = Rule.error("campaign.factor");
   static final Rule FORMULA = Rule.error("campaign.formula");
   static final Rule INPUTS_CHANGED =

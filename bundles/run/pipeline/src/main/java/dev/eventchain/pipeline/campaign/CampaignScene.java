@@ -100,13 +100,34 @@ final class CampaignScene {
     SimulationChecks.requireSound(run, List.of(scenario)).forEach(run::find);
   }
 
-  /** Returns a hash of all that a result depends on: what a simulation does, and the campaign. */
-  String inputs() {
+  /**
+   * Returns a hash of all files that a result depends on: what a simulation does, and the campaign.
+   */
+  Fingerprint inputs() {
     Fingerprint fingerprint = new Fingerprint(run);
     new SimulateStage().fingerprint(run, fingerprint);
     fingerprint.addFile(plan.file());
     plan.factors().forEach(factor -> fingerprint.add(factor.levels()));
-    return fingerprint.value();
+    return fingerprint;
+  }
+
+  /**
+   * Returns no cases of the present inputs.
+   *
+   * @param platform the versions of what simulates; empty for those of this machine
+   */
+  CampaignStore.Cases cases(Optional<String> platform, Shard shard) {
+    return new CampaignStore.Cases(
+        plan.name(), inputs().value(), platform.orElseGet(this::platform), shard, false, List.of());
+  }
+
+  /** Returns the versions of what simulates here, which no file of the project says. */
+  private String platform() {
+    return "Python %s, Java %d, %s"
+        .formatted(
+            run.python(Stage.SIMULATE).version(),
+            Runtime.version().feature(),
+            System.getProperty("os.arch"));
   }
 
   /**
@@ -116,7 +137,7 @@ final class CampaignScene {
    * @throws DiagnosticException (INPUT) if it is another one now
    */
   void requireUnchanged(String before, CampaignStore store) {
-    if (!inputs().equals(before)) {
+    if (!inputs().value().equals(before)) {
       store.discard();
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT,

@@ -38,14 +38,29 @@ final class CampaignStore implements AutoCloseable {
    * Cases of one state of all that they depend on.
    *
    * @param campaign the campaign's name
-   * @param inputs a hash of all that the results depend on
+   * @param inputs a hash of all files that the results depend on
+   * @param platform the versions of what simulates, with which numbers may change
    * @param complete false while the campaign runs
    */
   record Cases(
-      String campaign, String inputs, Shard shard, boolean complete, List<CampaignRow> rows) {
+      String campaign,
+      String inputs,
+      String platform,
+      Shard shard,
+      boolean complete,
+      List<CampaignRow> rows) {
 
     Cases {
       rows = List.copyOf(rows);
+    }
+
+    /** Returns whether these cases and others can be of one table. */
+    boolean isLike(Cases other) {
+      return inputs.equals(other.inputs) && platform.equals(other.platform);
+    }
+
+    Cases with(Collection<CampaignRow> some, boolean isComplete) {
+      return new Cases(campaign, inputs, platform, shard, isComplete, List.copyOf(some));
     }
   }
 
@@ -82,11 +97,7 @@ final class CampaignStore implements AutoCloseable {
    */
   void begin(String... others) {
     boolean same =
-        output
-            .read(CASES)
-            .flatMap(CampaignStore::read)
-            .filter(it -> it.inputs().equals(empty.inputs()))
-            .isPresent();
+        output.read(CASES).flatMap(CampaignStore::read).filter(empty::isLike).isPresent();
     if (!same) {
       RESULTS.forEach(output::remove);
       List.of(others).forEach(output::removeAll);
@@ -107,7 +118,7 @@ final class CampaignStore implements AutoCloseable {
 
   private boolean recall(String name) {
     Optional<Cases> known = output.read(name).flatMap(CampaignStore::read);
-    Optional<Cases> same = known.filter(it -> it.inputs().equals(empty.inputs()));
+    Optional<Cases> same = known.filter(empty::isLike);
     same.ifPresent(it -> it.rows().forEach(row -> rows.put(row.id(), row)));
     return same.isPresent();
   }
@@ -151,13 +162,9 @@ final class CampaignStore implements AutoCloseable {
   /** Writes the results that are in no file. */
   synchronized void save() {
     if (!unsaved.isEmpty()) {
-      write(part(++parts), ResultJson.bytes(with(unsaved, false)));
+      write(part(++parts), ResultJson.bytes(empty.with(unsaved, false)));
       unsaved.clear();
     }
-  }
-
-  private Cases with(Collection<CampaignRow> some, boolean complete) {
-    return new Cases(empty.campaign(), empty.inputs(), empty.shard(), complete, List.copyOf(some));
   }
 
   /** Forgets all other cases. */
@@ -170,7 +177,7 @@ final class CampaignStore implements AutoCloseable {
 
   /** Writes all cases into one file, after which nothing is missing. */
   synchronized void complete() {
-    write(CASES, ResultJson.bytes(with(rows.values(), true)));
+    write(CASES, ResultJson.bytes(empty.with(rows.values(), true)));
     output.removeAll(PARTS);
   }
 

@@ -10,17 +10,15 @@ import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
-import java.math.BigDecimal;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 
 /** Campaigns of a project: many cases of a scenario, simulated on all processors. */
@@ -71,14 +69,16 @@ public final class Campaigns {
     long start = System.nanoTime();
     scene.requireSound();
     CaseList list = new CaseList(plan);
-    List<CampaignCase> all = list.cases();
+    Combinations combinations = new Combinations(plan, list.cases());
     // First, since it may be the folder that is written into.
     Optional<CampaignComparison.Earlier> earlier = options.compared().map(CampaignComparison::read);
+    Fingerprint inputs = scene.inputs();
+    List<CampaignStore.Cases> parts = CampaignMerge.parts(options.merged(), inputs.value());
     CampaignStore.Cases empty =
-        new CampaignStore.Cases(plan.name(), scene.inputs(), options.shard(), false, List.of());
+        scene.cases(parts.stream().findFirst().map(CampaignStore.Cases::platform), options.shard());
     try (CampaignStore store =
         new CampaignStore(run.options().output().resolve(CampaignStore.FOLDER), empty)) {
-      List<CampaignCase> own = own(all);
+      List<CampaignCase> own = combinations.of(options.shard());
       if (options.replayed().isPresent()) {
         return new CaseReplay(run, plan, scene.template(), store)
             .replay(options.replayed().getAsInt());
@@ -88,29 +88,16 @@ public final class Campaigns {
       }
       int known = store.rows().size();
       store.begin();
-      if (!options.merged().isEmpty()) {
-        CampaignMerge.rows(options.merged(), empty.inputs()).forEach(store::add);
-      }
+      parts.forEach(part -> part.rows().forEach(store::add));
+      options
+          .engine()
+          .map(engine -> new RayCampaign(run, plan, engine, store, empty))
+          .ifPresent(ray -> ray.simulate(combinations, inputs));
       simulate(own, store);
       plan.boundary().ifPresent(it -> search(new BoundarySearch(it), list, store));
       scene.requireUnchanged(empty.inputs(), store);
       return outcome(store, known, earlier, System.nanoTime() - start);
     }
-  }
-
-  /** Returns the cases of this part: combinations stay together along a boundary. */
-  private List<CampaignCase> own(List<CampaignCase> all) {
-    Map<CampaignCase, Integer> indices = new LinkedHashMap<>();
-    List<CampaignCase> own = new ArrayList<>();
-    for (CampaignCase each : all) {
-      CampaignCase whole =
-          plan.boundary().map(it -> each.with(it.factor(), BigDecimal.ZERO)).orElse(each);
-      int index = indices.computeIfAbsent(whole, it -> indices.size());
-      if (options.shard().has(index)) {
-        own.add(each);
-      }
-    }
-    return own;
   }
 
   private void search(BoundarySearch search, CaseList list, CampaignStore store) {

@@ -17,6 +17,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.CancellationException;
@@ -69,8 +70,7 @@ public final class Searches {
     requireCriterion();
     scene.requireSound();
     SearchSpace space = new SearchSpace(plan);
-    CampaignStore.Cases empty =
-        new CampaignStore.Cases(plan.name(), scene.inputs(), Shard.ALL, false, List.of());
+    CampaignStore.Cases empty = scene.cases(Optional.empty(), Shard.ALL);
     Path folder = scene.run().options().output().resolve(FOLDER);
     try (CampaignStore store = new CampaignStore(folder, empty)) {
       int known = store.rows().size();

@@ -1,0 +1,195 @@
+"""Tests what the driver of a Ray cluster and its nodes do, without Ray."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import driver
+import node
+import packs
+import pytest
+
+
+@pytest.fixture(autouse=True)
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    return tmp_path / "cache"
+
+
+def write(file: Path, text: str = "") -> Path:
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(text)
+    return file
+
+
+def test_a_pack_is_the_same_for_the_same_files(tmp_path: Path) -> None:
+    for copy in ("one", "two"):
+        write(tmp_path / copy / "b" / "c.txt", "c")
+        write(tmp_path / copy / "a.jar", "a")
+    one, two = (packs.pack(packs.program([tmp_path / copy, tmp_path / copy / "a.jar"])) for copy in ("one", "two"))
+    assert one.content != two.content, "the name of an entry is a part of the program's identity"
+    (tmp_path / "one" / "a.jar").touch()
+    assert one == packs.pack(packs.program([tmp_path / "one", tmp_path / "one" / "a.jar"]))
+    with zipfile.ZipFile(io.BytesIO(one.content)) as archive:
+        assert archive.namelist() == ["000/one/a.jar", "000/one/b/c.txt", "001/a.jar"]
+
+
+def test_links_are_followed_and_results_left_out(tmp_path: Path) -> None:
+    project = tmp_path / "project"
+    write(project / "eventchain.yaml")
+    write(project / "out" / "campaigns" / "cases.csv")
+    write(project / ".git" / "config")
+    write(tmp_path / "elsewhere" / "base.json")
+    (project / "software-base").symlink_to(tmp_path / "elsewhere")
+    (tmp_path / "elsewhere" / "circle").symlink_to(project)
+    table = write(tmp_path / "table.csv")
+    found = packs.project([table], {project: {project / "out"}})
+    names = {name.removeprefix(str(tmp_path).lstrip("/")) for name in found}
+    assert names == {"/table.csv", "/project/eventchain.yaml", "/project/software-base/base.json"}
+
+
+def test_a_pack_is_unpacked_once_and_removed_a_week_later(cache: Path, tmp_path: Path) -> None:
+    fetched: list[str] = []
+    content = packs.pack({"a.txt": write(tmp_path / "a.txt", "a")}).content
+
+    def fetch(name: str) -> bytes:
+        fetched.append(name)
+        return content
+
+    for name in ("old", "old", "new"):
+        assert (node.unpacked(name, fetch) / "a.txt").read_text() == "a"
+    assert fetched == ["old", "new"]
+    os.utime(cache / "eventchain" / "ray" / "old", (0, 0))
+    node.unpacked("newer", fetch)
+    assert sorted(entry.name for entry in (cache / "eventchain" / "ray").iterdir()) == ["lock", "new", "newer"]
+
+
+def part_of(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, script: str) -> node.Part:
+    """Run a part with a shell script as Java."""
+    java = write(tmp_path / "jdk" / "bin" / "java", "#!/bin/sh\n" + script)
+    java.chmod(0o755)
+    monkeypatch.setenv("JAVA_HOME", str(tmp_path / "jdk"))
+    monkeypatch.setenv("RAY_AUTH_TOKEN", "secret")
+    project = tmp_path / "project"
+    write(project / "eventchain.yaml", "name: x")
+    write(project / "out" / "chain.json")
+    files = packs.pack(packs.project([], {project: set()}))
+    program = packs.pack({"000/a.jar": write(tmp_path / "a.jar")})
+    content = {each.name: each.content for each in (files, program)}
+    work = node.Work(
+        program.name,
+        files.name,
+        ["000/a.jar"],
+        ["-Xmx1g"],
+        ["campaign", node.FILES + str(project)],
+        packs.place(project / "out"),
+        {"EVENTCHAIN_CONFINEMENT": "audit-hooks"},
+        2,
+    )
+    return node.run_part(work, content.__getitem__, 2, 5)
+
+
+REHEARSAL = """
+while [ "$1" != campaign ]; do said="$said $1"; shift; done
+test -e "$2/eventchain.yaml" && test -e "$6/chain.json" && test "$3 $4 $5" = "--shard 2/5 -o" || exit 9
+mkdir -p "$6/campaigns/approach-2-of-5"
+echo "$said $EVENTCHAIN_CONFINEMENT <$RAY_AUTH_TOKEN>" > "$6/campaigns/approach-2-of-5/cases.json"
+"""
+
+
+def test_a_part_has_project_output_and_settings_and_not_the_token(
+    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    part = part_of(tmp_path, monkeypatch, REHEARSAL)
+    assert part.failure == ""
+    assert part.cases.startswith(" -Xmx1g -XX:ActiveProcessorCount=2 -cp " + str(cache))
+    assert part.cases.endswith("/000/a.jar dev.eventchain.cli.Main audit-hooks <>\n")
+
+
+def test_a_part_that_fails_says_why(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    part = part_of(tmp_path, monkeypatch, "echo 'a.yaml:3:1: error: No. [x.y]'; echo '1 error'; exit 2")
+    assert driver.telling(part.failure) == "a.yaml:3:1: error: No. [x.y]"
+    old = "echo 'java.lang.UnsupportedClassVersionError: Main'; exit 1"
+    assert "17 or later" in part_of(tmp_path, monkeypatch, old).hint
+    monkeypatch.setenv("PATH", "/nowhere")
+    monkeypatch.delenv("JAVA_HOME")
+    lacking = node.run_part(None, None, 1, 2)  # type: ignore[arg-type]
+    assert lacking.failure == "There is no Java."
+
+
+def test_all_processors_are_used() -> None:
+    def nodes(*counts: int) -> list[dict[str, Any]]:
+        return [{"Alive": True, "Resources": {"CPU": float(count)} if count else {}} for count in counts]
+
+    assert driver.capacity(nodes(2)) == (1, 2)
+    assert driver.capacity(nodes(0, 4, 9)) == (3, 4)
+    assert driver.capacity(nodes(64, 64)) == (16, 8)
+    assert driver.capacity([*nodes(2), {"Alive": False, "Resources": {"CPU": 1.0}}]) == (1, 2)
+    with pytest.raises(driver.DriverError, match="No node"):
+        driver.capacity(nodes(0))
+
+
+class Tasks:
+    """Tasks that end at once, the last one first."""
+
+    def __init__(self, failing: int = 0) -> None:
+        self.failing = failing
+        self.most = 0
+
+    def start(self, number: int) -> int:
+        return number
+
+    def wait(self, started: list[int]) -> list[int]:
+        self.most = max(self.most, len(started))
+        return started[-1:]
+
+    def result(self, number: int, done: int) -> node.Part:
+        return node.Part("n1", failure="no\nspace left") if number == self.failing else node.Part("n1", f"cases {done}")
+
+
+def run(tasks: Tasks) -> list[dict[str, Any]]:
+    """Run 30 parts for a program that waits for them."""
+    source, program = os.pipe()
+    target = io.StringIO()
+    try:
+        channel = driver.Channel(os.fdopen(source), target)
+        driver.run(tasks, list(range(1, 31)), 2, channel)  # type: ignore[arg-type]
+    finally:
+        os.close(program)
+    return [json.loads(line) for line in target.getvalue().splitlines()]
+
+
+def test_each_part_is_answered_once() -> None:
+    tasks = Tasks()
+    answers = run(tasks)
+    assert sorted(each["part"] for each in answers) == list(range(1, 31))
+    assert all(each["cases"] == f"cases {each['part']}" for each in answers)
+    assert tasks.most == 8
+
+
+def test_a_part_that_fails_ends_all() -> None:
+    with pytest.raises(driver.DriverError, match="Part 20 failed on the node n1: space left"):
+        run(Tasks(20))
+
+
+def test_the_end_of_the_program_ends_all() -> None:
+    channel = driver.Channel(io.StringIO('{"count": 1}\n'), io.StringIO())
+    assert channel.receive() == {"count": 1}
+    with pytest.raises(EOFError):
+        channel.receive()
+    with pytest.raises(EOFError):
+        driver.run(Tasks(), [1], 1, channel)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("address", "reason"),
+    [("ray://head:10001", "Ray Client"), ("127.0.0.1:9", "no Ray cluster at '127.0.0.1:9'"), ("host:port", "no Ray")],
+)
+def test_an_address_without_a_cluster_is_refused_at_once(address: str, reason: str) -> None:
+    with pytest.raises(driver.DriverError, match=reason), driver.connected(address, 1):
+        pass
