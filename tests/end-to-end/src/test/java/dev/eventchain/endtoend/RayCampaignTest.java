@@ -91,6 +91,7 @@ class RayCampaignTest {
         assertArrayEquals(expected.get(i), found.get(i));
       }
     } finally {
+      cluster.waitFor(60, TimeUnit.SECONDS); // It ends with its input.
       cluster.descendants().forEach(ProcessHandle::destroyForcibly);
       cluster.destroyForcibly();
     }

@@ -19,6 +19,7 @@ final class CampaignProgress {
    * Creates the progress of cases.
    *
    * @param known the number of cases that were known before
+   * @param open the number of the others; a boundary may add some
    */
   CampaignProgress(Progress progress, int known, int open) {
     this.progress = progress;
@@ -29,11 +30,12 @@ final class CampaignProgress {
   void done(CaseResult result) {
     done++;
     failed += result.label() == CaseResult.Label.PASSED ? 0 : 1;
-    double left = (System.nanoTime() - start) / 1e9 / done * (open - done);
+    int all = Math.max(open, done);
+    double left = (System.nanoTime() - start) / 1e9 / done * (all - done);
     progress.step(
         Stage.SIMULATE,
         "case %d of %d, %d not passed, %s left"
-            .formatted(known + done, known + open, failed, words(left)));
+            .formatted(known + done, known + all, failed, words(left)));
   }
 
   /** Returns a time in words: 8 s, 12 min, 3.5 h. */

@@ -5,6 +5,9 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import java.util.function.Predicate;
 
 /**
  * The cases of a campaign, together where they have to be simulated together: along a boundary, all
@@ -22,6 +25,17 @@ final class Combinations {
       known.computeIfAbsent(whole, it -> new ArrayList<>()).add(each);
     }
     all = List.copyOf(known.values());
+  }
+
+  /** Returns the numbers of those parts that have a wanted case. */
+  SortedSet<Integer> parts(int count, Predicate<CampaignCase> wanted) {
+    SortedSet<Integer> parts = new TreeSet<>();
+    for (int index = 0; index < all.size(); index++) {
+      if (all.get(index).stream().anyMatch(wanted)) {
+        parts.add(Shard.numberOf(index, count));
+      }
+    }
+    return parts;
   }
 
   int count() {

@@ -17,7 +17,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Function;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -73,24 +72,19 @@ final class RayCampaign {
    *     versions; the cases that came before are kept
    */
   void simulate(Combinations combinations, Fingerprint sources) {
-    List<CampaignCase> open = open(combinations.of(Shard.ALL));
-    if (open.isEmpty()) {
+    long open = combinations.of(Shard.ALL).stream().filter(this::isOpen).count();
+    if (open == 0) {
       return;
     }
     PythonEnvironment python =
         PythonEnvironment.ensureWithRay(said -> run.progress().step(Stage.SIMULATE, said));
     CampaignProgress progress =
-        new CampaignProgress(run.progress(), store.rows().size(), open.size());
+        new CampaignProgress(run.progress(), store.rows().size(), (int) open);
     try (RayDriver driver = new RayDriver(python.executable(), SourceLocation.of(plan.file()))) {
       run.progress().step(Stage.SIMULATE, "sending project and program to the cluster");
       driver.send(request(sources));
       int count = parts(combinations, driver.receive());
-      List<Integer> parts =
-          IntStream.rangeClosed(1, count)
-              .filter(number -> !open(combinations.of(new Shard(number, count))).isEmpty())
-              .boxed()
-              .toList();
-      driver.send(Map.of("count", count, "parts", parts));
+      driver.send(Map.of("count", count, "parts", combinations.parts(count, this::isOpen)));
       for (JsonNode next = driver.receive(); !next.has("ended"); next = driver.receive()) {
         add(next, new Shard(next.path("part").asInt(), count), progress);
       }
@@ -99,8 +93,8 @@ final class RayCampaign {
     }
   }
 
-  private List<CampaignCase> open(List<CampaignCase> cases) {
-    return cases.stream().filter(each -> store.find(each).isEmpty()).toList();
+  private boolean isOpen(CampaignCase id) {
+    return store.find(id).isEmpty();
   }
 
   /** Returns how many parts there are: at least two, since the whole is no part. */
@@ -117,7 +111,7 @@ final class RayCampaign {
     CampaignStore.Cases cases =
         CampaignMerge.require(bytes, own, shard, part.path("node").asText());
     for (CampaignRow row : cases.rows()) {
-      if (store.find(row.id()).isEmpty()) {
+      if (isOpen(row.id())) {
         store.add(row);
         progress.done(row.result());
       }

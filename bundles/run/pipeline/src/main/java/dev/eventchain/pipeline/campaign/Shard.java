@@ -33,7 +33,12 @@ public record Shard(int number, int count) {
 
   /** Returns whether it has what is at an index, from 0. */
   boolean has(int index) {
-    return index % count == number - 1;
+    return numberOf(index, count) == number;
+  }
+
+  /** Returns the number of the part that has what is at an index. */
+  static int numberOf(int index, int count) {
+    return index % count + 1;
   }
 
   /** Returns the name of the folder of a campaign's results. */
