@@ -16,7 +16,6 @@ import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.EStructuralFeature;
-import org.eclipse.emf.ecore.resource.Resource;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
@@ -40,8 +39,22 @@ public final class EcoreChecks {
 
   private static final Duration TIME_LIMIT = Duration.ofSeconds(30);
 
+  /** The checks of a class, and the number of its instances so far. */
+  private static final class Planned {
+    private final EcorePlan plan;
+    private long instances;
+
+    private Planned(EcorePlan plan) {
+      this.plan = plan;
+    }
+
+    private static Planned of(EClass type) {
+      return new Planned(EcorePlan.of(type));
+    }
+  }
+
   private final Function<EObject, SourceLocation> locator;
-  private final Map<EClass, EcorePlan> plans = new HashMap<>();
+  private final Map<EClass, Planned> plans = new HashMap<>();
   private final Map<Rule, Long> evaluations = new LinkedHashMap<>();
   private final List<Diagnostic> found = new ArrayList<>();
   private final ValueChecks values;
@@ -92,6 +105,12 @@ public final class EcoreChecks {
   }
 
   private EcoreChecks end() {
+    for (Planned each : plans.values()) {
+      count(EcoreRules.REQUIRED, each.instances * each.plan.required().size());
+      count(EcoreRules.BOUND, each.instances * each.plan.bounded().size());
+      count(EcoreRules.UNIQUE, each.instances * each.plan.unique().size());
+      count(EcoreRules.OPPOSITE, each.instances * each.plan.paired().size());
+    }
     found.addAll(values.findings());
     count(EcoreRules.VALUE, values.evaluations());
     found.sort(null);
@@ -121,19 +140,18 @@ public final class EcoreChecks {
   }
 
   private void check(XmiResource file) {
-    EcoreUtil.getAllProperContents((Resource) file, false)
-        .forEachRemaining(element -> check((EObject) element));
+    Contents.of(file).forEach(this::check);
   }
 
   private void check(EObject element) {
-    EcorePlan plan = plans.computeIfAbsent(element.eClass(), EcorePlan::of);
+    Planned planned = plans.computeIfAbsent(element.eClass(), Planned::of);
+    planned.instances++;
+    EcorePlan plan = planned.plan;
     plan.required().forEach(feature -> checkRequired(element, feature));
     plan.bounded().forEach(feature -> checkBound(element, feature));
     plan.values().forEach(attribute -> values.check(element, attribute));
     plan.keyed().forEach(reference -> checkKeys(element, reference));
     plan.maps().forEach(reference -> checkMap(element, reference));
-    count(EcoreRules.UNIQUE, plan.unique().size());
-    count(EcoreRules.OPPOSITE, plan.paired().size());
   }
 
   private void count(Rule rule, long times) {
@@ -146,7 +164,6 @@ public final class EcoreChecks {
 
   /** Checks a feature as EMF does: a default is a value unless the feature is unsettable. */
   private void checkRequired(EObject element, EStructuralFeature feature) {
-    count(EcoreRules.REQUIRED, 1);
     if (feature.isMany()) {
       int size = ((List<?>) element.eGet(feature, false)).size();
       if (size < feature.getLowerBound()) {
@@ -177,7 +194,6 @@ public final class EcoreChecks {
   }
 
   private void checkBound(EObject element, EStructuralFeature feature) {
-    count(EcoreRules.BOUND, 1);
     int size = ((List<?>) element.eGet(feature, false)).size();
     if (size > feature.getUpperBound()) {
       report(

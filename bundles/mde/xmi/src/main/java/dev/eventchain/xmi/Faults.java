@@ -5,16 +5,15 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.uml.Uml;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
-import java.util.Iterator;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.EStructuralFeature;
-import org.eclipse.emf.ecore.InternalEObject;
-import org.eclipse.emf.ecore.resource.Resource;
-import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.eclipse.emf.ecore.util.FeatureMap;
 import org.eclipse.emf.ecore.util.FeatureMapUtil;
 import org.eclipse.emf.ecore.util.InternalEList;
@@ -25,10 +24,8 @@ import org.eclipse.emf.ecore.util.InternalEList;
  */
 final class Faults {
 
-  private record Link(EObject from, EReference feature, EObject to) {}
-
   private final ProjectResources resources;
-  private final Set<Link> links = new HashSet<>();
+  private final Map<EClass, List<EStructuralFeature>> unpaired = new HashMap<>();
   private final List<Diagnostic> found = new ArrayList<>();
 
   Faults(ProjectResources resources) {
@@ -40,15 +37,15 @@ final class Faults {
     List<XmiResource> files = resources.loaded();
     for (XmiResource file : files) {
       found.addAll(file.statements().faults());
-      for (Statements.End end : file.statements().ends()) {
-        Link link = linkOf(file, end);
-        if (!links.add(link) && end.feature().isUnique() && link.to != null) {
-          found.add(duplicate(file, link.from, end.tag(), end.feature(), ModelPath.of(link.to)));
-        }
-      }
+      file.statements().ends().resolve(file::targetOf);
     }
+    Ends ends = Ends.of(files.stream().map(file -> file.statements().ends()).toList());
+    int from = 0;
     for (XmiResource file : files) {
-      DiagnosticException.runAt(file.place(), () -> findSingleEnds(file));
+      int first = from;
+      int next = first + file.statements().ends().size();
+      DiagnosticException.runAt(file.place(), () -> check(file, ends, first, next));
+      from = next;
     }
     for (XmiResource file : files) {
       DiagnosticException.runAt(file.place(), () -> findDuplicates(file));
@@ -56,39 +53,41 @@ final class Faults {
     return found.stream().distinct().sorted().toList();
   }
 
-  private Link linkOf(XmiResource file, Statements.End end) {
-    Object target = end.target();
-    if (target instanceof String id) {
-      target = file.getEObject(id);
-    } else if (target instanceof InternalEObject proxy && proxy.eIsProxy()) {
-      target = resources.getEObject(proxy.eProxyURI(), false);
-    }
-    return new Link(end.element(), end.feature(), (EObject) target);
-  }
-
-  private void findSingleEnds(XmiResource file) {
-    for (Statements.End end : file.statements().ends()) {
-      Link link = linkOf(file, end);
-      EReference opposite = end.feature().getEOpposite();
-      boolean derivable = Uml.isMetamodel(opposite.getEContainingClass().getEPackage());
-      if (link.to != null
-          && !derivable // UML's files may leave out one end
-          && !links.contains(new Link(link.to, opposite, link.from))) {
-        String message =
-            "`%s` of %s names %s, but `%s` there does not name it back."
-                .formatted(
-                    end.feature().getName(),
-                    ModelPath.of(link.from),
-                    ModelPath.of(link.to),
-                    opposite.getName());
-        found.add(
-            Diagnostic.of(EcoreRules.OPPOSITE, message, place(file, end.tag(), end.feature()))
-                .withRelated(resources.origins().locate(link.to))
-                .withHint(
-                    "Write both ends, or neither: which of them a reader keeps depends on the order"
-                        + " of the elements."));
+  /** Checks some of all ends, which are those of one file. */
+  private void check(XmiResource file, Ends ends, int from, int to) {
+    for (int end = from; end < to; end++) {
+      if (ends.target(end) == null) {
+        continue;
+      }
+      EReference feature = ends.feature(end);
+      if (feature.isUnique() && ends.firstOf(end) != end) {
+        String target = ModelPath.of((EObject) ends.target(end));
+        found.add(duplicate(file, ends.element(end), ends.tag(end), feature, target));
+      }
+      // UML's files may leave out one end.
+      boolean derivable =
+          Uml.isMetamodel(feature.getEOpposite().getEContainingClass().getEPackage());
+      if (!derivable && !ends.isNamedBack(end)) {
+        found.add(singleEnd(file, ends, end));
       }
     }
+  }
+
+  private Diagnostic singleEnd(XmiResource file, Ends ends, int end) {
+    EReference feature = ends.feature(end);
+    EObject target = (EObject) ends.target(end);
+    String message =
+        "`%s` of %s names %s, but `%s` there does not name it back."
+            .formatted(
+                feature.getName(),
+                ModelPath.of(ends.element(end)),
+                ModelPath.of(target),
+                feature.getEOpposite().getName());
+    return Diagnostic.of(EcoreRules.OPPOSITE, message, place(file, ends.tag(end), feature))
+        .withRelated(resources.origins().locate(target))
+        .withHint(
+            "Write both ends, or neither: which of them a reader keeps depends on the order of the"
+                + " elements.");
   }
 
   private static SourceLocation place(XmiResource file, int tag, EStructuralFeature feature) {
@@ -96,16 +95,21 @@ final class Faults {
   }
 
   private void findDuplicates(XmiResource file) {
-    List<EObject> all = new ArrayList<>(); // the lists do not change meanwhile
-    Iterator<EObject> contents = EcoreUtil.getAllProperContents((Resource) file, false);
-    contents.forEachRemaining(all::add);
-    for (EObject element : all) {
-      for (EStructuralFeature feature : element.eClass().getEAllStructuralFeatures()) {
-        if (holdsEachOnce(feature) && !isPaired(feature) && element.eIsSet(feature)) {
+    for (EObject element : Contents.of(file)) { // the lists do not change meanwhile
+      for (EStructuralFeature feature :
+          unpaired.computeIfAbsent(element.eClass(), Faults::unpairedOf)) {
+        if (element.eIsSet(feature)) {
           findDuplicates(file, element, feature);
         }
       }
     }
+  }
+
+  /** Returns the features in which duplicates are searched here. */
+  private static List<EStructuralFeature> unpairedOf(EClass type) {
+    return type.getEAllStructuralFeatures().stream()
+        .filter(feature -> holdsEachOnce(feature) && !isPaired(feature))
+        .toList();
   }
 
   /** Returns whether the feature is checked together with its opposite. */

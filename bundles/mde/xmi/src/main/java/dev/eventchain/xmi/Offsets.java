@@ -1,12 +1,11 @@
 package dev.eventchain.xmi;
 
 import dev.eventchain.diagnostics.SourceText;
-import java.util.Arrays;
 import org.eclipse.emf.ecore.EObject;
 
 /**
- * The offsets in a text where elements start. A hash table of two arrays, since a large model has
- * millions of elements and few lookups.
+ * The offsets in a text where elements start, and the ids that the text gives them. A hash table of
+ * arrays, since a large model has millions of elements and few lookups.
  */
 final class Offsets {
 
@@ -15,7 +14,13 @@ final class Offsets {
 
   private final SourceText text;
   private EObject[] elements = new EObject[FIRST_SIZE];
+
+  /** The offset of each element, and one; 0 if it is unknown. */
   private int[] offsets = new int[FIRST_SIZE];
+
+  /** The id of each element; null if none has one. */
+  private String[] ids;
+
   private int count;
 
   Offsets(SourceText text) {
@@ -28,6 +33,26 @@ final class Offsets {
 
   /** Sets the offset of an element, replacing an earlier one. */
   void put(EObject element, int offset) {
+    int slot = place(element);
+    offsets[slot] = offset + 1;
+  }
+
+  /** Sets the id of an element, replacing an earlier one; null for none. */
+  void identify(EObject element, String id) {
+    int slot = place(element);
+    if (ids == null) {
+      ids = new String[elements.length];
+    }
+    ids[slot] = id;
+  }
+
+  /** Returns the id of an element; null if it has none. */
+  String idOf(EObject element) {
+    return ids == null ? null : ids[slotOf(element)];
+  }
+
+  /** Returns the slot of an element, which has one from now on. */
+  private int place(EObject element) {
     if (count * 3 >= elements.length * 2) {
       grow();
     }
@@ -36,13 +61,12 @@ final class Offsets {
       elements[slot] = element;
       count++;
     }
-    offsets[slot] = offset;
+    return slot;
   }
 
   /** Returns the offset of an element; negative if unknown. */
   int get(EObject element) {
-    int slot = slotOf(element);
-    return elements[slot] == null ? -1 : offsets[slot];
+    return offsets[slotOf(element)] - 1;
   }
 
   /** Returns the slot of an element, or the free one for it. */
@@ -58,13 +82,18 @@ final class Offsets {
   private void grow() {
     EObject[] known = elements;
     int[] starts = offsets;
+    String[] names = ids;
     elements = new EObject[known.length * 2];
-    offsets = Arrays.copyOf(starts, elements.length);
+    offsets = new int[elements.length];
+    ids = names == null ? null : new String[elements.length];
     for (int i = 0; i < known.length; i++) {
       if (known[i] != null) {
         int slot = slotOf(known[i]);
         elements[slot] = known[i];
         offsets[slot] = starts[i];
+        if (names != null) {
+          ids[slot] = names[i];
+        }
       }
     }
   }

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EReference;
-import org.eclipse.emf.ecore.InternalEObject;
 
 /**
  * Completes references of UML of which a file has one end only. EMF's reader drops such an end if
@@ -24,31 +23,33 @@ final class OneSidedEnds {
   /** Sets what the files say. The references of the files must be resolved. */
   void complete() {
     for (XmiResource file : resources.loaded()) {
-      for (Statements.End end : file.statements().ends()) {
-        if (Uml.isMetamodel(end.feature().getEContainingClass().getEPackage())) {
-          complete(file, end);
+      Ends ends = file.statements().ends();
+      for (int end = 0; end < ends.size(); end++) {
+        if (Uml.isMetamodel(ends.feature(end).getEContainingClass().getEPackage())) {
+          complete(file, ends, end);
         }
       }
     }
   }
 
-  private void complete(XmiResource file, Statements.End end) {
-    EReference feature = end.feature();
-    EObject target = targetOf(file, end.target());
+  private static void complete(XmiResource file, Ends ends, int end) {
+    EReference feature = ends.feature(end);
+    EObject element = ends.element(end);
+    EObject target = file.targetOf(ends.target(end));
     if (target == null || !feature.getEType().isInstance(target)) {
       return;
     }
-    if (holds(end.element(), feature, target)) {
+    if (holds(element, feature, target)) {
       return;
     }
     Optional<EObject> other =
-        single(end.element(), feature).or(() -> single(target, feature.getEOpposite()));
+        single(element, feature).or(() -> single(target, feature.getEOpposite()));
     if (other.isPresent()) {
-      file.statements().addFault(contradiction(file, end, target, other.get()));
+      file.statements().addFault(contradiction(file, ends, end, target, other.get()));
     } else if (feature.isMany()) {
-      add(end.element(), feature, target);
+      add(element, feature, target);
     } else {
-      end.element().eSet(feature, target);
+      element.eSet(feature, target);
     }
   }
 
@@ -65,30 +66,20 @@ final class OneSidedEnds {
   }
 
   private static Diagnostic contradiction(
-      XmiResource file, Statements.End end, EObject written, EObject other) {
+      XmiResource file, Ends ends, int end, EObject written, EObject other) {
     String message =
         "`%s` of %s is %s here, which contradicts %s."
             .formatted(
-                end.feature().getName(),
-                ModelPath.of(end.element()),
+                ends.feature(end).getName(),
+                ModelPath.of(ends.element(end)),
                 ModelPath.of(written),
                 ModelPath.of(other));
-    return Diagnostic.of(EcoreRules.OPPOSITE, message, file.problems().text().at(end.tag()))
+    return Diagnostic.of(EcoreRules.OPPOSITE, message, file.problems().text().at(ends.tag(end)))
         .withHint("Name it at both ends in the same way, or at one of them only.");
   }
 
   @SuppressWarnings("unchecked") // EMF's lists have no type arguments
   private static void add(EObject element, EReference feature, EObject target) {
     ((List<EObject>) element.eGet(feature)).add(target);
-  }
-
-  private EObject targetOf(XmiResource file, Object target) {
-    if (target instanceof String id) {
-      return file.getEObject(id);
-    }
-    EObject element = (EObject) target;
-    return element.eIsProxy()
-        ? resources.getEObject(((InternalEObject) element).eProxyURI(), false)
-        : element;
   }
 }

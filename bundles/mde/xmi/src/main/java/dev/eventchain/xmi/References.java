@@ -4,15 +4,15 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Iterator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EAttribute;
+import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.InternalEObject;
-import org.eclipse.emf.ecore.resource.Resource;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.eclipse.emf.ecore.util.FeatureMap;
 import org.eclipse.emf.ecore.util.FeatureMapUtil;
@@ -21,6 +21,28 @@ import org.eclipse.emf.ecore.util.InternalEList;
 /** Resolves the references between the files of a project, and reports those without a target. */
 final class References {
 
+  /**
+   * The features of a class that store references.
+   *
+   * @param references those except for containers, which are resolved separately
+   * @param maps the feature maps
+   */
+  private record Plan(List<EReference> references, List<EAttribute> maps) {
+    static Plan of(EClass type) {
+      return new Plan(
+          type.getEAllReferences().stream().filter(Plan::holdsValues).toList(),
+          type.getEAllAttributes().stream()
+              .filter(each -> FeatureMapUtil.isFeatureMap(each) && !each.isDerived())
+              .toList());
+    }
+
+    private static boolean holdsValues(EReference reference) {
+      boolean computed = reference.isVolatile() || !reference.isChangeable();
+      return !reference.isContainer() && !(reference.isDerived() && computed);
+    }
+  }
+
+  private final Map<EClass, Plan> plans = new HashMap<>();
   private final ProjectResources resources;
 
   References(ProjectResources resources) {
@@ -37,31 +59,21 @@ final class References {
   }
 
   private void resolve(XmiResource file) {
-    List<EObject> elements = new ArrayList<>();
-    Iterator<EObject> all = EcoreUtil.getAllProperContents((Resource) file, false);
-    all.forEachRemaining(elements::add);
-    for (EObject element : elements) {
-      for (EReference reference : element.eClass().getEAllReferences()) {
-        if (holdsValues(reference) && element.eIsSet(reference)) {
+    for (EObject element : Contents.of(file)) {
+      Plan plan = plans.computeIfAbsent(element.eClass(), Plan::of);
+      for (EReference reference : plan.references()) {
+        if (element.eIsSet(reference)) {
           resolve(file, element, reference);
         }
       }
-      for (EAttribute attribute : element.eClass().getEAllAttributes()) {
-        if (FeatureMapUtil.isFeatureMap(attribute) && !attribute.isDerived()) {
-          resolve(file, (FeatureMap.Internal) element.eGet(attribute, false), element);
-        }
+      for (EAttribute map : plan.maps()) {
+        resolve(file, (FeatureMap.Internal) element.eGet(map, false), element);
       }
       InternalEObject container = ((InternalEObject) element).eInternalContainer();
       if (container != null && container.eIsProxy()) {
         resolveContainer(file, element, container);
       }
     }
-  }
-
-  /** Returns whether a reference stores its targets; containers are resolved separately. */
-  private static boolean holdsValues(EReference reference) {
-    boolean computed = reference.isVolatile() || !reference.isChangeable();
-    return !reference.isContainer() && !(reference.isDerived() && computed);
   }
 
   private void resolve(XmiResource file, FeatureMap.Internal map, EObject element) {
@@ -101,21 +113,24 @@ final class References {
             "Keep it in one place, and refer to it from the other.");
   }
 
-  private static List<?> basic(List<?> values) {
-    return values instanceof InternalEList<?> internal
-        ? new ArrayList<>(internal.basicList())
-        : new ArrayList<>(values);
-  }
-
   private void resolve(XmiResource file, EObject element, EReference reference) {
     Object value = element.eGet(reference, false);
-    List<?> values = reference.isMany() ? basic((List<?>) value) : List.of(value);
-    for (Object target : values) {
-      if (target instanceof InternalEObject proxy && proxy.eIsProxy()) {
-        resolveProxy(file, element, reference, proxy);
-      } else if (target instanceof EObject object && !reference.getEType().isInstance(object)) {
-        reportWrongType(file, element, reference, object);
+    if (!reference.isMany()) {
+      resolve(file, element, reference, value);
+    } else {
+      List<?> values = value instanceof InternalEList<?> list ? list.basicList() : (List<?>) value;
+      // Resolving changes the list.
+      for (Object target : values.toArray()) {
+        resolve(file, element, reference, target);
       }
+    }
+  }
+
+  private void resolve(XmiResource file, EObject element, EReference reference, Object target) {
+    if (target instanceof InternalEObject proxy && proxy.eIsProxy()) {
+      resolveProxy(file, element, reference, proxy);
+    } else if (target instanceof EObject object && !reference.getEType().isInstance(object)) {
+      reportWrongType(file, element, reference, object);
     }
   }
 

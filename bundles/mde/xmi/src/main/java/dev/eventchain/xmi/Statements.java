@@ -15,15 +15,7 @@ import org.eclipse.emf.ecore.EStructuralFeature;
  */
 final class Statements {
 
-  /**
-   * One end of a reference with an opposite.
-   *
-   * @param target the element, or its id in the file
-   * @param tag the offset of the element's start tag
-   */
-  record End(EObject element, EReference feature, Object target, int tag) {}
-
-  private final List<End> ends = new ArrayList<>();
+  private final Ends ends = new Ends();
 
   /** The single-valued features that are already set, of elements that are still being read. */
   private final IdentityHashMap<EObject, List<EStructuralFeature>> filled = new IdentityHashMap<>();
@@ -42,26 +34,25 @@ final class Statements {
     faults.add(fault);
   }
 
-  List<End> ends() {
+  /** Returns the references whose opposite ends must be in the files of their targets. */
+  Ends ends() {
     return ends;
   }
 
-  /** Records a reference whose opposite end must be in the file of its target. */
-  void noteEnd(EObject element, EReference feature, Object target, int tag) {
-    ends.add(new End(element, feature, target, tag));
-  }
-
-  /** As {@link #noteEnd} for each id of a text; one with a {@code #} becomes an element first. */
-  void noteEnds(EObject element, EReference reference, String ids, int tag) {
-    for (String id : idsIn(ids)) {
+  /** Records an end for each of some ids; one with a {@code #} becomes an element first. */
+  void noteEnds(EObject element, EReference reference, List<String> ids, int tag) {
+    for (String id : ids) {
       if (id.lastIndexOf('#') <= 0) {
-        noteEnd(element, reference, id.startsWith("#") ? id.substring(1) : id, tag);
+        ends.add(element, reference, id.startsWith("#") ? id.substring(1) : id, tag);
       }
     }
   }
 
   /** Returns the ids and URIs of a text, without class names before URIs. */
   static List<String> idsIn(String text) {
+    if (isId(text)) {
+      return List.of(text);
+    }
     List<String> ids = new ArrayList<>();
     for (StringTokenizer tokens = new StringTokenizer(text); tokens.hasMoreTokens(); ) {
       String token = tokens.nextToken();
@@ -70,6 +61,17 @@ final class Statements {
       }
     }
     return ids;
+  }
+
+  /** Returns whether a text is one id of this file, neither several nor a path nor a URI. */
+  static boolean isId(String text) {
+    for (int i = 0; i < text.length(); i++) {
+      char c = text.charAt(i);
+      if (c <= ' ' || c == '#' || c == ':' || c == '/') {
+        return false;
+      }
+    }
+    return !text.isEmpty();
   }
 
   /** Returns whether both ends of a reference are written: not for container and derived ones. */

@@ -61,8 +61,17 @@ final class XmiHandler extends SAXXMIHandler {
   /** True while looking up a class that is named without a namespace. */
   private boolean withoutNamespace;
 
-  /** The list of ids that is being split, already recorded as a whole; or null. */
-  private Statements.End idsOf;
+  /** A reference that is being read from a text of ids. */
+  private record IdsOf(EObject element, EReference feature, int tag) {}
+
+  /** The reference whose ids are being split, already recorded as a whole; or null. */
+  private IdsOf idsOf;
+
+  /** The line and column at which {@link #tag} is the latest start tag. */
+  private int tagLine;
+
+  private int tagColumn;
+  private int tag;
 
   XmiHandler(XmiResource file, XMLHelper helper, Map<?, ?> options) {
     super(file, helper, options);
@@ -137,12 +146,20 @@ final class XmiHandler extends SAXXMIHandler {
     super.handleProxy(proxy, mapped);
     file.noteProxy(proxy, place, objects.peekEObject());
     if (idsOf != null && Statements.hasWrittenOpposite(idsOf.feature())) {
-      file.statements().noteEnd(idsOf.element(), idsOf.feature(), proxy, idsOf.tag());
+      file.statements().ends().add(idsOf.element(), idsOf.feature(), proxy, idsOf.tag());
     }
   }
 
+  /** Returns the offset of the tag that is being read; asked for each of its attributes. */
   private int tagOffset() {
-    return file.problems().tagEndingAt(getLineNumber(), getColumnNumber());
+    int line = getLineNumber();
+    int column = getColumnNumber();
+    if (line != tagLine || column != tagColumn) {
+      tag = file.problems().tagEndingAt(line, column);
+      tagLine = line;
+      tagColumn = column;
+    }
+    return tag;
   }
 
   /**
@@ -246,7 +263,7 @@ final class XmiHandler extends SAXXMIHandler {
     if (value instanceof EObject target
         && feature instanceof EReference reference
         && Statements.hasWrittenOpposite(reference)) {
-      file.statements().noteEnd(object, reference, target, tagOffset());
+      file.statements().ends().add(object, reference, target, tagOffset());
     }
     if (file.statements().fill(object, feature)) {
       file.problems().addSecondValue(feature, tagOffset());
@@ -254,17 +271,24 @@ final class XmiHandler extends SAXXMIHandler {
   }
 
   @Override
-  protected void setValueFromId(EObject object, EReference reference, String ids) {
+  protected void setValueFromId(EObject object, EReference reference, String text) {
+    String kept = Statements.isId(text) ? file.sharedId(text) : text;
+    List<String> ids = Statements.idsIn(kept);
     if (Statements.hasWrittenOpposite(reference)) {
-      file.statements().noteEnds(object, reference, ids, tagOffset());
+      file.statements().noteEnds(object, reference, shared(ids), tagOffset());
     }
-    if (file.statements().fill(object, reference)
-        || (!reference.isMany() && Statements.idsIn(ids).size() > 1)) {
+    if (file.statements().fill(object, reference) || (!reference.isMany() && ids.size() > 1)) {
       file.problems().addSecondValue(reference, tagOffset());
     }
-    idsOf = new Statements.End(object, reference, ids, tagOffset());
-    super.setValueFromId(object, reference, ids);
+    idsOf = new IdsOf(object, reference, tagOffset());
+    super.setValueFromId(object, reference, kept);
     idsOf = null;
+  }
+
+  private List<String> shared(List<String> ids) {
+    return ids.size() == 1
+        ? ids
+        : ids.stream().map(id -> Statements.isId(id) ? file.sharedId(id) : id).toList();
   }
 
   /** Returns a shared instance of equal texts, since models repeat types, units and topics. */

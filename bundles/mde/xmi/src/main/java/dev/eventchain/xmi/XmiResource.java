@@ -6,7 +6,6 @@ import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.io.StringReader;
 import java.nio.file.Path;
-import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.Map;
 import javax.xml.parsers.ParserConfigurationException;
@@ -34,7 +33,7 @@ final class XmiResource extends XMIResourceImpl {
   private final Origins origins;
   private final IdentityHashMap<EObject, Integer> proxies = new IdentityHashMap<>();
   private final IdentityHashMap<EObject, Integer> owners = new IdentityHashMap<>();
-  private final Map<String, EObject> ids = new HashMap<>();
+  private final Ids ids = new Ids();
   private final Statements statements = new Statements();
   private final AppliedProfiles profiles = new AppliedProfiles(this);
   private XmiProblems problems;
@@ -55,6 +54,42 @@ final class XmiResource extends XMIResourceImpl {
     if (first != null && first != element) {
       statements.addFault(problems.duplicate(id, tag, offsetOf(first, tag)));
     }
+  }
+
+  /** Returns the instance to keep of a text with one id, since several references repeat it. */
+  String sharedId(String id) {
+    return ids.shared(id);
+  }
+
+  /** Records an id as EMF does, but not in its maps, which are several times as large. */
+  @Override
+  public void setID(EObject element, String id) {
+    offsets.identify(element, id == null ? null : ids.shared(id));
+  }
+
+  @Override
+  public String getID(EObject element) {
+    return offsets.idOf(element);
+  }
+
+  /** Returns that EMF's maps of ids are not to be filled. */
+  @Override
+  protected boolean useIDs() {
+    return false;
+  }
+
+  /**
+   * Returns the element that an end of a reference means.
+   *
+   * @param target an element, a proxy or an id in this file
+   * @return null if there is none
+   */
+  EObject targetOf(Object target) {
+    if (target instanceof String id) {
+      return getEObject(id);
+    }
+    InternalEObject element = (InternalEObject) target;
+    return element.eIsProxy() ? getResourceSet().getEObject(element.eProxyURI(), false) : element;
   }
 
   /** Resolves a fragment as EMF does, but without its pool of weak references to every path. */

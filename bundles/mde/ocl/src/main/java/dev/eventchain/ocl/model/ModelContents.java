@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.Deque;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
@@ -14,6 +15,7 @@ import java.util.Map;
 import java.util.Set;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.util.FeatureMapUtil;
 
 /** The elements of a model in the order of containment, and by class. A snapshot; thread-safe. */
 public final class ModelContents {
@@ -37,6 +39,9 @@ public final class ModelContents {
   private Likeness latest;
 
   private List<EObject> likeLatest;
+
+  /** Whether the instances of a class never have children. */
+  private final Map<EClass, Boolean> leaves = new HashMap<>();
 
   private ModelContents(Collection<? extends EObject> roots) {
     this.roots = List.copyOf(roots);
@@ -81,11 +86,19 @@ public final class ModelContents {
       if (seen == null || seen.add(element)) {
         add(element);
       }
-      List<EObject> children = element.eContents();
-      if (!children.isEmpty()) {
-        open.push(children.iterator());
+      // Asked for its children, an element keeps a list of them, even an empty one.
+      if (!leaves.computeIfAbsent(element.eClass(), ModelContents::isLeaf)) {
+        List<EObject> children = element.eContents();
+        if (!children.isEmpty()) {
+          open.push(children.iterator());
+        }
       }
     }
+  }
+
+  private static boolean isLeaf(EClass type) {
+    return type.getEAllContainments().isEmpty()
+        && type.getEAllAttributes().stream().noneMatch(FeatureMapUtil::isFeatureMap);
   }
 
   private void add(EObject element) {
