@@ -23,7 +23,11 @@ final class LaunchedJava {
     List<String> options =
         new ArrayList<>(
             List.of(
-                "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-Xshare:auto", "-Xlog:disable"));
+                "-XX:+UseSerialGC",
+                "-XX:MaxNewSize=128m",
+                "-XX:TieredStopAtLevel=1",
+                "-Xshare:auto",
+                "-Xlog:disable"));
     Path application = Program.ROOT.resolve("bundles/front/cli/target/eventchain");
     launch(application);
     try (Stream<Path> files = Files.list(application)) {

@@ -31,7 +31,10 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
-/** Tests that loops with lookup by key have the same values as loops over all elements. */
+/**
+ * Tests that loops with lookup by key, and values that are kept for all elements, are the same as
+ * those over all elements.
+ */
 class KeyedElementsTest {
 
   private static final int THINGS = 40;
@@ -164,14 +167,24 @@ class KeyedElementsTest {
   }
 
   @Test
+  void whatIsTheSameForAllElementsIsComputedOnce() {
+    assertEquals(THINGS, calls("isUnique(x | x.code())", true, false));
+    assertEquals(THINGS, calls("collect(x | x.code() + 1)->sum() + self.whole", true, false));
+    String each = "collect(x | x.code())->includes(self.whole)"; // templates may get each call
+    assertEquals(THINGS * THINGS, calls(each, true, false));
+  }
+
+  @Test
   void whatHasEffectsIsAskedEachTime() {
     String body = "select(x | x.code() = self.code())";
     assertTrue(calls(body, false, false) >= THINGS * THINGS);
+    assertEquals(THINGS * THINGS, calls("isUnique(x | x.code())", false, false));
   }
 
   @Test
   void nothingIsRememberedOfAModelThatChanges() {
     String body = "select(x | x.code() = self.code())";
     assertTrue(calls(body, true, true) >= THINGS * THINGS);
+    assertEquals(THINGS * THINGS, calls("isUnique(x | x.code())", true, true));
   }
 }

@@ -3,12 +3,13 @@ package dev.eventchain.xmi;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
-import java.util.IdentityHashMap;
+import java.util.HashMap;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.InternalEObject;
 import org.eclipse.emf.ecore.resource.Resource;
 import org.eclipse.emf.ecore.util.FeatureMapUtil;
@@ -21,8 +22,28 @@ import org.eclipse.emf.ecore.util.InternalEList;
  */
 final class Contents {
 
-  private final Map<EClass, Boolean> leaves = new IdentityHashMap<>();
+  /**
+   * How to find the children of the instances of a class.
+   *
+   * @param references those that contain children, from last to first
+   * @param elsewhere true if feature maps may contain children, too
+   */
+  private record Plan(List<EReference> references, boolean elsewhere) {
+    static Plan of(EClass type) {
+      List<EReference> references = new ArrayList<>();
+      for (EReference reference : type.getEAllContainments()) {
+        if (!reference.isDerived()) {
+          references.add(0, reference);
+        }
+      }
+      return new Plan(
+          references, type.getEAllAttributes().stream().anyMatch(FeatureMapUtil::isFeatureMap));
+    }
+  }
+
+  private final Map<EClass, Plan> plans = new HashMap<>();
   private final List<EObject> found = new ArrayList<>();
+  private final Deque<Iterator<EObject>> open = new ArrayDeque<>();
 
   private Contents() {}
 
@@ -35,8 +56,7 @@ final class Contents {
 
   private void addTree(EObject root) {
     found.add(root);
-    Deque<Iterator<EObject>> open = new ArrayDeque<>();
-    descend(root, open);
+    descend(root);
     while (!open.isEmpty()) {
       if (!open.peek().hasNext()) {
         open.pop();
@@ -45,20 +65,28 @@ final class Contents {
       EObject element = open.peek().next();
       if (((InternalEObject) element).eDirectResource() == null) {
         found.add(element);
-        descend(element, open);
+        descend(element);
       }
     }
   }
 
-  private void descend(EObject element, Deque<Iterator<EObject>> open) {
-    if (!leaves.computeIfAbsent(element.eClass(), Contents::isLeaf)) {
+  private void descend(EObject element) {
+    Plan plan = plans.computeIfAbsent(element.eClass(), Plan::of);
+    if (plan.elsewhere()) {
       open.push(((InternalEList<EObject>) element.eContents()).basicIterator());
+      return;
+    }
+    for (EReference reference : plan.references()) {
+      if (element.eIsSet(reference)) {
+        open.push(childrenIn(element.eGet(reference, false)));
+      }
     }
   }
 
-  /** Returns whether instances of a class never have children. */
-  private static boolean isLeaf(EClass type) {
-    return type.getEAllContainments().isEmpty()
-        && type.getEAllAttributes().stream().noneMatch(FeatureMapUtil::isFeatureMap);
+  @SuppressWarnings("unchecked") // EMF's lists have no type arguments
+  private static Iterator<EObject> childrenIn(Object value) {
+    return value instanceof InternalEList<?> list
+        ? ((InternalEList<EObject>) list).basicIterator()
+        : List.of((EObject) value).iterator();
   }
 }

@@ -79,12 +79,13 @@ public final class EcoreChecks {
    */
   public static EcoreChecks of(List<LoadedModel> models, Duration timeLimit) {
     EcoreChecks checks = new EcoreChecks(models.get(0).origins()::locate, timeLimit);
+    ProjectResources resources = (ProjectResources) models.get(0).resource().getResourceSet();
+    Faults faults = new Faults(resources);
     for (LoadedModel model : models) {
       XmiResource file = (XmiResource) model.resource();
-      DiagnosticException.runAt(file.place(), () -> checks.check(file));
+      DiagnosticException.runAt(file.place(), () -> faults.contentsOf(file).forEach(checks::check));
     }
-    ProjectResources resources = (ProjectResources) models.get(0).resource().getResourceSet();
-    checks.found.addAll(new Faults(resources).find());
+    checks.found.addAll(faults.find());
     return checks.end();
   }
 
@@ -137,10 +138,6 @@ public final class EcoreChecks {
                     "",
                     times)));
     return new Coverage(List.of(), 0, checks);
-  }
-
-  private void check(XmiResource file) {
-    Contents.of(file).forEach(this::check);
   }
 
   private void check(EObject element) {

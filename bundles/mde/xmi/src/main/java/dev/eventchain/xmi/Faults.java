@@ -26,10 +26,16 @@ final class Faults {
 
   private final ProjectResources resources;
   private final Map<EClass, List<EStructuralFeature>> unpaired = new HashMap<>();
+  private final Map<XmiResource, List<EObject>> contents = new HashMap<>();
   private final List<Diagnostic> found = new ArrayList<>();
 
   Faults(ProjectResources resources) {
     this.resources = resources;
+  }
+
+  /** Returns the elements of a file, which are collected once. */
+  List<EObject> contentsOf(XmiResource file) {
+    return contents.computeIfAbsent(file, Contents::of);
   }
 
   /** Returns the findings in the order of files and lines; removes duplicates. */
@@ -95,7 +101,7 @@ final class Faults {
   }
 
   private void findDuplicates(XmiResource file) {
-    for (EObject element : Contents.of(file)) { // the lists do not change meanwhile
+    for (EObject element : contentsOf(file)) {
       for (EStructuralFeature feature :
           unpaired.computeIfAbsent(element.eClass(), Faults::unpairedOf)) {
         if (element.eIsSet(feature)) {

@@ -1,6 +1,8 @@
 package dev.eventchain.ocl.lower;
 
 import dev.eventchain.ocl.nodes.DefinitionNodes;
+import dev.eventchain.ocl.nodes.KeptValue;
+import dev.eventchain.ocl.nodes.LoopNodes;
 import dev.eventchain.ocl.nodes.Lowered;
 import dev.eventchain.ocl.nodes.NavigationNodes;
 import dev.eventchain.ocl.nodes.Node;
@@ -65,6 +67,9 @@ final class BodyLowering {
   private final OperationLowering operations;
   private final LoopLowering loops;
 
+  /** What values depend on; none if all are to be computed. */
+  private final Optional<Purity> purity;
+
   /** The visible variables and their slots. */
   private Map<String, Integer> visible = new LinkedHashMap<>();
 
@@ -86,16 +91,13 @@ final class BodyLowering {
     this.lowering = lowering;
     this.definition = parameters != null;
     this.operations = new OperationLowering(this, lowering);
-    this.loops = new LoopLowering(this, keys(lowering));
+    // Tracing must visit all elements.
+    this.purity = lowering.isTracing() ? Optional.empty() : Optional.of(new Purity(lowering));
+    this.loops = new LoopLowering(this, purity.map(known -> new KeyLowering(this, known)));
     this.traced = lowering.isTracing() ? new IdentityHashMap<>() : null;
     if (definition) {
       parameters.forEach(parameter -> visible.put(parameter, newSlot(null)));
     }
-  }
-
-  /** Returns the key lowering; none if tracing, which must visit all elements. */
-  private Optional<KeyLowering> keys(Lowering lowering) {
-    return lowering.isTracing() ? Optional.empty() : Optional.of(new KeyLowering(this, lowering));
   }
 
   void lower(OCLExpression<EClassifier> expression, Lowered result) {
@@ -149,6 +151,9 @@ final class BodyLowering {
       return known;
     }
     Node node = plain(expression);
+    if (purity.isPresent() && purity.get().isOfModel(expression) && !isCollected(node)) {
+      return new KeptValue(node);
+    }
     if (traced != null) {
       OCLExpression<EClassifier> subject = subjectOf(expression);
       if (subject != null || expression instanceof InvalidLiteralExp<?>) {
@@ -157,6 +162,11 @@ final class BodyLowering {
       traced.put(expression, node);
     }
     return node;
+  }
+
+  /** Returns whether a node collects the results of a library, which a caller may want to get. */
+  private static boolean isCollected(Node node) {
+    return node instanceof LoopNodes.Collect loop && loop.collectsCalls();
   }
 
   /** Returns the expression that a node is applied to; null if it only contains others. */

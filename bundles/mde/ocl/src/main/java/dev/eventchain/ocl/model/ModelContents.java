@@ -12,9 +12,12 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EReference;
+import org.eclipse.emf.ecore.impl.DynamicEObjectImpl;
 import org.eclipse.emf.ecore.util.FeatureMapUtil;
 
 /** The elements of a model in the order of containment, and by class. A snapshot; thread-safe. */
@@ -40,8 +43,7 @@ public final class ModelContents {
 
   private List<EObject> likeLatest;
 
-  /** Whether the instances of a class never have children. */
-  private final Map<EClass, Boolean> leaves = new HashMap<>();
+  private final Map<EClass, Optional<List<EReference>>> plans = new HashMap<>();
 
   private ModelContents(Collection<? extends EObject> roots) {
     this.roots = List.copyOf(roots);
@@ -86,19 +88,45 @@ public final class ModelContents {
       if (seen == null || seen.add(element)) {
         add(element);
       }
-      // Asked for its children, an element keeps a list of them, even an empty one.
-      if (!leaves.computeIfAbsent(element.eClass(), ModelContents::isLeaf)) {
-        List<EObject> children = element.eContents();
-        if (!children.isEmpty()) {
-          open.push(children.iterator());
-        }
+      descend(element, open);
+    }
+  }
+
+  /** Visits children next, without the list of them that an element keeps once it made one. */
+  private void descend(EObject element, Deque<Iterator<EObject>> open) {
+    Optional<List<EReference>> containments =
+        element instanceof DynamicEObjectImpl
+            ? plans.computeIfAbsent(element.eClass(), ModelContents::containmentsOf)
+            : Optional.empty();
+    if (containments.isEmpty()) {
+      open.push(element.eContents().iterator());
+      return;
+    }
+    for (EReference containment : containments.get()) {
+      if (element.eIsSet(containment)) {
+        open.push(childrenIn(element.eGet(containment)));
       }
     }
   }
 
-  private static boolean isLeaf(EClass type) {
-    return type.getEAllContainments().isEmpty()
-        && type.getEAllAttributes().stream().noneMatch(FeatureMapUtil::isFeatureMap);
+  @SuppressWarnings("unchecked") // EMF's lists have no type arguments
+  private static Iterator<EObject> childrenIn(Object value) {
+    List<?> children = value instanceof List<?> list ? list : List.of(value);
+    return ((List<EObject>) children).iterator();
+  }
+
+  /** Returns the containments of a class, from last to first; empty if feature maps contain. */
+  private static Optional<List<EReference>> containmentsOf(EClass type) {
+    if (type.getEAllAttributes().stream().anyMatch(FeatureMapUtil::isFeatureMap)) {
+      return Optional.empty();
+    }
+    List<EReference> stored = new ArrayList<>();
+    for (EReference containment : type.getEAllContainments()) {
+      if (!containment.isDerived()) {
+        stored.add(0, containment);
+      }
+    }
+    return Optional.of(stored);
   }
 
   private void add(EObject element) {

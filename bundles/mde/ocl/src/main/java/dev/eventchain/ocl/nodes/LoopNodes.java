@@ -244,6 +244,11 @@ public final class LoopNodes {
       this.flatten = flatten;
     }
 
+    /** Returns whether the body is a call of a library's operation. */
+    public boolean collectsCalls() {
+      return body() instanceof DefinitionNodes.LibraryCall;
+    }
+
     @Override
     Object loop(Collection<?> elements, Frame frame) {
       Collection<Object> result = CollectionOperations.create(kind);

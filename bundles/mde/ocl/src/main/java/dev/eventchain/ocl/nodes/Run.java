@@ -14,6 +14,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
@@ -27,12 +28,18 @@ public final class Run implements Evaluation {
   /** Deep enough for definitions that follow a chain of a thousand elements. */
   private static final int DEEPEST_RECURSION = 2000;
 
+  private static final Object NULL = new Object();
+
   private static final int STEPS_BETWEEN_LOOKS_AT_THE_CLOCK = 1024;
 
   private final Extents extents;
   private final ValueStack values = new ValueStack();
   private final Map<String, Matcher> matchers = new MatcherCache();
   private final Map<KeyedElements, KeyIndex> indexes = new HashMap<>();
+
+  /** Null values have the marker {@link #NULL}. */
+  private final Map<KeptValue, Object> kept = new HashMap<>();
+
   private boolean modelChanges;
   private Object attachment;
   private TimeBudget budget;
@@ -87,6 +94,21 @@ public final class Run implements Evaluation {
       indexes.put(loop, known);
     }
     return known;
+  }
+
+  /**
+   * Returns a value that is the same for all elements, computed when first asked for. An invalid
+   * one is computed each time, and so are all if the model may change.
+   */
+  Object keptValue(KeptValue node, Supplier<Object> value) {
+    Object known = kept.get(node);
+    if (known == null) {
+      known = value.get();
+      if (!modelChanges && known != Node.INVALID) {
+        kept.put(node, known == null ? NULL : known);
+      }
+    }
+    return known == NULL ? null : known;
   }
 
   @Override
