@@ -40,7 +40,13 @@ class CampaignsTest {
     RunOptions settings = RunOptions.of(output).in(output, Stage.DESIGN, Stage.GENERATE);
     CampaignOptions options =
         new CampaignOptions(
-            file, false, Shard.ALL, OptionalInt.empty(), List.of(), Optional.empty());
+            file,
+            false,
+            Shard.ALL,
+            OptionalInt.empty(),
+            List.of(),
+            Optional.empty(),
+            Optional.empty());
     DiagnosticException refused =
         assertThrows(
             DiagnosticException.class,
