@@ -113,4 +113,8 @@ public class CaseServices {
         };
     return new Object[] {failing};
   }
+
+  public static boolean secondIsNull(EObject first, Object second) {
+    return second == null;
+  }
 }

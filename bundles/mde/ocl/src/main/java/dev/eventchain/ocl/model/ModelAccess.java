@@ -137,7 +137,26 @@ public final class ModelAccess extends EcoreEvaluationEnvironment {
     } else if (value instanceof Tuple<?, ?> tuple && type instanceof TupleType<?, ?> parts) {
       return areInstances(tuple, parts, exactly);
     }
+    if (value instanceof Collection<?> elements && type instanceof CollectionType collection) {
+      return isOfKind(elements, collection.getKind(), exactly)
+          && areInstances(elements, collection);
+    }
     return exactly ? super.isTypeOf(value, type) : super.isKindOf(value, type);
+  }
+
+  /** Returns whether a collection is of a kind; an ordered set counts as a set, too. */
+  private static boolean isOfKind(Collection<?> elements, CollectionKind kind, boolean exactly) {
+    CollectionKind own = CollectionOperations.kindOf(elements);
+    boolean isAlso =
+        kind == CollectionKind.COLLECTION_LITERAL
+            || (kind == CollectionKind.SET_LITERAL && own == CollectionKind.ORDERED_SET_LITERAL);
+    return own == kind || (isAlso && !exactly);
+  }
+
+  private boolean areInstances(Collection<?> elements, CollectionType type) {
+    EClassifier wanted = type.getElementType();
+    return wanted instanceof AnyType
+        || elements.stream().allMatch(each -> each == null || isInstance(each, wanted, false));
   }
 
   /** Returns whether a tuple has exactly the parts of a type, with values of their types. */

@@ -16,6 +16,7 @@ import org.eclipse.ocl.Environment;
 import org.eclipse.ocl.cst.CSTNode;
 import org.eclipse.ocl.cst.CallExpCS;
 import org.eclipse.ocl.cst.ClassifierContextDeclCS;
+import org.eclipse.ocl.cst.CollectionTypeCS;
 import org.eclipse.ocl.cst.FeatureCallExpCS;
 import org.eclipse.ocl.cst.IntegerLiteralExpCS;
 import org.eclipse.ocl.cst.LoopExpCS;
@@ -211,7 +212,7 @@ public final class OclAnalyzer extends OCLAnalyzer {
     return environment;
   }
 
-  /** Reports an unknown name with a suggestion. */
+  /** Reads the type of a collection where a type is expected; reports another unknown name. */
   @Override
   protected OCLExpression<EClassifier> simpleUndefinedName(
       SimpleNameCS name,
@@ -231,6 +232,9 @@ public final class OclAnalyzer extends OCLAnalyzer {
           environment,
       OCLExpression<EClassifier> source,
       String simpleName) {
+    if (source == null && name instanceof CollectionTypeCS type) {
+      return typeCS(name, environment, collectionTypeCS(type, environment));
+    }
     ProblemTexts.Problem problem =
         source == null
             ? texts().unknownName(simpleName, environment)
