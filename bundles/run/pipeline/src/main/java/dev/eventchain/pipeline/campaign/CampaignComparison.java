@@ -4,6 +4,8 @@ import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.pipeline.campaign.plan.CampaignCase;
+import dev.eventchain.pipeline.campaign.plan.CampaignRules;
 import dev.eventchain.simulation.verdict.CaseResult.Label;
 import java.io.IOException;
 import java.nio.file.Files;

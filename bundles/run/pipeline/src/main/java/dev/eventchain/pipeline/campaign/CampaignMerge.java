@@ -3,6 +3,7 @@ package dev.eventchain.pipeline.campaign;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.pipeline.campaign.plan.CampaignRules;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline.campaign;
 
+import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.report.PageCharts;
 import dev.eventchain.pipeline.report.StaticPage;

@@ -2,6 +2,7 @@ package dev.eventchain.pipeline.campaign;
 
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.output.OutputFolder;
+import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.stage.RunContext;
 import java.io.IOException;

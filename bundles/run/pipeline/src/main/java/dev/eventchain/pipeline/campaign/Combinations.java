@@ -1,5 +1,7 @@
 package dev.eventchain.pipeline.campaign;
 
+import dev.eventchain.pipeline.campaign.plan.CampaignCase;
+import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -2,6 +2,8 @@ package dev.eventchain.pipeline.campaign;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.pipeline.campaign.plan.CampaignCase;
+import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;

@@ -7,6 +7,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.pipeline.campaign.plan.CampaignRules;
 import dev.eventchain.sandbox.PythonSources;
 import java.io.BufferedReader;
 import java.io.IOException;

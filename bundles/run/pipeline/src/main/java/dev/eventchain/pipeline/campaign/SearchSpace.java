@@ -1,5 +1,11 @@
 package dev.eventchain.pipeline.campaign;
 
+import dev.eventchain.pipeline.campaign.plan.CampaignCase;
+import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
+import dev.eventchain.pipeline.campaign.plan.CaseList;
+import dev.eventchain.pipeline.campaign.plan.Conditions;
+import dev.eventchain.pipeline.campaign.plan.Factor;
+import dev.eventchain.pipeline.campaign.plan.Levels;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.Collections;

@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.plan;
 
 import java.util.Locale;
 
@@ -7,9 +7,9 @@ import java.util.Locale;
  *
  * @param cases how many; 0 for those that follow from the values
  */
-record Sampling(Kind kind, int cases) {
+public record Sampling(Kind kind, int cases) {
 
-  enum Kind {
+  public enum Kind {
     /** All combinations. */
     GRID,
     /** The rows of a table. */
@@ -33,5 +33,5 @@ record Sampling(Kind kind, int cases) {
     }
   }
 
-  static final Sampling USUAL = new Sampling(Kind.GRID, 0);
+  public static final Sampling USUAL = new Sampling(Kind.GRID, 0);
 }

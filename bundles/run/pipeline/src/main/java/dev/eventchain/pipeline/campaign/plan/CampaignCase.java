@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.plan;
 
 import java.math.BigDecimal;
 import java.util.ArrayList;
@@ -12,10 +12,10 @@ import java.util.stream.Collectors;
  * @param values of the factors, in their order
  * @param repetition from 1
  */
-record CampaignCase(List<BigDecimal> values, int repetition) {
+public record CampaignCase(List<BigDecimal> values, int repetition) {
 
   /** By values, then by repetition. */
-  static final Comparator<CampaignCase> ORDER =
+  public static final Comparator<CampaignCase> ORDER =
       (one, other) -> {
         for (int i = 0; i < one.values.size(); i++) {
           int order = one.values.get(i).compareTo(other.values.get(i));
@@ -26,7 +26,7 @@ record CampaignCase(List<BigDecimal> values, int repetition) {
         return Integer.compare(one.repetition, other.repetition);
       };
 
-  CampaignCase {
+  public CampaignCase {
     values = values.stream().map(CampaignCase::plain).toList();
   }
 
@@ -36,19 +36,19 @@ record CampaignCase(List<BigDecimal> values, int repetition) {
   }
 
   /** Returns this case with another value. */
-  CampaignCase with(int factor, BigDecimal value) {
+  public CampaignCase with(int factor, BigDecimal value) {
     List<BigDecimal> others = new ArrayList<>(values);
     others.set(factor, value);
     return new CampaignCase(others, repetition);
   }
 
   /** Returns it in words: {@code speed = 50, gap = 20}. */
-  String words(CampaignPlan plan) {
+  public String words(CampaignPlan plan) {
     return wordsWithout(-1, plan);
   }
 
   /** Returns it in words, without the value of a factor. */
-  String wordsWithout(int factor, CampaignPlan plan) {
+  public String wordsWithout(int factor, CampaignPlan plan) {
     List<String> words = new ArrayList<>();
     for (int i = 0; i < values.size(); i++) {
       if (i == factor) {

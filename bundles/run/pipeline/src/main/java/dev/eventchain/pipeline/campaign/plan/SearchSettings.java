@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.plan;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
@@ -18,20 +18,20 @@ import java.util.Optional;
  * @param seeds the number of independent searches
  * @param stopsAtFirst whether it ends with the first failed case
  */
-record SearchSettings(
+public record SearchSettings(
     Optional<Named> criterion, SearchMethod method, int runs, int seeds, boolean stopsAtFirst) {
 
   private static final NumberRange RUNS = NumberRange.of(10, 100_000);
   private static final NumberRange SEEDS = NumberRange.of(1, 64);
   private static final String FIRST_FAILURE = "first_failure";
 
-  static final SearchSettings USUAL =
+  public static final SearchSettings USUAL =
       new SearchSettings(Optional.empty(), SearchMethod.CMA_ES, 200, 4, false);
 
   /** A text, and where it is. */
-  record Named(String text, SourceLocation place) {}
+  public record Named(String text, SourceLocation place) {}
 
-  static SearchSettings read(ObjectReader part) {
+  public static SearchSettings read(ObjectReader part) {
     Optional<Named> criterion =
         part.text("criterion").map(text -> new Named(text, part.at("criterion")));
     List<String> methods = Arrays.stream(SearchMethod.values()).map(SearchMethod::key).toList();

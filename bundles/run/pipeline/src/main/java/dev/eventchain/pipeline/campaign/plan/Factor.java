@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.plan;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.List;
@@ -9,9 +9,9 @@ import java.util.List;
  * @param name a word, for tables and conditions
  * @param paths the numbers of the scenario that have its value, such as {@code actors[0].gap_m}
  */
-record Factor(String name, List<String> paths, Levels levels, SourceLocation place) {
+public record Factor(String name, List<String> paths, Levels levels, SourceLocation place) {
 
-  Factor {
+  public Factor {
     paths = List.copyOf(paths);
   }
 }

@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.plan;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -21,7 +21,7 @@ import java.util.Optional;
  * @param seed of what is drawn
  * @param search what a search does with it
  */
-record CampaignPlan(
+public record CampaignPlan(
     Path file,
     String name,
     String scenario,
@@ -40,16 +40,16 @@ record CampaignPlan(
    * @param factor the number of the factor along which it is searched
    * @param resolution the largest distance of a value that passes from one that does not
    */
-  record Boundary(int factor, BigDecimal resolution) {}
+  public record Boundary(int factor, BigDecimal resolution) {}
 
-  CampaignPlan {
+  public CampaignPlan {
     factors = List.copyOf(factors);
     computed = List.copyOf(computed);
     conditions = List.copyOf(conditions);
   }
 
   /** Returns the plan of a search: each combination once, and no grid. */
-  CampaignPlan ofSearch() {
+  public CampaignPlan ofSearch() {
     return new CampaignPlan(
         file,
         name,
@@ -64,12 +64,12 @@ record CampaignPlan(
         search);
   }
 
-  List<String> names() {
+  public List<String> names() {
     return factors.stream().map(Factor::name).toList();
   }
 
   /** Returns the tables that factors have their values from. */
-  List<Path> tables() {
+  public List<Path> tables() {
     return factors.stream()
         .filter(factor -> factor.levels() instanceof Levels.Column)
         .map(factor -> file.resolveSibling(((Levels.Column) factor.levels()).table()))
@@ -78,7 +78,7 @@ record CampaignPlan(
   }
 
   /** Returns the values of the factors of a case, by their names. */
-  Map<String, Double> numbers(CampaignCase each) {
+  public Map<String, Double> numbers(CampaignCase each) {
     Map<String, Double> numbers = new LinkedHashMap<>();
     for (int i = 0; i < factors.size(); i++) {
       numbers.put(factors.get(i).name(), each.values().get(i).doubleValue());
@@ -91,7 +91,7 @@ record CampaignPlan(
    *
    * @throws DiagnosticException (INPUT) if one that is computed has no value
    */
-  Map<String, BigDecimal> settings(CampaignCase each) {
+  public Map<String, BigDecimal> settings(CampaignCase each) {
     Map<String, BigDecimal> settings = new LinkedHashMap<>();
     for (int i = 0; i < factors.size(); i++) {
       BigDecimal value = each.values().get(i);

@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.plan;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -25,7 +25,7 @@ import java.util.OptionalInt;
 import java.util.Set;
 
 /** Reads campaign files. */
-final class CampaignReader {
+public final class CampaignReader {
 
   private static final NumberRange CASES = NumberRange.of(1, 1_000_000);
   private static final NumberRange SEED = NumberRange.of(0, 1L << 52);
@@ -54,7 +54,7 @@ final class CampaignReader {
    *
    * @throws DiagnosticException (INPUT) with every problem of the file
    */
-  static CampaignPlan read(Path file) {
+  public static CampaignPlan read(Path file) {
     return new CampaignReader(file, false).read();
   }
 
@@ -63,7 +63,7 @@ final class CampaignReader {
    *
    * @throws DiagnosticException (INPUT) with every problem of the file
    */
-  static CampaignPlan readForSearch(Path file) {
+  public static CampaignPlan readForSearch(Path file) {
     return new CampaignReader(file, true).read();
   }
 

@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.plan;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
@@ -7,7 +7,7 @@ import java.util.List;
 import org.hipparchus.distribution.continuous.NormalDistribution;
 
 /** The values of a factor. */
-sealed interface Levels {
+public sealed interface Levels {
 
   /** Digits of a value that is drawn: more say nothing, and fewer would make doubles. */
   MathContext DIGITS = new MathContext(8, RoundingMode.HALF_EVEN);

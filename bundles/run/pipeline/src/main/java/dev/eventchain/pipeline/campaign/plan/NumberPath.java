@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.plan;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
  * element of a list. A key may have dots itself: the longest one that is there counts. One that is
  * not there is added.
  */
-final class NumberPath {
+public final class NumberPath {
 
   private static final Pattern STEP = Pattern.compile("([^.\\[\\]]+)|\\[([^\\[\\]]+)]");
   private static final Pattern INDEX = Pattern.compile("\\d{1,6}");
@@ -23,7 +23,7 @@ final class NumberPath {
   private final String path;
   private final List<String> steps;
 
-  NumberPath(String path) {
+  public NumberPath(String path) {
     this.path = path;
     this.steps = steps(path);
   }
@@ -46,15 +46,15 @@ final class NumberPath {
   }
 
   /** A place for a number: what owns it, and its key. */
-  record Place(ObjectNode owner, String key) {
+  public record Place(ObjectNode owner, String key) {
 
-    void set(BigDecimal value) {
+    public void set(BigDecimal value) {
       owner.set(key, DecimalNode.valueOf(value));
     }
   }
 
   /** A path that leads to no number. */
-  static final class WrongPathException extends Exception {
+  public static final class WrongPathException extends Exception {
 
     private static final long serialVersionUID = 1L;
 
@@ -68,7 +68,7 @@ final class NumberPath {
    *
    * @throws WrongPathException with the reason, for users
    */
-  Place in(ObjectNode root) throws WrongPathException {
+  public Place in(ObjectNode root) throws WrongPathException {
     if (steps.isEmpty()) {
       throw new WrongPathException("'" + path + "' is no path, such as actors[0].gap_m.");
     }

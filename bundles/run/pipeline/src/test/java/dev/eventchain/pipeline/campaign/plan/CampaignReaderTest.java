@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.plan;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.pipeline.campaign.Campaigns;
+import dev.eventchain.pipeline.campaign.Shard;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.plan;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.simulation.scenario.NumberFormulas;
@@ -10,10 +10,10 @@ import java.util.List;
  * @param name a word, for the formulas after it
  * @param paths the numbers of the scenario that have its value; none if only formulas read it
  */
-record Computed(
+public record Computed(
     String name, List<String> paths, NumberFormulas.Quantity formula, SourceLocation place) {
 
-  Computed {
+  public Computed {
     paths = List.copyOf(paths);
   }
 }

@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.plan;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.function.Predicate;
 
 /** The conditions that keep combinations of the factors' values. */
-final class Conditions {
+public final class Conditions {
 
   private final CampaignPlan plan;
   private final List<Predicate<Map<String, Double>>> conditions = new ArrayList<>();
@@ -21,7 +21,7 @@ final class Conditions {
    *
    * @throws DiagnosticException (INPUT) if one cannot be read
    */
-  Conditions(CampaignPlan plan) {
+  public Conditions(CampaignPlan plan) {
     this.plan = plan;
     NumberFormulas formulas = new NumberFormulas(plan.names());
     for (SourceRange condition : plan.conditions()) {
@@ -41,7 +41,7 @@ final class Conditions {
   }
 
   /** Returns whether all are true of a case. */
-  boolean keep(CampaignCase each) {
+  public boolean keep(CampaignCase each) {
     return conditions.isEmpty() || conditions.stream().allMatch(it -> it.test(plan.numbers(each)));
   }
 }

@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.plan;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -11,7 +11,7 @@ import java.util.Set;
 import java.util.SplittableRandom;
 
 /** Makes the cases of a campaign: the same ones for the same file. */
-final class CaseList {
+public final class CaseList {
 
   private static final long MOST = 1_000_000;
   private static final long MOST_PAIRS = 20_000;
@@ -20,7 +20,7 @@ final class CaseList {
   private final CampaignPlan plan;
   private final Conditions conditions;
 
-  CaseList(CampaignPlan plan) {
+  public CaseList(CampaignPlan plan) {
     this.plan = plan;
     this.conditions = new Conditions(plan);
   }
@@ -30,7 +30,7 @@ final class CaseList {
    *
    * @throws DiagnosticException (INPUT) if there are none, or too many
    */
-  List<CampaignCase> cases() {
+  public List<CampaignCase> cases() {
     requireFew();
     Set<List<BigDecimal>> combinations =
         switch (plan.sampling().kind()) {
@@ -135,7 +135,7 @@ final class CaseList {
   }
 
   /** Returns whether the conditions keep a case. */
-  boolean keeps(CampaignCase each) {
+  public boolean keeps(CampaignCase each) {
     return conditions.keep(each);
   }
 
@@ -166,7 +166,7 @@ final class CaseList {
   }
 
   /** Returns one share in each of equal parts, in random order. */
-  static double[] strata(int cases, SplittableRandom random) {
+  public static double[] strata(int cases, SplittableRandom random) {
     double[] shares = new double[cases];
     for (int k = 0; k < cases; k++) {
       int other = random.nextInt(k + 1);
