@@ -119,7 +119,7 @@ final class Ends {
   private int slotOf(EObject element, EReference feature, Object target) {
     int mask = links.length - 1;
     int hash = System.identityHashCode(element) * 31 + System.identityHashCode(target);
-    int slot = ((hash * 31 + System.identityHashCode(feature)) * GOLDEN_RATIO >>> 7) & mask;
+    int slot = (((hash * 31 + System.identityHashCode(feature)) * GOLDEN_RATIO) >>> 7) & mask;
     while (links[slot] != 0 && !isLink(links[slot] - 1, element, feature, target)) {
       slot = (slot + 1) & mask;
     }
