@@ -45,13 +45,9 @@ HERE = Path(__file__).resolve().parent
 CYCLONEDDS = HERE / "requirements-cyclonedds.txt"
 RAY = HERE / "requirements-ray.txt"
 MIRROR = "point pip to a mirror with PIP_INDEX_URL or PIP_FIND_LINKS, or EVENTCHAIN_WHEELS to a folder of wheels"
-WITHOUT_CYCLONEDDS = (
-    "its wheel is for Linux on x86_64, macOS and Windows; where it exists, allow network access once, or " + MIRROR
-)
-WITHOUT_RAY = (
-    "its wheels are for Linux, macOS and Windows and the versions of Python that it names; where there is one, "
-    "allow network access once, or " + MIRROR
-)
+ONCE = "; where it exists, allow network access once, or " + MIRROR
+WITHOUT_CYCLONEDDS = "its wheel is for Linux on x86_64, macOS and Windows" + ONCE
+WITHOUT_RAY = "its wheel is for Linux, macOS and Windows, and for some versions of Python" + ONCE
 # Loads the library: an installed wheel may not fit the system's own libraries.
 LOAD_CYCLONEDDS = """
 import ctypes, os, sys

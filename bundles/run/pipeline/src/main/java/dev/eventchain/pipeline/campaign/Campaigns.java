@@ -93,15 +93,25 @@ public final class Campaigns {
       int known = store.rows().size();
       store.begin();
       parts.forEach(part -> part.rows().forEach(store::add));
-      options
-          .engine()
-          .map(engine -> new RayCampaign(run, plan, engine, store, empty))
-          .ifPresent(ray -> ray.simulate(combinations, inputs));
-      simulate(own, store);
-      plan.boundary().ifPresent(it -> search(new BoundarySearch(it), list, store));
-      scene.requireUnchanged(empty.inputs(), store);
+      simulate(combinations, list, inputs, store, empty);
       return outcome(store, known, earlier, System.nanoTime() - start);
     }
+  }
+
+  /** Simulates what is not known, on a cluster if one is asked for, and the boundary. */
+  private void simulate(
+      Combinations combinations,
+      CaseList list,
+      Fingerprint inputs,
+      CampaignStore store,
+      CampaignStore.Cases empty) {
+    options
+        .engine()
+        .map(engine -> new RayCampaign(run, plan, engine, store, empty))
+        .ifPresent(ray -> ray.simulate(combinations, inputs));
+    simulate(combinations.of(options.shard()), store);
+    plan.boundary().ifPresent(it -> search(new BoundarySearch(it), list, store));
+    scene.requireUnchanged(empty.inputs(), store);
   }
 
   private void search(BoundarySearch search, CaseList list, CampaignStore store) {
