@@ -468,3 +468,25 @@ def test_nodes_live_between_init_and_shutdown(simulation: Simulation) -> None:
     with pytest.raises(RuntimeError, match="already shut down"):
         rclpy.shutdown()
     rclpy.try_shutdown()
+
+
+@pytest.mark.parametrize("qos", [10, qos_profile_best_available])
+def test_what_is_made_in_a_callback_is_decided_at_once(simulation: Simulation, qos: Any) -> None:
+    class Late(Node):
+        def __init__(self) -> None:
+            super().__init__("late")
+            self.made: Any = None
+            self.count = 0
+            self.create_timer(0.01, self.fire)
+
+        def fire(self) -> None:
+            self.made = self.made or self.create_publisher(type(number(0.0)), "/late", qos)
+            self.count += 1
+            self.made.publish(number(float(self.count)))
+
+    node = Recorder()
+    node.subscribe("/late", 10)
+    Late()
+    simulation.advance(55 * MILLISECOND)
+    simulation.advance(105 * MILLISECOND)
+    assert [value for _, value in node.received] == [float(each) for each in range(1, 11)]

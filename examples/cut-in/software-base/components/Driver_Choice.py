@@ -6,4 +6,4 @@ class Driver_Choice:
 
     def execute(self, model, cc, reg157, rss, fsm):
         """Take decelerations in m/s2; return the acceleration in m/s2."""
-        return {"acceleration": -(cc, reg157, rss, fsm)[model - 1]}
+        return {"acceleration": -{1: cc, 2: reg157, 3: rss, 4: fsm}[model]}

@@ -61,17 +61,26 @@ class Undecided:
 
     def __init__(self) -> None:
         self._endpoints: list[Any] = []
+        self._settled = False
 
     def add(self, endpoint: Any, *, publishes: bool, bridged: bool) -> None:
-        """Decide later, if anything has to be; at once, if other processes have ends that are not known here."""
-        if is_undecided(endpoint.qos_profile) and bridged:
-            endpoint.decide(for_anyone(endpoint.qos_profile, publishes=publishes))
-        elif is_undecided(endpoint.qos_profile):
+        """Decide later, if anything has to be; at once, if all nodes have started or other ends cannot be known."""
+        profile = endpoint.qos_profile
+        if not is_undecided(profile):
+            return
+        if bridged:
+            endpoint.decide(for_anyone(profile, publishes=publishes))
+        elif not self._settled:
             self._endpoints.append(endpoint)
+        elif publishes:
+            endpoint.decide(for_publisher(profile, (it.qos_profile for it in endpoint.topic.subscriptions)))
+        else:
+            endpoint.decide(for_subscription(profile, (it.qos_profile for it in endpoint.topic.publishers)))
 
     def settle(self) -> Iterator[tuple[Any, Any]]:
         """Decide; return the publishers and subscriptions that may match now."""
         endpoints, self._endpoints = self._endpoints, []
+        self._settled = True
         return _settled(endpoints)
 
 

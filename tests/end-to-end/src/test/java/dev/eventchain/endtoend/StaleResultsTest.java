@@ -30,7 +30,6 @@ class StaleResultsTest {
     project = FinishedRun.in(folder);
   }
 
-  @InTurn
   @Test
   void resultsThatStillHoldAreKept() throws IOException {
     byte[] verdict = Files.readAllBytes(project.out("verdict.json"));

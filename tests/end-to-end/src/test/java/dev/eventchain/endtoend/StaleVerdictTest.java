@@ -75,7 +75,6 @@ class StaleVerdictTest {
     return Thorough.allOrOne(List.of("Design", "Generate")).stream();
   }
 
-  @InTurn
   @ParameterizedTest
   @MethodSource("stages")
   void noVerdictOutlivesARunThatIsKilled(String stage) throws Exception {
@@ -145,7 +144,6 @@ class StaleVerdictTest {
     project.assertNothingPasses();
   }
 
-  @InTurn
   @Test
   void aRequirementThatNoScenarioTestsIsNotProvedByAllThatPass() throws IOException {
     try (Stream<Path> scenarios = Files.list(project.path().resolve("scenarios"))) {

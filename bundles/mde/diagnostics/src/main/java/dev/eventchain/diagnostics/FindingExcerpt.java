@@ -43,15 +43,15 @@ public record FindingExcerpt(List<Shown> shown, Map<String, Integer> more) {
   }
 
   /**
-   * Returns an excerpt. A finding is folded under its cause if that is among the findings, and not
-   * if that is suppressed.
+   * Returns an excerpt. A finding is folded under its cause if that is among the findings and not
+   * less severe: a suppressed one is not, and something else may have been found at its place.
    *
    * @param mostOfOneRule the largest number of findings of one rule that are shown
    */
   public static FindingExcerpt of(List<Diagnostic> findings, int mostOfOneRule) {
     Map<SourceLocation, List<Diagnostic>> consequences = new HashMap<>();
     for (Diagnostic finding : findings) {
-      if (finding.cause().isEmpty()) {
+      if (finding.cause().isEmpty() && finding.severity() == Severity.ERROR) {
         consequences.put(finding.location(), new ArrayList<>());
       }
     }
@@ -67,7 +67,8 @@ public record FindingExcerpt(List<Shown> shown, Map<String, Integer> more) {
     Map<String, Integer> count = new HashMap<>();
     Map<String, Integer> more = new LinkedHashMap<>();
     for (Diagnostic finding : separate) {
-      List<Diagnostic> known = consequences.remove(finding.location());
+      List<Diagnostic> known =
+          finding.severity() == Severity.ERROR ? consequences.remove(finding.location()) : null;
       List<Diagnostic> folded = known == null ? List.of() : known;
       if (count.merge(ruleOf(finding), 1, Integer::sum) <= mostOfOneRule) {
         shown.add(new Shown(finding, folded));

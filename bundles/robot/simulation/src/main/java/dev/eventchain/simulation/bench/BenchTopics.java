@@ -131,7 +131,7 @@ final class BenchTopics {
   private Bench.Transfer transfer(ObjectReader section) {
     double latency = section.number(LATENCY_KEY, LATENCY).orElse(0);
     List<String> counted = section.texts(COUNTED);
-    if (!counted.isEmpty() && !section.has(LATENCY_KEY)) {
+    if (!counted.isEmpty() && latency == 0.0) {
       section.find(
           BenchRules.BENCH_KEY_MISSING,
           "There is no `latency_ms` that latency constraints could count.",

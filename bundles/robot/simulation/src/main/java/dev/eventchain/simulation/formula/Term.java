@@ -259,8 +259,13 @@ public record Term(
   }
 
   boolean isPlain() {
+    return isWithoutUnit() || unit.equals("%");
+  }
+
+  /** Returns whether it is a plain number, and no percentage. */
+  boolean isWithoutUnit() {
     return dimension.relationTo(Unit.parse("1").orElseThrow()) == Unit.Relation.SAME
-        || unit.equals("%");
+        && !unit.equals("%");
   }
 
   /** Returns why it has no values in a trace; empty if it has some. */

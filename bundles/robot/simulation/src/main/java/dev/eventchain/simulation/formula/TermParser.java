@@ -144,7 +144,7 @@ final class TermParser {
     Token place = tokens.peek();
     Term inner = argument();
     tokens.require(")", "`ceil` takes one argument.");
-    if (!inner.isPlain()) {
+    if (!inner.isWithoutUnit()) {
       throw tokens.unitProblem(
           place,
           "`ceil` takes a number without a unit, not one in " + named(inner) + ".",

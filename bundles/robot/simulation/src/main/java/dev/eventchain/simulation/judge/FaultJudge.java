@@ -102,7 +102,10 @@ public final class FaultJudge {
   private List<CriterionResult> criteria(FaultRun faulty, List<Expectation> criteria) {
     ScenarioRun run = faulty.run().with(faulty.run().scenario().with(criteria));
     if (faulty.ended().isEmpty()) {
-      return judge.criteria(run, worked);
+      // Other runs of a fault have criteria at the same place: a cause would not tell which it is.
+      return judge.criteria(run, worked).stream()
+          .map(each -> each.withCause(Optional.empty()))
+          .toList();
     }
     String why = endedEarly(faulty.ended().get());
     return criteria.stream().map(each -> untested(faulty, each, why)).toList();

@@ -7,10 +7,9 @@ import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.scenario.Criterion;
 import dev.eventchain.simulation.scenario.CriterionKind;
 import dev.eventchain.simulation.scenario.Expectation;
-import java.util.EnumSet;
+import dev.eventchain.simulation.world.World;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Predicate;
 
 /** Tells the finding about an impact from its consequences, so that one cause is told once. */
@@ -20,12 +19,8 @@ final class ImpactCause {
   private static final List<CriterionKind> ABOUT_IMPACTS =
       List.of(CriterionKind.NO_IMPACT, CriterionKind.MAXIMAL_IMPACT_SPEED, CriterionKind.STOPS);
 
-  /** Criteria that no run with an impact meets, except for slow ones where they are allowed. */
-  private static final Set<CriterionKind> FAILED_BY_IMPACTS = EnumSet.copyOf(ABOUT_IMPACTS);
-
-  static {
-    FAILED_BY_IMPACTS.add(CriterionKind.MINIMAL_GAP);
-  }
+  /** A gap that is taken for contact, in m. */
+  private static final double CONTACT = 0.05;
 
   private ImpactCause() {}
 
@@ -37,7 +32,8 @@ final class ImpactCause {
    */
   static Optional<Diagnostic.Cause> of(
       Expectation criterion, Outcome outcome, ScenarioRun run, Predicate<Expectation> fails) {
-    boolean follows = outcome.undecided() || (outcome.failed() && isFailedByImpacts(criterion));
+    boolean follows =
+        outcome.undecided() || (outcome.failed() && isFailedByImpact(criterion, outcome, run));
     if (!follows || run.trace().impactSpeed().isEmpty()) {
       return Optional.empty();
     }
@@ -46,8 +42,13 @@ final class ImpactCause {
         .map(place -> new Diagnostic.Cause(place, name(criterion)));
   }
 
-  private static boolean isFailedByImpacts(Expectation criterion) {
-    return criterion instanceof Criterion known && FAILED_BY_IMPACTS.contains(known.kind());
+  /** Returns whether the impact itself fails a criterion: no gap that was too small before it. */
+  private static boolean isFailedByImpact(Expectation criterion, Outcome outcome, ScenarioRun run) {
+    return ABOUT_IMPACTS.stream().anyMatch(kind -> isOf(criterion, kind))
+        || (isOf(criterion, CriterionKind.MINIMAL_GAP)
+            && run.trace().end().gap() <= CONTACT
+            && outcome.margin().stream()
+                .allMatch(it -> it.time() >= World.seconds(run.trace().end().time())));
   }
 
   private static Optional<SourceLocation> finding(ScenarioRun run, Predicate<Expectation> fails) {

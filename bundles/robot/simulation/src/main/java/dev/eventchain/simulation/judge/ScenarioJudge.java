@@ -172,9 +172,8 @@ public final class ScenarioJudge {
             run.scenario(),
             criterion,
             outcome.passed() ? evidence.lackOf(criterion, run).orElse(outcome) : outcome);
-    return ImpactCause.of(criterion, outcome, run, other -> withoutEvidence(other, run).failed())
-        .map(result::withCause)
-        .orElse(result);
+    return result.withCause(
+        ImpactCause.of(criterion, outcome, run, other -> withoutEvidence(other, run).failed()));
   }
 
   private Outcome withoutEvidence(Expectation criterion, ScenarioRun run) {

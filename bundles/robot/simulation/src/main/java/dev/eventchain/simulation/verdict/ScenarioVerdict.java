@@ -113,6 +113,8 @@ public record ScenarioVerdict(
       List<String> requirements,
       Optional<Diagnostic.Cause> cause) {
 
+    private static final String FIRST = "See to it first that there is no impact.";
+
     /** Copies the lists. */
     public CriterionResult {
       otherwise = List.copyOf(otherwise);
@@ -121,8 +123,8 @@ public record ScenarioVerdict(
       requirements = List.copyOf(requirements);
     }
 
-    /** Returns a copy that is a consequence of an impact. */
-    public CriterionResult withCause(Diagnostic.Cause impact) {
+    /** Returns a copy that is a consequence of an impact, or of none. */
+    public CriterionResult withCause(Optional<Diagnostic.Cause> impact) {
       return new CriterionResult(
           text,
           tested,
@@ -135,13 +137,13 @@ public record ScenarioVerdict(
           limits,
           location,
           requirements,
-          Optional.of(impact));
+          impact);
     }
 
     /** Returns its finding, which names the cause if it is a consequence. */
     Diagnostic asConsequence(Diagnostic finding) {
       return cause
-          .map(it -> finding.withCause(it).withHint("See to it first that there is no impact."))
+          .map(it -> finding.withCause(it).withHint((FIRST + " " + finding.hint()).strip()))
           .orElse(finding);
     }
 
