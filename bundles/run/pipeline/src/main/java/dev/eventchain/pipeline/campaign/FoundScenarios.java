@@ -87,7 +87,10 @@ final class FoundScenarios {
     for (int number = 1; ; number++) {
       Path target = scenarios.resolve(file(number));
       String text = text(find, number);
-      if (Files.exists(target) ? isSame(target, text) : isFree(name(number))) {
+      if (Files.exists(target) && isSame(target, text)) {
+        return target;
+      }
+      if (!Files.exists(target) && isFree(name(number))) {
         write(target, text);
         return target;
       }
@@ -98,8 +101,13 @@ final class FoundScenarios {
     return scene.scenarios().stream().map(Scenario::name).noneMatch(name::equals);
   }
 
+  /** Returns whether a file has this text, but for comments, which say how it was found. */
   private static boolean isSame(Path file, String text) {
-    return SourceText.read(file).text().equals(text);
+    return withoutComments(SourceText.read(file).text()).equals(withoutComments(text));
+  }
+
+  private static List<String> withoutComments(String text) {
+    return text.lines().filter(line -> !line.startsWith("#")).toList();
   }
 
   private static void write(Path file, String text) {

@@ -9,6 +9,7 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -77,7 +78,9 @@ final class SearchFinds {
             .map(run -> (Supplier<Find>) () -> simplest(run, runs.indexOf(run)))
             .toList();
     Map<CampaignCase, Find> once = new LinkedHashMap<>();
-    SearchWork.inParallel(finds).forEach(find -> once.putIfAbsent(find.simple().id(), find));
+    SearchWork.inParallel(finds).stream()
+        .sorted(Comparator.comparingInt(Find::run))
+        .forEach(find -> once.putIfAbsent(find.simple().id(), find));
     return List.copyOf(once.values());
   }
 

@@ -9,13 +9,12 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.TreeMap;
-import java.util.TreeSet;
+import java.util.function.Predicate;
 
 /**
- * What a search minimises: the smallest margin of a case, in units of how much the margins of its
- * criterion differ, since metres and seconds have no order.
+ * What a search minimises: margins of criteria, each in units of how much those of its criterion
+ * differ, since metres and seconds have no order.
  */
 final class SearchObjective {
 
@@ -35,6 +34,7 @@ final class SearchObjective {
 
   private final Map<Kind, Double> spreads = new HashMap<>();
   private final Optional<String> only;
+  private final List<String> nearest;
 
   /**
    * Creates an objective.
@@ -56,6 +56,7 @@ final class SearchObjective {
     }
     margins.forEach((kind, values) -> spreads.put(kind, spread(values)));
     spreads.values().removeIf(spread -> spread <= 0);
+    this.nearest = nearest(results);
   }
 
   private boolean counts(CriterionMargin each) {
@@ -83,25 +84,40 @@ final class SearchObjective {
     return spreads.isEmpty();
   }
 
-  /** Returns the names of the criteria that lead somewhere. */
-  Set<String> criteria() {
-    Set<String> names = new TreeSet<>();
-    spreads.keySet().forEach(kind -> names.add(kind.criterion()));
-    return names;
+  /** Returns the names of the criteria that lead somewhere, the nearest to failing first. */
+  List<String> criteria() {
+    return nearest;
   }
 
-  /**
-   * Returns the value of a case: negative if a criterion that counts has failed.
-   *
-   * @param without the names of criteria that do not count
-   */
-  double value(CaseResult result, Set<String> without) {
+  private List<String> nearest(Collection<CaseResult> results) {
+    Map<String, Double> smallest = new TreeMap<>();
+    spreads.keySet().forEach(kind -> smallest.put(kind.criterion(), UNJUDGED));
+    for (CaseResult result : results) {
+      smallest.replaceAll((name, value) -> Math.min(value, value(result, name)));
+    }
+    return smallest.entrySet().stream()
+        .sorted(Map.Entry.comparingByValue())
+        .map(Map.Entry::getKey)
+        .toList();
+  }
+
+  /** Returns the smallest value of all criteria. */
+  double value(CaseResult result) {
+    return value(result, name -> true);
+  }
+
+  /** Returns the value of a case by one criterion: negative if it has failed. */
+  double value(CaseResult result, String criterion) {
+    return value(result, criterion::equals);
+  }
+
+  private double value(CaseResult result, Predicate<String> names) {
     if (result.label() == Label.ERROR || result.label() == Label.UNTESTED) {
       return UNJUDGED;
     }
     double least = NO_MARGIN;
     for (CriterionMargin each : result.criteria()) {
-      if (counts(each) && each.label() != Label.UNTESTED && !without.contains(each.name())) {
+      if (counts(each) && each.label() != Label.UNTESTED && names.test(each.name())) {
         least = Math.min(least, value(each));
       }
     }

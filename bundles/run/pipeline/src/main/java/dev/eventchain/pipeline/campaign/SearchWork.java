@@ -31,6 +31,9 @@ final class SearchWork {
 
   private static final int PART_OF_THE_FIRST = 4;
 
+  /** Runs after which a search that stops at the first failure looks for one. */
+  private static final int TOGETHER = 8;
+
   private final SearchSpace space;
   private final SearchSettings settings;
   private final long seed;
@@ -41,7 +44,7 @@ final class SearchWork {
    * What a search came to.
    *
    * @param runs in an order that is the same each time
-   * @param isFlat whether there was nothing to go by
+   * @param isFlat whether the seeds had nothing to go by
    */
   record Result(List<SearchRun> runs, boolean isFlat) {
 
@@ -96,10 +99,11 @@ final class SearchWork {
             first.stream().map(each -> each.row().result()).toList(),
             settings.criterion().map(SearchSettings.Named::text));
     List<SearchRun> runs = new ArrayList<>(first);
-    if (!first.isEmpty() && !hasEnded()) {
+    boolean goesOn = !first.isEmpty() && !hasEnded();
+    if (goesOn) {
       runs.addAll(seeds(objective));
     }
-    return new Result(runs, objective.isFlat());
+    return new Result(runs, goesOn && objective.isFlat());
   }
 
   private boolean hasEnded() {
@@ -116,7 +120,7 @@ final class SearchWork {
       }
     }
     List<CampaignCase> cases = List.copyOf(points.keySet());
-    int together = settings.stopsAtFirst() ? FEWEST : cases.size();
+    int together = settings.stopsAtFirst() ? TOGETHER : cases.size();
     for (int i = 0; i < cases.size() && !hasEnded(); i += together) {
       List<CampaignCase> next = cases.subList(i, Math.min(i + together, cases.size()));
       List<CompletableFuture<CaseResult>> results = next.stream().map(simulation).toList();

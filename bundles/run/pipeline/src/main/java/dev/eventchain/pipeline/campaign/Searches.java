@@ -220,6 +220,6 @@ public final class Searches {
     all.addAll(summary.findings(SourceLocation.of(plan.file()), false));
     Suppressions.Parted parted = scene.run().options().suppressions().part(all);
     return Outcome.of(Coverage.NONE, parted.remaining(), parted.suppressed())
-        .with(summary.trials());
+        .with(new CampaignSummary(plan, rows.stream().distinct().toList()).trials());
   }
 }

@@ -71,9 +71,17 @@ final class SeedRuns implements IndependentSearch.Function {
     }
   }
 
-  /** Returns the value by which this seed is led. */
+  /**
+   * Returns the value by which this seed is led: that of one criterion, another one for each seed,
+   * the nearest to failing first. The smallest of all would be that of one that comes near to 0
+   * everywhere and never fails, and hide the others.
+   */
   double value(CaseResult result) {
-    return objective.value(result, failedBefore);
+    List<String> open = new ArrayList<>(objective.criteria());
+    open.removeAll(failedBefore);
+    return open.isEmpty()
+        ? objective.value(result)
+        : objective.value(result, open.get((seed - 1) % open.size()));
   }
 
   @Override

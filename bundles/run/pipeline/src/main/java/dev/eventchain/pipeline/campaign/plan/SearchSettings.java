@@ -13,7 +13,7 @@ import java.util.Optional;
 /**
  * What a campaign file says of a search.
  *
- * @param criterion the one whose margin is minimised; all of them without one
+ * @param criterion the one whose margin is minimised; without it, another one by each seed
  * @param runs how many cases are simulated until it ends, without those that make finds simpler
  * @param seeds the number of independent searches
  * @param stopsAtFirst whether it ends with the first failed case
@@ -26,7 +26,7 @@ public record SearchSettings(
   private static final String FIRST_FAILURE = "first_failure";
 
   public static final SearchSettings USUAL =
-      new SearchSettings(Optional.empty(), SearchMethod.CMA_ES, 200, 4, false);
+      new SearchSettings(Optional.empty(), SearchMethod.CMA_ES, 200, 2, false);
 
   /** A text, and where it is. */
   public record Named(String text, SourceLocation place) {}
