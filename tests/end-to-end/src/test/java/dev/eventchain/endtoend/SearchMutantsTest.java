@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import dev.eventchain.fixtures.Projects;
 import dev.eventchain.fixtures.Thorough;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -34,7 +35,6 @@ class SearchMutantsTest {
   @CsvSource({
     "lane-departure, drift-left",
     "lane-departure, along-the-line",
-    "acc, free-road",
     "aeb, each-component"
   })
   void theDefectsThatAScenarioFailsAreFoundAroundIt(String example, String scenario)
@@ -119,7 +119,7 @@ class SearchMutantsTest {
       assertEquals(first > 0, ended.out().contains("found: "), ended::toString);
       return first;
     } catch (IOException e) {
-      throw new java.io.UncheckedIOException(e);
+      throw new UncheckedIOException(e);
     }
   }
 }

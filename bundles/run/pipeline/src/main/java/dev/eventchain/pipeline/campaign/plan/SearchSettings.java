@@ -8,6 +8,7 @@ import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.pipeline.search.SearchMethod;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -35,13 +36,17 @@ public record SearchSettings(
     Optional<Named> criterion =
         part.text("criterion").map(text -> new Named(text, part.at("criterion")));
     List<String> methods = Arrays.stream(SearchMethod.values()).map(SearchMethod::key).toList();
-    int method = methods.indexOf(oneOf(part, "method", methods, USUAL.method.key()));
+    String method = oneOf(part, "method", methods, USUAL.method.key());
     int runs = (int) part.wholeNumber("runs", RUNS).orElse(USUAL.runs);
     int seeds = (int) part.wholeNumber("seeds", SEEDS).orElse(USUAL.seeds);
     String stop = oneOf(part, "stop", List.of(FIRST_FAILURE, "never"), "never");
     part.refuseOthers();
     return new SearchSettings(
-        criterion, SearchMethod.values()[method], runs, seeds, stop.equals(FIRST_FAILURE));
+        criterion,
+        SearchMethod.valueOf(method.toUpperCase(Locale.ROOT)),
+        runs,
+        seeds,
+        stop.equals(FIRST_FAILURE));
   }
 
   private static String oneOf(ObjectReader part, String key, List<String> known, String usual) {
