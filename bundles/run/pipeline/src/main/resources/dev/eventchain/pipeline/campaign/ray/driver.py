@@ -141,7 +141,8 @@ def connected(address: str, size: int) -> Iterator[Any]:
     quiet = {"log_to_driver": False, "logging_level": "ERROR"}
     if address:
         require_reachable(address)
-        yield from attempt(lambda ray: ray.init(address=address, **quiet), f"There is no Ray cluster at '{address}'")
+        failure = f"The Ray cluster at '{address}' cannot be used"
+        yield from attempt(lambda ray: ray.init(address=address, **quiet), failure)
         return
     # Ray listens on all interfaces, also where all is on one machine. Without the token, nobody can use what listens.
     os.environ.update(RAY_AUTH_MODE="token", RAY_AUTH_TOKEN=secrets.token_hex(32))
@@ -174,7 +175,7 @@ def attempt(start: Callable[[Any], object], failure: str) -> Iterator[Any]:
 
     try:
         start(ray)
-    except (ConnectionError, OSError, RuntimeError, ValueError) as problem:
+    except (OSError, RuntimeError, ValueError, ray.exceptions.RayError) as problem:
         raise DriverError(f"{failure}: {one_line(str(problem))}", WITHOUT_CLUSTER) from problem
     try:
         yield ray

@@ -57,7 +57,8 @@ def run_part(work: Work, fetch: Callable[[str], bytes], number: int, count: int)
         return Part(node, failure="There is no Java.", hint="Install Java 17 or later on all nodes, or set JAVA_HOME.")
     program = unpacked(work.program, fetch)
     files = unpacked(work.files, fetch)
-    with tempfile.TemporaryDirectory(prefix="eventchain-part-") as scratch:
+    # Beside the packs, where it is removed a week later if the worker is killed.
+    with tempfile.TemporaryDirectory(prefix="part-", dir=files.parent) as scratch:
         output = Path(scratch, "out")
         shutil.copytree(files / work.output, output)
         command = [java, *work.java_options, f"-XX:ActiveProcessorCount={work.processors}"]
