@@ -53,7 +53,7 @@ final class CampaignMerge {
           name,
           "was simulated with %s on the node %s, but this machine has %s"
               .formatted(part.platform(), node, own.platform()),
-          "Let all nodes have the same versions: one image, EVENTCHAIN_PYTHON, JAVA_HOME.");
+          "Let all nodes have the same: one image, EVENTCHAIN_PYTHON, JAVA_HOME, bubblewrap.");
     }
     if (!merge.problems.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, merge.problems);
@@ -80,7 +80,7 @@ final class CampaignMerge {
       problem(
           folder,
           "was simulated with " + cases.platform() + ", but another one with " + platform,
-          "Simulate all parts with the same versions.");
+          "Simulate all parts with the same Python, Java and confinement.");
     }
   }
 

@@ -17,10 +17,12 @@ import dev.eventchain.pipeline.simulate.SimulateStage;
 import dev.eventchain.pipeline.simulate.SimulationChecks;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.sandbox.Confinement;
 import dev.eventchain.simulation.CaseSimulation;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
 
@@ -123,13 +125,14 @@ final class CampaignScene {
         plan.name(), inputs().value(), platform.orElseGet(this::platform), shard, false, List.of());
   }
 
-  /** Returns the versions of what simulates here, which no file of the project says. */
+  /** Returns what simulates here, which no file of the project says. */
   private String platform() {
-    return "Python %s, Java %d, %s"
+    return "Python %s, Java %d, %s, %s"
         .formatted(
             run.python(Stage.SIMULATE).version(),
             Runtime.version().feature(),
-            System.getProperty("os.arch"));
+            System.getProperty("os.arch"),
+            Confinement.detect().name().toLowerCase(Locale.ROOT).replace('_', '-'));
   }
 
   /**

@@ -40,7 +40,8 @@ final class CampaignStore implements AutoCloseable {
    *
    * @param campaign the campaign's name
    * @param inputs a hash of all files that the results depend on
-   * @param platform the versions of what simulates, with which numbers may change
+   * @param platform what simulates, with which results may change: Python, Java, processor,
+   *     confinement
    * @param complete false while the campaign runs
    */
   record Cases(

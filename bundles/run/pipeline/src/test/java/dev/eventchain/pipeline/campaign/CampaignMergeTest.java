@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** Tests what is put together and what is refused. */
 class CampaignMergeTest {
 
-  private static final String HERE = "Python 3.11.7, Java 17, amd64";
+  private static final String HERE = "Python 3.11.7, Java 17, amd64, bubblewrap";
   private static final CampaignStore.Cases OWN = part("inputs", HERE, "1/1", true);
 
   @TempDir Path folder;
@@ -56,7 +56,7 @@ class CampaignMergeTest {
 
   @Test
   void partsOfDifferentVersionsAreNotMixed() throws IOException {
-    String there = "Python 3.12.3, Java 17, amd64";
+    String there = "Python 3.12.3, Java 17, amd64, bubblewrap";
     List<Path> folders =
         List.of(
             write(part("inputs", HERE, "1/2", true)), write(part("inputs", there, "2/2", true)));
@@ -70,7 +70,7 @@ class CampaignMergeTest {
     Shard shard = Shard.parse("2/5");
     byte[] good = ResultJson.bytes(part("inputs", HERE, "2/5", true));
     assertEquals(shard, CampaignMerge.require(good, OWN, shard, "n1").shard());
-    String other = "Python 3.11.9, Java 21, amd64";
+    String other = "Python 3.11.9, Java 21, amd64, audit-hooks";
     Diagnostic found = refusal("inputs", other, "2/5", true);
     assertEquals(
         "approach-2-of-5 was simulated with %s on the node n1, but this machine has %s."
