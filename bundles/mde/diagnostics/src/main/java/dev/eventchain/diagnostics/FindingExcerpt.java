@@ -49,12 +49,7 @@ public record FindingExcerpt(List<Shown> shown, Map<String, Integer> more) {
    * @param mostOfOneRule the largest number of findings of one rule that are shown
    */
   public static FindingExcerpt of(List<Diagnostic> findings, int mostOfOneRule) {
-    Map<SourceLocation, List<Diagnostic>> consequences = new HashMap<>();
-    for (Diagnostic finding : findings) {
-      if (finding.cause().isEmpty() && finding.severity() == Severity.ERROR) {
-        consequences.put(finding.location(), new ArrayList<>());
-      }
-    }
+    Map<SourceLocation, List<Diagnostic>> consequences = causes(findings);
     List<Diagnostic> separate = new ArrayList<>();
     for (Diagnostic finding : findings) {
       finding
@@ -78,6 +73,17 @@ public record FindingExcerpt(List<Shown> shown, Map<String, Integer> more) {
       }
     }
     return new FindingExcerpt(shown, more);
+  }
+
+  /** Returns the places of findings that others may be folded under, with nothing folded yet. */
+  private static Map<SourceLocation, List<Diagnostic>> causes(List<Diagnostic> findings) {
+    Map<SourceLocation, List<Diagnostic>> causes = new HashMap<>();
+    for (Diagnostic finding : findings) {
+      if (finding.cause().isEmpty() && finding.severity() == Severity.ERROR) {
+        causes.put(finding.location(), new ArrayList<>());
+      }
+    }
+    return causes;
   }
 
   /** Returns the id of a finding, and the user's rule that found it. */

@@ -108,6 +108,14 @@ class DiagnosticFormatTest {
   }
 
   @Test
+  void nothingIsFoldedUnderAWarningAtTheSamePlace() {
+    Diagnostic warning = at("cause").withSeverity(Severity.WARNING);
+    List<Diagnostic> found = List.of(warning, consequence("first", at("cause")));
+    String text = DiagnosticFormat.textExcerpt(Report.of(found), 9);
+    assertTrue(text.contains("error: At first."), text);
+  }
+
+  @Test
   void whatIsUnknownIsLeftOut() {
     Diagnostic bare = Diagnostic.of(Rule.warning("a.b"), "Odd.", SourceLocation.NONE);
     assertEquals("warning: Odd. [a.b]\n", DiagnosticFormat.TEXT.render(List.of(bare)));
