@@ -157,7 +157,7 @@ final class SearchFinds {
         Optional<BigDecimal> value = usual.get(i).filter(it -> space.spans(factor, it));
         simple = value.isPresent() ? with(simple, i, value.get(), criteria) : simple;
       }
-    } while (simple != before);
+    } while (!simple.equals(before));
     for (int i = 0; i < usual.size(); i++) {
       simple = rounded(simple, i, criteria);
     }
@@ -190,7 +190,7 @@ final class SearchFinds {
         return row;
       }
       CampaignRow other = space.spans(factor, round) ? with(row, factor, round, criteria) : row;
-      if (other != row) {
+      if (!other.equals(row)) {
         return other;
       }
     }

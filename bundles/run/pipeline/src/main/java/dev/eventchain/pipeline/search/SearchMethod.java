@@ -47,9 +47,10 @@ public enum SearchMethod {
   RANDOM {
     @Override
     void run(ToDoubleFunction<double[]> function, double[] start, SplittableRandom random) {
-      while (true) { // The function has an end.
-        function.applyAsDouble(random.doubles(start.length).toArray());
-      }
+      double value;
+      do { // The function has an end.
+        value = function.applyAsDouble(random.doubles(start.length).toArray());
+      } while (!Double.isNaN(value));
     }
   };
 
