@@ -127,19 +127,21 @@ final class CampaignPage {
     charts.points(
         plan.names().get(across),
         plan.names().get(up),
-        rows.stream()
-            .sorted(Comparator.comparing(row -> !row.is(Label.PASSED)))
-            .map(row -> point(row, across, up))
+        IntStream.range(0, rows.size())
+            .boxed()
+            .sorted(Comparator.comparing(number -> !rows.get(number).is(Label.PASSED)))
+            .map(number -> point(number, across, up))
             .toList());
   }
 
-  private PageCharts.Point point(CampaignRow row, int across, int up) {
+  private PageCharts.Point point(int number, int across, int up) {
+    CampaignRow row = rows.get(number);
     List<BigDecimal> values = row.id().values();
     return new PageCharts.Point(
         values.get(across).doubleValue(),
         values.get(up).doubleValue(),
         row.result().label().name().toLowerCase(Locale.ROOT),
-        "case " + (rows.indexOf(row) + 1));
+        "case " + (number + 1));
   }
 
   /** Adds a cell for each two values. */

@@ -31,6 +31,7 @@ final class CampaignScene {
 
   private final RunContext run;
   private final CampaignPlan plan;
+  private final Fingerprint inputs;
   private final List<Scenario> scenarios;
   private final Scenario scenario;
   private final ScenarioTemplate template;
@@ -39,6 +40,7 @@ final class CampaignScene {
   private CampaignScene(RunContext run, CampaignPlan plan) {
     this.run = run;
     this.plan = plan;
+    this.inputs = fingerprint(); // Before anything is read, so that later changes are noticed.
     this.scenarios = Scenario.readFolder(run.project().scenarios(), run.chain().bench(), run::find);
     this.scenario = ScenarioTemplate.find(scenarios, plan);
     this.template = new ScenarioTemplate(run, plan, Path.of(scenario.location().file()));
@@ -48,6 +50,8 @@ final class CampaignScene {
    * Generates the nodes of a project, as far as something has changed, and works with them.
    *
    * @param settings options of the run up to the generation, in lock-step
+   * @param file the campaign file
+   * @param reader reads it
    * @param work is not done if the nodes cannot be generated
    * @throws DiagnosticException for failures caused by the project, the campaign file or this
    *     machine
@@ -55,9 +59,12 @@ final class CampaignScene {
   static CampaignOutcome of(
       Project project,
       RunOptions settings,
-      CampaignPlan plan,
+      Path file,
+      Function<Path, CampaignPlan> reader,
       Progress progress,
       Function<CampaignScene, CampaignOutcome> work) {
+    String read = Fingerprint.contentOf(file);
+    CampaignPlan plan = reader.apply(file);
     RunResult generated = PipelineRun.run(project, settings, progress, Optional.empty()).result();
     if (generated.failure().isPresent() || Diagnostic.anyError(generated.diagnostics())) {
       return new CampaignOutcome(Outcome.of(generated), "");
@@ -65,6 +72,9 @@ final class CampaignScene {
     try (OutputFolder output = OutputFolder.open(settings.output())) {
       RunContext run = new RunContext(project, settings, output, progress, Optional.empty());
       generated.diagnostics().forEach(run::find);
+      if (!Fingerprint.contentOf(file).equals(read)) {
+        throw changed(plan);
+      }
       return work.apply(new CampaignScene(run, plan));
     }
   }
@@ -105,9 +115,14 @@ final class CampaignScene {
   }
 
   /**
-   * Returns a hash of all files that a result depends on: what a simulation does, and the campaign.
+   * Returns a hash of all files that a result depends on, as they were at first: what a simulation
+   * does, and the campaign.
    */
   Fingerprint inputs() {
+    return inputs;
+  }
+
+  private Fingerprint fingerprint() {
     Fingerprint fingerprint = new Fingerprint(run);
     new SimulateStage().fingerprint(run, fingerprint);
     fingerprint.addFile(plan.file());
@@ -142,16 +157,20 @@ final class CampaignScene {
    * @throws DiagnosticException (INPUT) if it is another one now
    */
   void requireUnchanged(String before, CampaignStore store) {
-    if (!inputs().value().equals(before)) {
+    if (!fingerprint().value().equals(before)) {
       store.discard();
-      throw new DiagnosticException(
-          DiagnosticException.Reason.INPUT,
-          Diagnostic.of(
-                  CampaignRules.INPUTS_CHANGED,
-                  "Files of the project or the campaign were changed while it ran.",
-                  SourceLocation.of(plan.file()))
-              .withHint("Nobody can say which cases are of which state. Run it again."));
+      throw changed(plan);
     }
+  }
+
+  private static DiagnosticException changed(CampaignPlan plan) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT,
+        Diagnostic.of(
+                CampaignRules.INPUTS_CHANGED,
+                "Files of the project or the campaign were changed while it ran.",
+                SourceLocation.of(plan.file()))
+            .withHint("Nobody can say which cases are of which state. Run it again."));
   }
 
   /** Returns the simulation of cases, on all processors. */

@@ -55,7 +55,8 @@ public final class Campaigns {
     return CampaignScene.of(
         project,
         settings,
-        CampaignReader.read(options.file()),
+        options.file(),
+        CampaignReader::read,
         progress,
         scene -> new Campaigns(scene, options).run());
   }

@@ -39,7 +39,9 @@ final class RayCampaign {
   private static final Set<String> SETTINGS = Set.of("EVENTCHAIN_CONFINEMENT");
 
   /** Folders of the output folder that no stage reads. */
-  private static final String[] NO_INPUTS = {CampaignStore.FOLDER, "mcap", "curves"};
+  private static final String[] NO_INPUTS = {
+    CampaignStore.FOLDER, Searches.FOLDER, "mcap", "curves"
+  };
 
   private final RunContext run;
   private final CampaignPlan plan;

@@ -1,7 +1,6 @@
 package dev.eventchain.pipeline.campaign;
 
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
-import dev.eventchain.pipeline.campaign.plan.Levels;
 import dev.eventchain.simulation.verdict.CaseResult;
 import dev.eventchain.simulation.verdict.CaseResult.Label;
 import java.math.BigDecimal;
@@ -178,7 +177,7 @@ final class SearchFinds {
   private CampaignRow rounded(CampaignRow row, int factor, Set<String> criteria) {
     BigDecimal value = row.id().values().get(factor);
     boolean isUsual = usual.get(factor).filter(it -> it.compareTo(value) == 0).isPresent();
-    if (isUsual || !(space.levels(factor) instanceof Levels.Uniform)) {
+    if (isUsual || !space.levels(factor).isContinuous()) {
       return row;
     }
     for (int digits = 0; digits <= MOST_DIGITS; digits++) {

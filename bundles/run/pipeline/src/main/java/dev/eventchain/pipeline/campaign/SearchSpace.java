@@ -50,9 +50,12 @@ final class SearchSpace {
     return conditions.keep(each);
   }
 
-  /** Returns whether a value is not outside of a factor's smallest and largest ones. */
+  /** Returns whether a factor may have a value: one of its own, or one between its bounds. */
   boolean spans(int factor, BigDecimal value) {
     List<BigDecimal> values = levels(factor).checked();
+    if (!levels(factor).isContinuous()) {
+      return values.stream().anyMatch(each -> each.compareTo(value) == 0);
+    }
     return Collections.min(values).compareTo(value) <= 0
         && Collections.max(values).compareTo(value) >= 0;
   }
@@ -85,7 +88,7 @@ final class SearchSpace {
       List<BigDecimal> values = factor.levels().checked();
       String ends =
           "from %s to %s".formatted(plain(Collections.min(values)), plain(Collections.max(values)));
-      boolean drawn = factor.levels() instanceof Levels.Uniform;
+      boolean drawn = factor.levels().isContinuous();
       words.add(factor.name() + " " + ends + (drawn ? "" : " (" + values.size() + " values)"));
     }
     return String.join(", ", words);

@@ -33,7 +33,7 @@ import java.util.stream.IntStream;
 /** Searches for cases of a scenario that fail: they minimise the margins of its criteria. */
 public final class Searches {
 
-  private static final String FOLDER = "searches";
+  static final String FOLDER = "searches";
 
   private final CampaignScene scene;
   private final CampaignPlan plan;
@@ -65,7 +65,8 @@ public final class Searches {
     return CampaignScene.of(
         project,
         settings,
-        CampaignReader.readForSearch(file).ofSearch(),
+        file,
+        path -> CampaignReader.readForSearch(path).ofSearch(),
         progress,
         scene -> new Searches(scene, keeps).run());
   }

@@ -52,7 +52,13 @@ record ChartAxis(BigDecimal first, BigDecimal step, int count) {
 
   /** Returns the step in which a value lies, from 0; the last number belongs to the last step. */
   int bin(double value) {
-    return Math.max(0, Math.min(count - 1, (int) Math.floor(share(value) * count)));
+    int bin = Math.max(0, Math.min(count - 1, (int) Math.floor(share(value) * count)));
+    // A share is not exact, and a value on one of the numbers belongs to the step after it.
+    return bin < count - 1 && value >= start(bin + 1) ? bin + 1 : bin;
+  }
+
+  private double start(int bin) {
+    return first.add(step.multiply(BigDecimal.valueOf(bin))).doubleValue();
   }
 
   static String text(BigDecimal value) {

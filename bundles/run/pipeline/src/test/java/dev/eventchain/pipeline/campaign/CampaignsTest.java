@@ -27,6 +27,7 @@ class CampaignsTest {
 
   @TempDir Path folder;
 
+  /** Whatever is changed: the bench after a case, or the campaign itself before the first. */
   @Test
   void resultsOfTwoStatesAreDropped() throws IOException {
     Path example = Path.of("../../../examples/radar-aeb").toAbsolutePath().normalize();
@@ -47,24 +48,28 @@ class CampaignsTest {
             List.of(),
             Optional.empty(),
             Optional.empty());
-    DiagnosticException refused =
-        assertThrows(
-            DiagnosticException.class,
-            () -> Campaigns.run(project, settings, options, changing(copy.resolve("bench.yaml"))));
-    assertEquals("campaign.inputs.changed", refused.diagnostics().get(0).id());
+    for (Progress changing :
+        List.of(changing(file, ""), changing(copy.resolve("bench.yaml"), "case "))) {
+      DiagnosticException refused =
+          assertThrows(
+              DiagnosticException.class, () -> Campaigns.run(project, settings, options, changing));
+      assertEquals("campaign.inputs.changed", refused.diagnostics().get(0).id());
+    }
     assertFalse(Files.exists(output.resolve("campaigns/two/cases.json")));
     assertFalse(Files.exists(output.resolve("campaigns/two/parts/000001.json")));
   }
 
-  /** Returns a progress that changes a file as soon as a case is done. */
-  private static Progress changing(Path file) {
+  /** Returns a progress that changes a file at each step that begins with a text. */
+  private static Progress changing(Path file, String start) {
     return new Progress() {
       @Override
-      public void started(Stage stage) {}
+      public void started(Stage stage) {
+        step(stage, "");
+      }
 
       @Override
       public void step(Stage stage, String message) {
-        if (message.startsWith("case ")) {
+        if (message.startsWith(start)) {
           try {
             Files.writeString(file, "# Changed.\n", StandardOpenOption.APPEND);
           } catch (IOException e) {

@@ -29,6 +29,15 @@ class ChartAxisTest {
     assertEquals("0 0.5", ticks(0, 0, 2));
   }
 
+  @Test
+  void aValueOnANumberBelongsToTheStepAfterIt() {
+    ChartAxis axis = ChartAxis.of(-0.3, 0.3, 6);
+    assertEquals("-0.3 -0.2 -0.1 0 0.1 0.2 0.3", ticks(-0.3, 0.3, 6));
+    assertEquals(3, axis.bin(0));
+    assertEquals(0, axis.bin(-0.3));
+    assertEquals(5, axis.bin(0.3));
+  }
+
   @Property
   void allValuesLieBetweenThem(
       @ForAll @DoubleRange(min = -1e6, max = 1e6) double one,

@@ -101,7 +101,7 @@ public record CampaignPlan(
     for (Computed next : computed) {
       double value = next.formula().value().applyAsDouble(numbers);
       if (!Double.isFinite(value)) {
-        String message = "'" + next.name() + "' has no value: it is divided by 0.";
+        String message = "'" + next.name() + "' is no number here, as after a division by 0.";
         throw new DiagnosticException(
             DiagnosticException.Reason.INPUT,
             Diagnostic.of(CampaignRules.FORMULA, message, next.place()));

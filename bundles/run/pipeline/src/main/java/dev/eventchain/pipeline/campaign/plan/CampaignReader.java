@@ -31,6 +31,8 @@ public final class CampaignReader {
   private static final NumberRange SEED = NumberRange.of(0, 1L << 52);
   private static final NumberRange REPETITIONS = NumberRange.of(1, 1000);
 
+  private static final int MOST_DIGITS = 30;
+  private static final BigDecimal LARGEST = BigDecimal.valueOf(1e12);
   private static final String BOUNDS = "Its bounds are two numbers, the smaller one first.";
 
   /** Stands for values that cannot be read. */
@@ -270,13 +272,18 @@ public final class CampaignReader {
     };
   }
 
+  /** Returns whether a number is not too large for a scenario, and has not too many digits. */
+  static boolean isUsual(BigDecimal number) {
+    return Math.abs((double) number.scale()) <= MOST_DIGITS && number.abs().compareTo(LARGEST) <= 0;
+  }
+
   private static List<BigDecimal> numbers(ObjectReader part, String key) {
     List<BigDecimal> numbers = new ArrayList<>();
     JsonNode array = part.value(key).orElseThrow();
     array.forEach(each -> numbers.add(each.isNumber() ? each.decimalValue() : BigDecimal.ZERO));
     boolean right = array.isArray() && !array.isEmpty();
     for (JsonNode each : array) {
-      right &= each.isNumber() && Double.isFinite(each.doubleValue());
+      right &= each.isNumber() && isUsual(each.decimalValue());
     }
     if (!right) {
       part.find(CampaignRules.VALUE_TYPE, "'" + key + "' is a list of numbers.", part.at(key));

@@ -64,6 +64,9 @@ public final class CaseList {
     if (kind.isDrawn() && drawn > MOST) {
       throw tooMany("These are %.3g cases".formatted(drawn), "Draw or repeat fewer.");
     }
+    if (kind == Sampling.Kind.ROWS && (double) rowCount() * plan.repetitions() > MOST) {
+      throw tooMany("The table has too many rows for these repetitions", "Repeat fewer times.");
+    }
     if (kind == Sampling.Kind.HALTON && plan.factors().size() > PRIMES.length) {
       throw tooMany(
           "A Halton sequence has at most %d factors here".formatted(PRIMES.length),
@@ -72,6 +75,13 @@ public final class CaseList {
     if (kind == Sampling.Kind.PAIRS && pairs() > MOST_PAIRS) {
       throw tooMany("There are %.3g pairs of values".formatted(pairs()), "Use fewer values.");
     }
+  }
+
+  private int rowCount() {
+    return plan.factors().stream()
+        .mapToInt(factor -> factor.levels() instanceof Levels.Column it ? it.cells().size() : 0)
+        .max()
+        .orElse(0);
   }
 
   private double pairs() {

@@ -51,7 +51,7 @@ final class CsvColumn {
       return NOTHING;
     }
     SourceText text = SourceText.read(campaign.resolveSibling(name));
-    List<String> lines = text.text().lines().toList();
+    List<String> lines = text.text().stripTrailing().lines().toList();
     List<String> names = lines.isEmpty() ? List.of() : List.of(lines.get(0).split(",", -1));
     int index = names.indexOf(column);
     if (index < 0) {
@@ -64,6 +64,14 @@ final class CsvColumn {
     return values(name, column, lines.subList(1, lines.size()), index);
   }
 
+  private static BigDecimal number(String cell) {
+    BigDecimal number = new BigDecimal(cell);
+    if (!CampaignReader.isUsual(number)) {
+      throw new NumberFormatException("too large or too long");
+    }
+    return number.stripTrailingZeros();
+  }
+
   private List<BigDecimal> values(String name, String column, List<String> lines, int index) {
     List<BigDecimal> values = new ArrayList<>();
     for (String line : lines) {
@@ -71,7 +79,7 @@ final class CsvColumn {
       try {
         String cell = cells[index].strip();
         BigDecimal number = numbers.get(cell);
-        values.add(number != null ? number : new BigDecimal(cell).stripTrailingZeros());
+        values.add(number != null ? number : number(cell));
       } catch (NumberFormatException | ArrayIndexOutOfBoundsException e) {
         String message = "A line of " + name + " has no number for '" + column + "': " + line;
         part.find(

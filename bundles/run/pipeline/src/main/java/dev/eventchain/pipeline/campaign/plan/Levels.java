@@ -23,6 +23,11 @@ public sealed interface Levels {
     return false;
   }
 
+  /** Returns a value within bounds, which rounding may have left. */
+  private static BigDecimal within(BigDecimal value, BigDecimal least, BigDecimal most) {
+    return value.max(least).min(most);
+  }
+
   /** Values in the order of the file. */
   record Listed(List<BigDecimal> values) implements Levels {
 
@@ -66,7 +71,7 @@ public sealed interface Levels {
     @Override
     public BigDecimal at(double share) {
       BigDecimal part = most.subtract(least).multiply(BigDecimal.valueOf(share));
-      return least.add(part).round(DIGITS);
+      return within(least.add(part).round(DIGITS), least, most);
     }
 
     @Override
@@ -107,14 +112,8 @@ public sealed interface Levels {
       double deviations = STANDARD.inverseCumulativeProbability(from + share * (to - from));
       double value =
           mean.doubleValue() + (isAbove ? -deviations : deviations) * deviation.doubleValue();
-      return inside(value);
-    }
-
-    private BigDecimal inside(double value) {
-      if (value <= least.doubleValue()) {
-        return least;
-      }
-      return value >= most.doubleValue() ? most : BigDecimal.valueOf(value).round(DIGITS);
+      double inside = Math.max(least.doubleValue(), Math.min(most.doubleValue(), value));
+      return within(BigDecimal.valueOf(inside).round(DIGITS), least, most);
     }
 
     private static double share(double deviations) {
