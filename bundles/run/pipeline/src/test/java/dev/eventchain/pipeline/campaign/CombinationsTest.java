@@ -1,12 +1,11 @@
 package dev.eventchain.pipeline.campaign;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
-
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
 import dev.eventchain.pipeline.campaign.plan.CaseList;
-import java.math.BigDecimal;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -44,8 +43,7 @@ class CombinationsTest {
   }
 
   private static boolean isNear(CampaignCase each) {
-    return each.values().get(0).equals(BigDecimal.valueOf(20))
-        && each.values().get(1).intValue() > 50;
+    return each.values().get(0).intValue() == 20 && each.values().get(1).intValue() > 50;
   }
 
   @Test
