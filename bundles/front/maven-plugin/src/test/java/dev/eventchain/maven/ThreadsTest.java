@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -25,10 +26,11 @@ class ThreadsTest {
   private static final int BUILDS = 40;
 
   private static Validation validate(String sample) {
-    Path folder = Path.of("src/it", sample, "src/main");
+    Path project = Path.of("src/it", sample);
+    Path folder = project.resolve("src/main");
     return ModelValidation.validate(
         List.of(folder.resolve("rules/library.ecore")),
-        ReferenceFolders.NONE,
+        new ReferenceFolders(List.of(project), Map.of()),
         List.of(folder.resolve("rules/library.ocl")),
         List.of(folder.resolve("models/town.library")),
         List.of(),
