@@ -74,6 +74,7 @@ class RulesTest {
     NavigableSet<String> never =
         new TreeSet<>(
             Set.of(
+                "campaign.inputs.changed",
                 "eventchain.defect",
                 "ocl.limit",
                 "ocl.nothing-evaluated",
