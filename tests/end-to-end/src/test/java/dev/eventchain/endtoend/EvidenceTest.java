@@ -152,8 +152,9 @@ class EvidenceTest {
         .run()
         .expect(1)
         .says("INCOMPLETE: 7 of 8 scenarios passed")
-        .says("'no braking at all' was not tested: the run ended after")
-        .says("[simulation.impact.unjudged]");
+        .says("not tested: the run ended after")
+        .says("[simulation.impact.unjudged]")
+        .says("consequence: no braking at all");
     project.requireNotPassed();
   }
 
