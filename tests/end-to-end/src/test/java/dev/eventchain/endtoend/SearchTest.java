@@ -86,6 +86,10 @@ class SearchTest {
   void aDefectIsFoundAndKeptAsAScenarioThatFails() throws IOException {
     settings("runs: 60, seeds: 2, criterion: no impact, stop: first_failure");
     copy.replace(BRAKE, "FULL_BRAKE_TTC = 1.6", "FULL_BRAKE_TTC = 1.3");
+    Path link = copy.path().resolve("scenarios/found");
+    Files.createSymbolicLink(link, Files.createDirectory(folder.resolve("elsewhere")));
+    search(new Program(), "--keep").expect(2).says("'found' is a link");
+    Files.delete(link);
     Path junit = folder.resolve("junit.xml");
     search(new Program(), "--keep", "--report", "junit=" + junit)
         .expect(1)
@@ -119,6 +123,22 @@ class SearchTest {
     settings("criterion: the");
     search(new Program()).expect(2).says("Several criteria");
     assertFalse(Files.exists(results("cases.csv")));
+  }
+
+  @Test
+  void fewRunsAreSaid() throws IOException {
+    copy.write(
+        "approach.yaml",
+        """
+        scenario: stopped-vehicle-50
+        factors:
+          speed: {path: ego.speed_kmh, values: [45, 50]}
+        search: {runs: 10}
+        """);
+    search(new Program())
+        .expect(0)
+        .says("Only 2 of 10 runs were simulated")
+        .says("[search.few-runs]");
   }
 
   /** Whether it stands at the end has no margin while it does. */

@@ -9,8 +9,6 @@ import dev.eventchain.pipeline.campaign.CampaignOutcome;
 import dev.eventchain.pipeline.campaign.Campaigns;
 import dev.eventchain.pipeline.campaign.Shard;
 import dev.eventchain.pipeline.project.Project;
-import dev.eventchain.pipeline.run.RunOptions;
-import dev.eventchain.pipeline.run.Stage;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -114,7 +112,7 @@ final class CampaignCommand extends ProjectCommand {
     CampaignOutcome result =
         Campaigns.run(
             project,
-            upToGeneration(project),
+            upToGeneration(project, llm),
             new CampaignOptions(
                 file,
                 dryRun,
@@ -156,17 +154,6 @@ final class CampaignCommand extends ProjectCommand {
         text.substring(Math.min(text.length(), "ray=".length())),
         options,
         suppressions.stream().toList());
-  }
-
-  private RunOptions upToGeneration(Project project) {
-    return runOptions(
-        project,
-        outputOf(project),
-        Stage.DESIGN,
-        Stage.GENERATE,
-        false,
-        llm,
-        new ScenarioOptions());
   }
 
   private Shard shard() {

@@ -196,6 +196,18 @@ abstract class ProjectCommand implements Callable<Integer> {
         Pipeline.run(project, options, new ProgressLines(console.err(), console.terminal())));
   }
 
+  /** Returns the options of a run up to the generation of nodes, into the command's output. */
+  final RunOptions upToGeneration(Project project, LlmOptions llm) {
+    return runOptions(
+        project,
+        outputOf(project),
+        Stage.DESIGN,
+        Stage.GENERATE,
+        false,
+        llm,
+        new ScenarioOptions());
+  }
+
   /** Returns the options of a run. */
   final RunOptions runOptions(
       Project project,

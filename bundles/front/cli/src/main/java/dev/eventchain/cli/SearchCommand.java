@@ -5,7 +5,6 @@ import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.campaign.CampaignOutcome;
 import dev.eventchain.pipeline.campaign.Searches;
 import dev.eventchain.pipeline.project.Project;
-import dev.eventchain.pipeline.run.Stage;
 import java.nio.file.Path;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -55,14 +54,7 @@ final class SearchCommand extends ProjectCommand {
     CampaignOutcome result =
         Searches.run(
             project,
-            runOptions(
-                project,
-                outputOf(project),
-                Stage.DESIGN,
-                Stage.GENERATE,
-                false,
-                llm,
-                new ScenarioOptions()),
+            upToGeneration(project, llm),
             file,
             keep,
             new ProgressLines(console.err(), console.terminal()));

@@ -4,8 +4,8 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.documents.AtomicFile;
 import dev.eventchain.output.OutputRules;
+import dev.eventchain.pipeline.files.SourceFile;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -111,16 +111,21 @@ final class FoundScenarios {
   }
 
   private static void write(Path file, String text) {
-    try {
-      Files.createDirectories(file.getParent());
-      AtomicFile.write(file, text);
-    } catch (IOException e) {
+    Path folder = file.getParent();
+    if (Files.isSymbolicLink(folder)) {
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT,
           Diagnostic.of(
-              OutputRules.OUTPUT_UNWRITABLE,
-              "This cannot be written: " + SourceText.reason(e) + ".",
-              SourceLocation.of(file)));
+                  OutputRules.OUTPUT_PATH_REFUSED,
+                  "'" + FOLDER + "' is a link that leads elsewhere.",
+                  SourceLocation.of(folder))
+              .withHint("Replace it with a folder: nothing is written outside the project."));
     }
+    try {
+      Files.createDirectories(folder);
+    } catch (IOException e) {
+      throw SourceFile.unwritable(folder, e);
+    }
+    SourceFile.write(file, text);
   }
 }

@@ -43,7 +43,8 @@ final class SearchReport {
   }
 
   /**
-   * Returns a finding for each find, and one if there was nothing to go by.
+   * Returns a finding for each find, one if few of the runs were simulated, and one if there was
+   * nothing to go by.
    *
    * @param files the path of each find's scenario
    */
@@ -60,6 +61,15 @@ final class SearchReport {
                   place)
               .withHint("Its scenario is " + files.get(i) + "; --keep makes it one of yours."));
     }
+    if (isCutShort()) {
+      findings.add(
+          Diagnostic.of(
+                  CampaignRules.SEARCH_FEW,
+                  "Only %d of %d runs were simulated: no other cases were left."
+                      .formatted(search.runs().size(), plan.search().runs()),
+                  place)
+              .withHint("Loosen a condition under 'where', or give the factors more values."));
+    }
     if (search.isFlat()) {
       String which =
           plan.search().criterion().map(it -> "'" + it.text() + "' has").orElse("No criterion has");
@@ -74,6 +84,12 @@ final class SearchReport {
               .withHint("Widen the factors, or minimise a criterion with a margin."));
     }
     return findings;
+  }
+
+  /** Returns whether a search that did not stop at a find saw less than half of what was asked. */
+  private boolean isCutShort() {
+    boolean stopped = plan.search().stopsAtFirst() && !finds.isEmpty();
+    return !stopped && 2 * search.runs().size() < plan.search().runs();
   }
 
   /**

@@ -5,14 +5,10 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.documents.AtomicFile;
 import dev.eventchain.model.WrittenRequirement;
-import dev.eventchain.output.OutputRules;
+import dev.eventchain.pipeline.files.SourceFile;
 import dev.eventchain.project.AcceptedTexts;
 import dev.eventchain.project.ProjectFolder;
-import java.io.IOException;
-import java.nio.file.Path;
 import java.time.LocalDate;
 import java.util.List;
 
@@ -46,7 +42,7 @@ public final class Acceptance {
             .accepted()
             .orElseGet(() -> new AcceptedTexts(List.of()))
             .accepting(written, ids.isEmpty() ? known : ids, by, on);
-    write(project.acceptedFile(), accepted.toYaml());
+    SourceFile.write(project.acceptedFile(), accepted.toYaml());
     return accepted;
   }
 
@@ -56,18 +52,5 @@ public final class Acceptance {
             "'" + id + "' is not a requirement of this project.",
             SourceLocation.of(project.requirements()))
         .withHint(NearestName.hint(id, known));
-  }
-
-  private static void write(Path file, String text) {
-    try {
-      AtomicFile.write(file, text);
-    } catch (IOException e) {
-      throw new DiagnosticException(
-          DiagnosticException.Reason.INPUT,
-          Diagnostic.of(
-              OutputRules.OUTPUT_UNWRITABLE,
-              "This cannot be written: " + SourceText.reason(e) + ".",
-              SourceLocation.of(file)));
-    }
   }
 }

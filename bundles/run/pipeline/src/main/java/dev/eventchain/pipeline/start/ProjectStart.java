@@ -16,7 +16,7 @@ import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
-import dev.eventchain.output.OutputRules;
+import dev.eventchain.pipeline.files.SourceFile;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.ProjectSettings;
 import dev.eventchain.project.Requirements;
@@ -314,12 +314,7 @@ public final class ProjectStart {
       Files.createDirectories(file.getParent());
       Files.writeString(file, text, StandardOpenOption.CREATE_NEW);
     } catch (IOException e) {
-      throw new DiagnosticException(
-          DiagnosticException.Reason.INPUT,
-          Diagnostic.of(
-              OutputRules.OUTPUT_UNWRITABLE,
-              "This cannot be written: " + SourceText.reason(e) + ".",
-              SourceLocation.of(file)));
+      throw SourceFile.unwritable(file, e);
     }
   }
 

@@ -26,6 +26,7 @@ public final class CampaignRules {
   public static final Rule KEY_UNKNOWN = Rule.error("campaign.key.unknown");
   public static final Rule MERGE = Rule.error("campaign.merge");
   public static final Rule SEARCH_CRITERION = Rule.error("search.criterion");
+  public static final Rule SEARCH_FEW = Rule.warning("search.few-runs");
   public static final Rule SEARCH_FOUND = Rule.error("search.found");
   public static final Rule SEARCH_NOTHING = Rule.warning("search.nothing-to-minimise");
   public static final Rule SIZE = Rule.error("campaign.size");

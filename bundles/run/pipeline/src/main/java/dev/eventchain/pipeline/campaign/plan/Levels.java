@@ -65,23 +65,31 @@ public sealed interface Levels {
     }
   }
 
+  /** Values between bounds, of which there is no end. */
+  sealed interface Bounded extends Levels permits Uniform, Normal {
+
+    BigDecimal least();
+
+    BigDecimal most();
+
+    @Override
+    default List<BigDecimal> checked() {
+      return List.of(least(), most());
+    }
+
+    @Override
+    default boolean isContinuous() {
+      return true;
+    }
+  }
+
   /** All values from one to another one, with the same probability. */
-  record Uniform(BigDecimal least, BigDecimal most) implements Levels {
+  record Uniform(BigDecimal least, BigDecimal most) implements Bounded {
 
     @Override
     public BigDecimal at(double share) {
       BigDecimal part = most.subtract(least).multiply(BigDecimal.valueOf(share));
       return within(least.add(part).round(DIGITS), least, most);
-    }
-
-    @Override
-    public List<BigDecimal> checked() {
-      return List.of(least, most);
-    }
-
-    @Override
-    public boolean isContinuous() {
-      return true;
     }
   }
 
@@ -92,7 +100,7 @@ public sealed interface Levels {
    * @param deviation the standard deviation, without regard to the bounds
    */
   record Normal(BigDecimal mean, BigDecimal deviation, BigDecimal least, BigDecimal most)
-      implements Levels {
+      implements Bounded {
 
     private static final NormalDistribution STANDARD = new NormalDistribution();
 
@@ -126,16 +134,6 @@ public sealed interface Levels {
 
     private double upper() {
       return most.subtract(mean).doubleValue() / deviation.doubleValue();
-    }
-
-    @Override
-    public List<BigDecimal> checked() {
-      return List.of(least, most);
-    }
-
-    @Override
-    public boolean isContinuous() {
-      return true;
     }
   }
 }
