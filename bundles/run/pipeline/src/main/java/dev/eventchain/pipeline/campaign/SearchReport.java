@@ -71,19 +71,22 @@ final class SearchReport {
               .withHint("Loosen a condition under 'where', or give the factors more values."));
     }
     if (search.isFlat()) {
-      String which =
-          plan.search().criterion().map(it -> "'" + it.text() + "' has").orElse("No criterion has");
-      findings.add(
-          Diagnostic.of(
-                  CampaignRules.SEARCH_NOTHING,
-                  which
-                      + (plan.search().criterion().isPresent() ? " no" : " a")
-                      + " margin that differs between the first cases, so the others were drawn at"
-                      + " random.",
-                  place)
-              .withHint("Widen the factors, or minimise a criterion with a margin."));
+      findings.add(nothingToGoBy(place));
     }
     return findings;
+  }
+
+  private Diagnostic nothingToGoBy(SourceLocation place) {
+    String which =
+        plan.search().criterion().map(it -> "'" + it.text() + "' has").orElse("No criterion has");
+    return Diagnostic.of(
+            CampaignRules.SEARCH_NOTHING,
+            which
+                + (plan.search().criterion().isPresent() ? " no" : " a")
+                + " margin that differs between the first cases, so the others were drawn at"
+                + " random.",
+            place)
+        .withHint("Widen the factors, or minimise a criterion with a margin.");
   }
 
   /** Returns whether a search that did not stop at a find saw less than half of what was asked. */
