@@ -84,7 +84,7 @@ final class FaultReport {
                     List.of(),
                     List.of(),
                     Optional.empty(),
-                    each.cause().map(it -> true)))
+                    Optional.empty()))
         .toList();
   }
 

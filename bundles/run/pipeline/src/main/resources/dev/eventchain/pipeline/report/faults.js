@@ -40,19 +40,17 @@ function faultDrive(fault) {
     text(fault.effect) ? html("div", { class: "small muted" }, text(fault.effect)) : null];
 }
 
-/** How many of the scenario's criteria hold; of the others the first ones, and the rest for those who ask: what follows from an impact, above all. */
+/** How many of the scenario's criteria hold; of the others the first ones, and the rest for those who ask. */
 function faultCriteria(fault) {
   const own = records(fault.criteria);
   const missed = own.filter((criterion) => criterion.passed !== true);
-  const alone = missed.filter((criterion) => criterion.consequence !== true);
-  const shown = alone.slice(0, 2);
-  const rest = [...alone.slice(2), ...missed.filter((criterion) => criterion.consequence === true)];
-  const followed = missed.length - alone.length;
+  const shown = missed.slice(0, 2);
+  const rest = missed.slice(2);
   const item = (criterion) => html("li", null, `${criterion.tested === false ? "not tested" : "not met"}: ${text(criterion.text)}: `,
     html("span", { class: "muted" }, text(criterion.measured)));
   return own.length === 0 ? "" : [`${own.length - missed.length} of ${own.length} hold`, html("ul", { class: "small" }, shown.map(item)),
     rest.length === 0 ? null : html("details", null,
-      html("summary", { class: "small" }, `${rest.length} more` + (followed === 0 ? "" : `, ${whole(followed)} as a consequence of the impact`)),
+      html("summary", { class: "small" }, `${rest.length} more`),
       html("ul", { class: "small" }, rest.map(item)))];
 }
 
