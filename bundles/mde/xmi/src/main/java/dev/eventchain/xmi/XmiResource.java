@@ -3,6 +3,7 @@ package dev.eventchain.xmi;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.diagnostics.XmlText;
 import java.io.IOException;
 import java.io.StringReader;
 import java.nio.file.Path;

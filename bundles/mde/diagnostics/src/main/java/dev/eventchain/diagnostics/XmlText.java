@@ -1,11 +1,5 @@
-package dev.eventchain.xmi;
+package dev.eventchain.diagnostics;
 
-import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.FileReads;
-import dev.eventchain.diagnostics.FileRules;
-import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
@@ -19,7 +13,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** Reads XML files in the encoding that they declare: UTF-8 unless they say otherwise. */
-final class XmlText {
+public final class XmlText {
 
   private static final int LONGEST_DECLARATION = 200;
 
@@ -34,7 +28,7 @@ final class XmlText {
    * @param name the name of the file in findings
    * @throws DiagnosticException as {@link SourceText#read} does
    */
-  static SourceText read(Path file, String name) {
+  public static SourceText read(Path file, String name) {
     FileReads.note(file);
     Charset charset = StandardCharsets.UTF_8;
     try {

@@ -1,0 +1,115 @@
+package dev.eventchain.documents;
+
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * An element of an XML file, with its place. Prefixes of names are kept as they are written, and
+ * text between elements is only that of elements without children. Immutable once it is read.
+ */
+public final class XmlElement {
+
+  private final SourceText source;
+  private final String name;
+  private final Map<String, String> attributes;
+  private final List<XmlElement> children;
+  private final String text;
+  private final int start;
+  private final int end;
+
+  XmlElement(
+      SourceText source,
+      String name,
+      Map<String, String> attributes,
+      List<XmlElement> children,
+      String text,
+      int start,
+      int end) {
+    this.source = source;
+    this.name = name;
+    this.attributes = Collections.unmodifiableMap(new LinkedHashMap<>(attributes));
+    this.children = Collections.unmodifiableList(children);
+    this.text = text;
+    this.start = start;
+    this.end = end;
+  }
+
+  /**
+   * Reads a text.
+   *
+   * @param rule that of a text that is not XML, has a document type, or is nested too deeply
+   * @return the root
+   * @throws DiagnosticException (INPUT) with that rule and the place
+   */
+  public static XmlElement parse(SourceText source, Rule rule) {
+    return XmlReader.read(source, rule);
+  }
+
+  public String name() {
+    return name;
+  }
+
+  /** Returns the attributes in their order, without declarations of namespaces. */
+  public Map<String, String> attributes() {
+    return attributes;
+  }
+
+  /** Returns the value of an attribute. */
+  public Optional<String> attribute(String attribute) {
+    return Optional.ofNullable(attributes.get(attribute));
+  }
+
+  public List<XmlElement> children() {
+    return children;
+  }
+
+  /** Returns the children of a name, in their order. */
+  public List<XmlElement> children(String child) {
+    return children.stream().filter(each -> each.name.equals(child)).toList();
+  }
+
+  /** Returns the first child of a name. */
+  public Optional<XmlElement> child(String child) {
+    for (XmlElement each : children) {
+      if (each.name.equals(child)) {
+        return Optional.of(each);
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Returns the text of an element without children; empty for others. */
+  public String text() {
+    return children.isEmpty() ? text : "";
+  }
+
+  /** Returns the place of the start tag. */
+  public SourceLocation location() {
+    return source.at(start);
+  }
+
+  /** Returns the place of an attribute's name; that of the start tag if it is not there. */
+  public SourceLocation location(String attribute) {
+    Matcher found =
+        Pattern.compile("\\s(" + Pattern.quote(attribute) + ")\\s*=")
+            .matcher(source.text())
+            .region(start, end);
+    return attributes.containsKey(attribute) && found.find()
+        ? source.at(found.start(1))
+        : location();
+  }
+
+  @Override
+  public String toString() {
+    return "<" + name + "> at " + location();
+  }
+}
