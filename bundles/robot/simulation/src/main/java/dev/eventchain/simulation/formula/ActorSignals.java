@@ -134,7 +134,11 @@ public final class ActorSignals implements Signal.Source {
             .min()
             .orElse(Long.MAX_VALUE);
     return trace.states().stream()
-        .mapToDouble(state -> state.time() < gone ? part.of(actor, state, trace) : Double.NaN)
+        .mapToDouble(
+            state ->
+                state.time() < gone && actor.exists(World.seconds(state.time()))
+                    ? part.of(actor, state, trace)
+                    : Double.NaN)
         .toArray();
   }
 

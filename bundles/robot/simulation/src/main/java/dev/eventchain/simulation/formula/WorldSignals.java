@@ -7,7 +7,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.ToDoubleBiFunction;
@@ -55,8 +54,12 @@ public final class WorldSignals implements Signal.Source {
         (state, place) -> turned(aside(state), 0.0 - state.deceleration(), place.heading()));
     addLane("lane.left", "m", "front bumper's middle to the left line", Road::toTheLeft);
     addLane("lane.right", "m", "front bumper's middle to the right line", Road::toTheRight);
-    addLane("lane.width", "m", "from line to line", (road, offset) -> road.laneWidth());
-    addLane("lane.curvature", "1/m", "of the road, to the left", (road, it) -> road.curvature());
+    addLane("lane.width", "m", "from line to line", (road, at) -> road.laneWidth(at.along()));
+    addLane(
+        "lane.curvature",
+        "1/m",
+        "of the road, to the left",
+        (road, at) -> road.curvature(at.along()));
     addTruth("lead.present", "whether a vehicle is in the path", s -> Double.isFinite(s.gap()));
     addAhead("gap", "m", "bumper to bumper", Trace.State::gap);
     addAhead("lead.speed", "m/s", "speed of the nearest in the path", Trace.State::leadSpeed);
@@ -86,15 +89,19 @@ public final class WorldSignals implements Signal.Source {
   }
 
   private static void addLane(
-      String name, String unit, String meaning, BiFunction<Road, Double, Double> value) {
+      String name, String unit, String meaning, ToDoubleBiFunction<Road, Road.Station> value) {
     add(
         name,
         unit,
         meaning,
         trace ->
             trace.states().stream()
-                .mapToDouble(state -> value.apply(trace.road(), state.pose().offset()))
+                .mapToDouble(state -> value.applyAsDouble(trace.road(), station(state)))
                 .toArray());
+  }
+
+  private static Road.Station station(Trace.State state) {
+    return new Road.Station(state.position(), state.pose().offset());
   }
 
   /**

@@ -36,8 +36,8 @@ final class SceneFromAbove {
   static Scene of(Situation situation, Trace trace, List<Trace.State> states) {
     SceneFromAbove above = new SceneFromAbove(situation, trace, states);
     return new Scene(
-        situation.road().curvature(),
-        situation.road().laneWidth(),
+        situation.road().curvature(0.0),
+        situation.road().laneWidth(0.0),
         Road.WALL_DISTANCE,
         above.ego(),
         trace.actors().stream()
@@ -67,7 +67,9 @@ final class SceneFromAbove {
             .findFirst();
     List<Road.Place> places = new ArrayList<>();
     for (Trace.State state : states) {
-      boolean there = gone.isEmpty() || state.time() < gone.get();
+      boolean there =
+          actor.exists(World.seconds(state.time()))
+              && (gone.isEmpty() || state.time() < gone.get());
       places.add(
           there
               ? actor.body(situation.road(), World.seconds(state.time())).place()

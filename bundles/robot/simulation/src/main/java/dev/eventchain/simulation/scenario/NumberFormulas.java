@@ -65,7 +65,7 @@ public final class NumberFormulas {
   private static SampledRun moment(Map<String, Double> values) {
     Map<String, Script> scripts = new LinkedHashMap<>();
     values.forEach((name, value) -> scripts.put(name, constant(value)));
-    Trace trace = new Trace(scripts, Road.STRAIGHT);
+    Trace trace = new Trace(scripts, Road.straight());
     trace.state(new Trace.State(0, 0, 0, 0, 0, 0, Double.NaN, Trace.Pose.STRAIGHT));
     return new SampledRun(trace);
   }

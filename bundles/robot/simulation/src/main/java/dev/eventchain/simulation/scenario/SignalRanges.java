@@ -39,8 +39,8 @@ final class SignalRanges implements Range.Source {
       return bench.signals().rangeOf(signal);
     }
     double wall = Road.WALL_DISTANCE;
-    double half = situation.road().laneWidth() / 2;
-    double curvature = situation.road().curvature();
+    double half = situation.road().laneWidth(0.0) / 2;
+    double curvature = situation.road().curvature(0.0);
     return switch (signal) {
       case "ego.speed" -> new Range(drives(BACKWARDS) ? -gained() : 0.0, fastest());
       case "ego.acceleration" -> accelerations();
@@ -90,7 +90,7 @@ final class SignalRanges implements Range.Source {
 
   /** Returns a bound of the distance, in m; in a bend, the lane's centre may be the longer way. */
   private double way() {
-    double curvature = Math.abs(situation.road().curvature());
+    double curvature = Math.abs(situation.road().curvature(0.0));
     double inside = 1.0 - curvature * Road.WALL_DISTANCE;
     return inside <= 0.0 ? Double.POSITIVE_INFINITY : fastest() * duration / inside;
   }

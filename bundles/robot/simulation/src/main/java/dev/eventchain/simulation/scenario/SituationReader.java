@@ -66,7 +66,7 @@ final class SituationReader {
         part.map(it -> reader.driver(it, ego.speed(), offset))
             .orElse(Situation.straight(ego, List.of()).driver());
     part.ifPresent(ObjectReader::refuseOthers);
-    Road road = section.object("road").map(SituationReader::road).orElse(Road.STRAIGHT);
+    Road road = section.object("road").map(SituationReader::road).orElse(Road.straight());
     List<Actor> actors = reader.read(section);
     refuseOverlap(actors, ego, road);
     CircumstancesReader circumstances =
@@ -107,7 +107,7 @@ final class SituationReader {
               .withHint("To the right it is negative. Leave it out for a straight road."));
     }
     section.refuseOthers();
-    return new Road(radius.isPresent() ? 1.0 / radius.getAsDouble() : 0.0, width);
+    return Road.bend(radius.isPresent() ? 1.0 / radius.getAsDouble() : 0.0, width);
   }
 
   private static EgoVehicle ego(ObjectReader section, EgoVehicle usual) {

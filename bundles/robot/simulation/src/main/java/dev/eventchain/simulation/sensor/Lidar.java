@@ -58,7 +58,7 @@ public final class Lidar {
     this.range = new float[rays.count()];
     this.intensity = new float[rays.count()];
     this.points = new float[rays.count() * POINT_STEP / Float.BYTES];
-    background(Road.STRAIGHT, new Road.Place(0.0, 0.0, 0.0), straightRange, straightIntensity);
+    background(Road.straight(), new Road.Place(0.0, 0.0, 0.0), straightRange, straightIntensity);
   }
 
   private static float[] noise() {
@@ -107,7 +107,8 @@ public final class Lidar {
    */
   public byte[] scan(RoadScene scene) {
     Road.Place place = scene.ego().ahead(-settings.behindBumper());
-    if (scene.road().curvature() == 0.0 && place.y() == 0.0 && place.heading() == 0.0) {
+    boolean usual = scene.road().isFurnished() && scene.road().isStraight();
+    if (usual && place.y() == 0.0 && place.heading() == 0.0) {
       System.arraycopy(straightRange, 0, range, 0, rays.count());
       System.arraycopy(straightIntensity, 0, intensity, 0, rays.count());
     } else {

@@ -67,6 +67,9 @@ public record RoadScene(Road road, Road.Place ego, List<Body> bodies) {
   }
 
   private static void addPosts(Road road, double from, double to, List<Body> bodies) {
+    if (!road.isFurnished()) {
+      return;
+    }
     double first = Math.floor(from / POST_SPACING) * POST_SPACING + POST_SPACING;
     for (double rear = first; rear < to; rear += POST_SPACING) {
       bodies.add(post(road, rear, POST_DISTANCE));

@@ -1,19 +1,15 @@
 package dev.eventchain.simulation.world;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * A road user or an object on the road or over it, other than the ego; moves by its script, whose
- * maneuvers begin at fixed times or by what happens. Its speed is that along the centre line of the
- * ego's lane, also in a bend. Immutable.
+ * maneuvers begin at fixed times or by what happens, or along a track. The speed of a script is
+ * that along the centre line of the ego's lane, also in a bend. Immutable, but for a track that
+ * grows.
  */
 public final class Actor {
-
-  /** Maximum angle between a vehicle that changes its lane and the road, as a slope. */
-  private static final double STEEPEST = 1.0 / 3.0;
-
-  /** Upper bound of an actor's yaw rate, in rad/s. */
-  private static final double TURNING = 1.0;
 
   /** Length, width, and the heights of its lower and its upper side above the road, in m. */
   public record Size(double length, double width, double bottom, double top) {}
@@ -21,10 +17,7 @@ public final class Actor {
   private final String name;
   private final ActorKind kind;
   private final Size size;
-  private final double start;
-  private final double heading;
-  private final Motion motion;
-  private final boolean turns;
+  private final Course course;
 
   /**
    * Creates an actor.
@@ -45,32 +38,30 @@ public final class Actor {
         name,
         kind,
         size,
-        gap + Body.extent(size.length(), size.width(), heading),
-        heading,
-        Motion.of(speed, offset),
-        true);
+        new ScriptedCourse(
+            gap + Body.extent(size.length(), size.width(), heading),
+            heading,
+            Motion.of(speed, offset),
+            true));
   }
 
-  private Actor(
-      String name,
-      ActorKind kind,
-      Size size,
-      double start,
-      double heading,
-      Motion motion,
-      boolean turns) {
+  /** Creates an actor that something else moves along a track. */
+  public Actor(String name, ActorKind kind, Size size, Track track) {
+    this(name, kind, size, (Course) track);
+  }
+
+  private Actor(String name, ActorKind kind, Size size, Course course) {
     this.name = name;
     this.kind = kind;
     this.size = size;
-    this.start = start;
-    this.heading = heading;
-    this.motion = motion;
-    this.turns = turns;
+    this.course = course;
   }
 
   /** Returns this actor, but one that keeps its direction while it moves sideways. */
   public Actor withoutTurning() {
-    return new Actor(name, kind, size, start, heading, motion, false);
+    return course instanceof ScriptedCourse script
+        ? with(new ScriptedCourse(script.start(), script.heading(), script.motion(), false))
+        : this;
   }
 
   /**
@@ -79,26 +70,42 @@ public final class Actor {
    * @param begun when the last maneuver of a known time begins, in s
    */
   public Actor then(double begun, List<Maneuver> maneuvers) {
-    return with(motion.then(begun, maneuvers));
+    return script().map(motion -> with(motion.then(begun, maneuvers))).orElse(this);
   }
 
-  private Actor with(Motion other) {
-    return new Actor(name, kind, size, start, heading, other, turns);
+  private Actor with(Motion motion) {
+    ScriptedCourse script = (ScriptedCourse) course;
+    return with(new ScriptedCourse(script.start(), script.heading(), motion, script.turns()));
+  }
+
+  private Actor with(ScriptedCourse other) {
+    return new Actor(name, kind, size, other);
+  }
+
+  private Optional<Motion> script() {
+    return course instanceof ScriptedCourse scripted
+        ? Optional.of(scripted.motion())
+        : Optional.empty();
   }
 
   /** Returns this actor with the maneuvers that begin now. */
   Actor continued(long now, Trace moment) {
-    return waits() ? with(motion.continued(now, moment)) : this;
+    return waits() ? with(script().get().continued(now, moment)) : this;
   }
 
   /** Returns whether a maneuver has not begun. */
   boolean waits() {
-    return motion.waits();
+    return script().filter(Motion::waits).isPresent();
   }
 
   /** Returns the maneuvers that have not begun. */
   List<Maneuver> waiting() {
-    return motion.waiting();
+    return script().map(Motion::waiting).orElse(List.of());
+  }
+
+  /** Returns whether it is there at a time, in s. */
+  public boolean exists(double seconds) {
+    return course.exists(seconds);
   }
 
   /** Returns a passenger car that keeps its speed and its lane. */
@@ -130,13 +137,12 @@ public final class Actor {
    * bumper.
    */
   public double along(double seconds) {
-    return start + StrictMath.cos(heading) * motion.speed().way(seconds);
+    return course.station(seconds).along();
   }
 
   /** Returns the position of its middle left of the centre line of the ego's lane, in m. */
   public double across(double seconds) {
-    double crossing = heading == 0.0 ? 0.0 : StrictMath.sin(heading) * motion.speed().way(seconds);
-    return motion.line().offset(seconds) + crossing;
+    return course.station(seconds).across();
   }
 
   /**
@@ -144,13 +150,7 @@ public final class Actor {
    * motion.
    */
   double heading(double seconds) {
-    double rate = motion.line().rate(seconds);
-    if (rate == 0.0 || !turns) {
-      return heading;
-    }
-    double forwards = Math.max(motion.speed().speed(seconds), Math.abs(rate) / STEEPEST);
-    double side = StrictMath.cos(heading) < 0.0 ? -1.0 : 1.0;
-    return heading + side * StrictMath.atan(rate / forwards);
+    return course.heading(seconds);
   }
 
   /**
@@ -173,32 +173,33 @@ public final class Actor {
 
   /** Returns its speed along the road, in m/s; negative if it is oncoming. */
   public double speedAlong(double seconds) {
-    return StrictMath.cos(heading) * motion.speed().speed(seconds);
+    return course.speedAlong(seconds);
   }
 
   /** Returns its speed across the road, in m/s; positive to the left. */
   public double speedAcross(double seconds) {
-    return motion.line().rate(seconds) + StrictMath.sin(heading) * motion.speed().speed(seconds);
+    return course.speedAcross(seconds);
   }
 
   /** Returns its box after some seconds. */
   public Body body(Road road, double seconds) {
-    Road.Place place = road.place(along(seconds), across(seconds));
-    Road.Place turned = new Road.Place(place.x(), place.y(), place.heading() + heading(seconds));
     return new Body(
-        turned, size.length(), size.width(), size.bottom(), size.top(), kind.intensity());
+        course.place(road, seconds),
+        size.length(),
+        size.width(),
+        size.bottom(),
+        size.top(),
+        kind.intensity());
   }
 
   /** Returns whether it stands from a time on, in s. */
   public boolean restsFrom(double seconds) {
-    return motion.restsFrom(seconds);
+    return course.restsFrom(seconds);
   }
 
   /** Returns an upper bound of the speed of any of its points, in m/s. */
   public double fastest() {
-    double aside = motion.fastestAside();
-    double turning = aside == 0.0 ? 0.0 : TURNING * (size.length() + size.width()) / 2;
-    return motion.fastest() + aside + turning;
+    return course.fastest((size.length() + size.width()) / 2);
   }
 
   /**

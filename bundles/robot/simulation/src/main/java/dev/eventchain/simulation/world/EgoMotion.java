@@ -155,6 +155,12 @@ public final class EgoMotion {
     driven = Math.max(-maximalAcceleration, Math.min(maximalDeceleration, -acceleration));
   }
 
+  /** Sets the acceleration, in m/s2, whatever the vehicle can do, until the software drives. */
+  void driveExactly(double acceleration) {
+    driven = 0.0 - acceleration;
+    deceleration = driven;
+  }
+
   /** Sets the driver's demand on the wheel, as a curvature in 1/m. */
   void steer(double wanted) {
     double tightest = chassis.curvature(-1.0);

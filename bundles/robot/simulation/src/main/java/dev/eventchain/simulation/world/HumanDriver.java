@@ -52,7 +52,7 @@ public record HumanDriver(Motion motion, boolean scripted) {
 
   /** Returns whether the driver steers at all. */
   boolean steers(Road road) {
-    return scripted || road.curvature() != 0.0;
+    return scripted || !road.isStraight();
   }
 
   /**
@@ -68,7 +68,8 @@ public record HumanDriver(Motion motion, boolean scripted) {
     double error = motion.line().offset(seconds) - station.across();
     double aside = motion.line().rate(seconds) + error / LINE_TIME;
     double wanted = StrictMath.asin(Math.max(-0.5, Math.min(0.5, aside / driven)));
-    double follows = road.curvature() / (1.0 - road.curvature() * station.across());
+    double bend = road.curvature(station.along());
+    double follows = bend / (1.0 - bend * station.across());
     return follows + (wanted - heading) / (HEADING_TIME * driven);
   }
 }

@@ -1,27 +1,19 @@
 package dev.eventchain.simulation.world;
 
 /**
- * A road with lanes parallel to the centre line of the ego's lane. It starts at the ego's front
- * bumper and is straight or has a constant curvature.
- *
- * @param curvature in 1/m, to the left is positive, 0 if it is straight
- * @param laneWidth between the lines of each lane, in m
+ * The road as the ego's lane has it: its centre line is that of the lane in which the ego starts,
+ * begins at the ego's front bumper, and goes along the x axis there.
  */
-public record Road(double curvature, double laneWidth) {
+public interface Road {
 
   /** The usual width of a lane of a motorway (German RAA 2008, cross-section RQ 31: 3.75 m). */
-  public static final double USUAL_LANE_WIDTH = 3.75;
+  double USUAL_LANE_WIDTH = 3.75;
 
-  /** A straight road. */
-  public static final Road STRAIGHT = new Road(0.0, USUAL_LANE_WIDTH);
-
-  /**
-   * Distance from the centre line of the ego's lane to the walls on both sides of the road, in m.
-   */
-  public static final double WALL_DISTANCE = 8.0;
+  /** Distance from the centre line to the walls on both sides of a furnished road, in m. */
+  double WALL_DISTANCE = 8.0;
 
   /** A place and a direction in the plane, in m and rad; at the start x is along the road. */
-  public record Place(double x, double y, double heading) {
+  record Place(double x, double y, double heading) {
 
     /** Returns the place ahead of this one by a distance in m. */
     public Place ahead(double distance) {
@@ -31,55 +23,59 @@ public record Road(double curvature, double laneWidth) {
   }
 
   /** A place in road coordinates: along its centre line, and left of it, in m. */
-  public record Station(double along, double across) {}
+  record Station(double along, double across) {}
+
+  /**
+   * Returns a furnished road of constant curvature.
+   *
+   * @param curvature in 1/m, to the left is positive, 0 if it is straight
+   * @param laneWidth between the lines of each lane, in m
+   */
+  static Road bend(double curvature, double laneWidth) {
+    return new Bend(curvature, laneWidth);
+  }
+
+  /** Returns a straight furnished road. */
+  static Road straight() {
+    return bend(0.0, USUAL_LANE_WIDTH);
+  }
+
+  /** Returns whether it is straight from end to end. */
+  boolean isStraight();
+
+  /** Returns whether a wall and posts stand on both sides. */
+  boolean isFurnished();
 
   /** Returns the place of a station, in the direction of the road. */
-  public Place place(double along, double across) {
-    if (curvature == 0.0) {
-      return new Place(along, across, 0.0);
-    }
-    double radius = 1.0 / curvature;
-    double turned = along * curvature;
-    return new Place(
-        (radius - across) * StrictMath.sin(turned),
-        radius - (radius - across) * StrictMath.cos(turned),
-        turned);
-  }
+  Place place(double along, double across);
 
   /**
    * Returns the station of a place.
    *
-   * @param near approximate distance along the road, since a circle returns to its start
+   * @param near approximate distance along the road, since a road may return to its start
    */
-  Station station(double x, double y, double near) {
-    if (curvature == 0.0) {
-      return new Station(x, y);
-    }
-    double radius = 1.0 / Math.abs(curvature);
-    double side = Math.signum(curvature);
-    double toCentre = radius - side * y;
-    double along = StrictMath.atan2(x, toCentre) * radius;
-    double circle = 2.0 * Math.PI * radius;
-    along += Math.rint((near - along) / circle) * circle;
-    return new Station(along, side * (radius - StrictMath.hypot(x, toCentre)));
-  }
+  Station station(double x, double y, double near);
+
+  /** Returns the direction of the road at a distance along it, in rad. */
+  double heading(double along);
+
+  /** Returns its curvature at a distance along it, in 1/m, to the left is positive. */
+  double curvature(double along);
+
+  /** Returns the distance between the lines of the ego's lane, in m. */
+  double laneWidth(double along);
 
   /**
-   * Returns the distance to the left line of the ego's lane from an offset left of its centre line,
+   * Returns the distance to the left line of the ego's lane from a station left of its centre line,
    * in m.
    */
-  public double toTheLeft(double offset) {
-    return laneWidth / 2 - offset;
+  default double toTheLeft(Station station) {
+    return laneWidth(station.along()) / 2 - station.across();
   }
 
   /** Returns the distance to the right line likewise. */
-  public double toTheRight(double offset) {
-    return laneWidth / 2 + offset;
-  }
-
-  /** Returns the direction of the road at a distance along it, in rad. */
-  public double heading(double along) {
-    return along * curvature;
+  default double toTheRight(Station station) {
+    return laneWidth(station.along()) / 2 + station.across();
   }
 
   /**
@@ -88,26 +84,5 @@ public record Road(double curvature, double laneWidth) {
    * @param from a place between the walls
    * @param dx direction of the ray in the plane, with the length of its projection
    */
-  public double wall(Place from, double dx, double dy) {
-    if (curvature == 0.0) {
-      return (Math.copySign(WALL_DISTANCE, dy) - from.y()) / dy;
-    }
-    double radius = 1.0 / Math.abs(curvature);
-    double y = from.y() - 1.0 / curvature;
-    double inner = circle(from.x(), y, dx, dy, radius - WALL_DISTANCE, false);
-    return Math.min(inner, circle(from.x(), y, dx, dy, radius + WALL_DISTANCE, true));
-  }
-
-  /** Returns the distance at which a ray enters a circle around the origin, or leaves it. */
-  private static double circle(
-      double x, double y, double dx, double dy, double radius, boolean leaves) {
-    double flat = dx * dx + dy * dy;
-    double half = (x * dx + y * dy) / flat;
-    double root = half * half - (x * x + y * y - radius * radius) / flat;
-    if (root < 0.0) {
-      return Double.POSITIVE_INFINITY;
-    }
-    double at = leaves ? -half + Math.sqrt(root) : -half - Math.sqrt(root);
-    return at > 0.0 ? at : Double.POSITIVE_INFINITY;
-  }
+  double wall(Place from, double dx, double dy);
 }

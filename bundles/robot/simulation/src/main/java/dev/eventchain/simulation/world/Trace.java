@@ -104,7 +104,7 @@ public final class Trace {
 
   /** Creates a trace without inputs. */
   public Trace() {
-    this(Map.of(), Road.STRAIGHT);
+    this(Map.of(), Road.straight());
   }
 
   /**

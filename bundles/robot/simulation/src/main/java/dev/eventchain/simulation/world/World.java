@@ -7,6 +7,7 @@ import java.util.Deque;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.Set;
 
@@ -25,6 +26,7 @@ public final class World {
   private final Trace trace;
   private final Deque<Pending> pending = new ArrayDeque<>();
   private final Set<String> gone = new HashSet<>();
+  private final Optional<Director> director;
   private List<Actor> actors;
   private HumanDriver driver;
   private EgoMotion ego;
@@ -58,10 +60,12 @@ public final class World {
     this.trace = trace;
     this.situation = situation;
     this.ego = new EgoMotion(situation.ego());
-    this.actors = situation.actors();
+    this.director = situation.director().map(Director.Source::begin);
+    this.actors = director.map(Director::actors).orElse(situation.actors());
     this.driver = situation.driver();
     this.speedStep = nanoseconds(situation.ego().speedStep());
     trace.situation(situation);
+    trace.actors(actors);
     record();
   }
 
@@ -93,8 +97,14 @@ public final class World {
     return ended || impacted();
   }
 
-  /** Returns whether the driver or an actor has a maneuver that has not begun. */
+  /**
+   * Returns whether a maneuver has not begun, or may begin as long as the scenario has not ended.
+   */
   public boolean waits() {
+    return director.isPresent() || maneuversWait();
+  }
+
+  private boolean maneuversWait() {
     return driver.motion().waits() || actors.stream().anyMatch(Actor::waits);
   }
 
@@ -112,11 +122,14 @@ public final class World {
     return actors;
   }
 
-  /** Returns all actors, except those that drove into the ego's rear. */
+  /** Returns all actors that are there, except those that drove into the ego's rear. */
   public List<Actor> actors() {
-    return gone.isEmpty()
+    double seconds = seconds(now);
+    return gone.isEmpty() && director.isEmpty()
         ? actors
-        : actors.stream().filter(each -> !gone.contains(each.name())).toList();
+        : actors.stream()
+            .filter(each -> !gone.contains(each.name()) && each.exists(seconds))
+            .toList();
   }
 
   /** Returns the position of the ego's front bumper on the road. */
@@ -198,7 +211,7 @@ public final class World {
     if (impact.isPresent()) {
       end(movement, impact.get().time());
       trace.impact(impact.get().speed(), impact.get().words());
-    } else if (movement.leavesTheRoad(until)) {
+    } else if (road().isFurnished() && movement.leavesTheRoad(until)) {
       end(movement, movement.leaving());
       trace.impact(ego.speed(), "the ego left the road");
     }
@@ -221,13 +234,24 @@ public final class World {
   /** Updates the driver's demands until the next update. */
   private void letDrive() {
     if (ego.held()) {
-      ego.drive(driver.acceleration(seconds(now), ego.speed()));
+      director.ifPresentOrElse(
+          it -> ego.driveExactly(it.acceleration()),
+          () -> ego.drive(driver.acceleration(seconds(now), ego.speed())));
     }
-    if (ego.steered() && driver.steers(road())) {
+    if (ego.steered()) {
+      director
+          .map(Director::curvature)
+          .orElse(OptionalDouble.empty())
+          .ifPresentOrElse(ego::steer, this::keepLane);
+    }
+  }
+
+  private void keepLane() {
+    if (driver.steers(road())) {
       Road.Station station = station();
       // At the rear axle, which follows the bend, the heading of the road lags behind that at the
       // bumper.
-      double behind = road().curvature() * situation.ego().axleToBumper();
+      double behind = road().curvature(station.along()) * situation.ego().axleToBumper();
       double heading = heading(station) + behind;
       ego.steer(driver.curvature(road(), station, heading, ego.speed(), seconds(now)));
     }
@@ -241,14 +265,29 @@ public final class World {
 
   /** Lets maneuvers begin, or the scenario end, where what they wait for has come. */
   private void begin() {
-    if (waits()) {
+    director.filter(it -> now % TRACE_STEP == 0).ifPresent(this::continueWith);
+    if (maneuversWait()) {
       Trace moment = moment();
       driver = driver.continued(now, moment);
       actors = actors.stream().map(actor -> actor.continued(now, moment)).toList();
       trace.actors(actors);
       trace.neverBegun(waiting());
     }
-    ended = situation.end().filter(condition -> condition.test(moment())).isPresent();
+    ended |= situation.end().filter(condition -> condition.test(moment())).isPresent();
+  }
+
+  private void continueWith(Director other) {
+    other.continueAt(
+        (int) (now / TRACE_STEP),
+        new Director.Ego(
+            ego.front(),
+            ego.velocity(),
+            0.0 - ego.deceleration(),
+            ego.yawRate(),
+            !ego.held(),
+            !ego.steered()));
+    trace.neverBegun(other.neverBegun());
+    ended |= other.ended();
   }
 
   /** Returns the maneuvers that have not begun, except for optional ones, in words. */

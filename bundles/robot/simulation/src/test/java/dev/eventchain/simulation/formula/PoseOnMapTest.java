@@ -16,7 +16,7 @@ class PoseOnMapTest {
 
   /** Returns a drive at 15 m/s through the quarters of a circle, 1 m left of the lane's centre. */
   private static Trace circle() {
-    Trace trace = new Trace(Map.of(), new Road(1 / RADIUS, 3.75));
+    Trace trace = new Trace(Map.of(), Road.bend(1 / RADIUS, 3.75));
     double yawRate = 15 / (RADIUS - 1);
     for (int quarter = 0; quarter <= 4; quarter++) {
       trace.state(

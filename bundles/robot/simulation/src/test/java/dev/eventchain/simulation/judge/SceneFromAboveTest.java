@@ -42,7 +42,7 @@ class SceneFromAboveTest {
   void inABendTheyStandOnTheArc() {
     Situation straight =
         Situation.straight(EgoVehicle.withSpeed(10), List.of(Actor.passengerCar(50, 0, 0)));
-    Road road = new Road(1.0 / 100, 3.5);
+    Road road = Road.bend(1.0 / 100, 3.5);
     Situation situation = new Situation(straight.ego(), straight.driver(), road, straight.actors());
     ScenarioVerdict.Mover car = scene(situation, 1).others().get(0);
     double radius = Math.hypot(car.x().get(0), car.y().get(0) - 100);

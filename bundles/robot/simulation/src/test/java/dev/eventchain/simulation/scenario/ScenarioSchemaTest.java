@@ -127,7 +127,7 @@ class ScenarioSchemaTest {
     assertEquals("the cyclist", situation.actors().get(0).name());
     assertEquals("parked car 4", situation.actors().get(4).name());
     assertEquals(38, situation.actors().get(4).rear(0), 1e-9);
-    assertEquals(-1.0 / 300, situation.road().curvature());
+    assertEquals(-1.0 / 300, situation.road().curvature(0));
     assertEquals(0.02, situation.ego().lidar().dropout());
   }
 

@@ -187,7 +187,7 @@ class SteeringTest {
     double far = 20;
     Body box = new Body(ego.ahead(far + 0.5), 1, 1, 0, 1.5, 0.8f);
     Lidar lidar = new Lidar(LidarSettings.USUAL, 1);
-    byte[] points = lidar.scan(new RoadScene(Road.STRAIGHT, ego, List.of(box)));
+    byte[] points = lidar.scan(new RoadScene(Road.straight(), ego, List.of(box)));
     java.nio.ByteBuffer data =
         java.nio.ByteBuffer.wrap(points).order(java.nio.ByteOrder.LITTLE_ENDIAN);
     int seen = 0;

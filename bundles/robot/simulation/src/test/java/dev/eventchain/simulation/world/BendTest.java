@@ -16,7 +16,7 @@ class BendTest {
   private static final long SECOND = 1_000_000_000L;
 
   private static World world(double radius, double speed, LateralProfile line, Actor... actors) {
-    Road road = new Road(radius == 0 ? 0 : 1 / radius, Road.USUAL_LANE_WIDTH);
+    Road road = Road.bend(radius == 0 ? 0 : 1 / radius, Road.USUAL_LANE_WIDTH);
     HumanDriver driver =
         new HumanDriver(new SpeedProfile(speed, List.of()), line, !line.constant());
     Situation situation = new Situation(EgoVehicle.withSpeed(speed), driver, road, List.of(actors));
@@ -28,7 +28,7 @@ class BendTest {
   @ParameterizedTest
   @ValueSource(doubles = {40, -40, 250, -250, 2000})
   void stationIsThePlaceAgain(double radius) {
-    Road road = new Road(1 / radius, 3.5);
+    Road road = Road.bend(1 / radius, 3.5);
     for (double along = -30; along < 900; along += 13.7) {
       for (double across = -7; across < 8; across += 3.1) {
         Road.Place place = road.place(along, across);
@@ -96,7 +96,8 @@ class BendTest {
             new SpeedProfile(10, List.of(new SpeedProfile.Change(1, 20, 2))), MIDDLE, false);
     World world =
         new World(
-            new Situation(EgoVehicle.withSpeed(10), driver, Road.STRAIGHT, List.of()), new Trace());
+            new Situation(EgoVehicle.withSpeed(10), driver, Road.straight(), List.of()),
+            new Trace());
     world.advanceTo(3 * SECOND);
     assertEquals(14, world.egoSpeed(), 0.3);
     world.advanceTo(8 * SECOND);
@@ -107,7 +108,7 @@ class BendTest {
   @ParameterizedTest
   @ValueSource(doubles = {60, -60, 400})
   void wallsBendWithTheRoad(double radius) {
-    Road road = new Road(1 / radius, 3.5);
+    Road road = Road.bend(1 / radius, 3.5);
     Road.Place from = road.place(20, 1.5);
     for (double azimuth = -3; azimuth < 3; azimuth += 0.37) {
       double dx = Math.cos(azimuth);

@@ -145,7 +145,7 @@ class ImpactTest {
   private static double touchedAfter(Actor actor, double speed) {
     for (int step = 0; step < 8000; step++) {
       double seconds = step * 5e-4;
-      Body body = actor.body(Road.STRAIGHT, seconds);
+      Body body = actor.body(Road.straight(), seconds);
       double middle = speed * seconds - Shape.USUAL.length() / 2;
       boolean near = Math.hypot(body.place().x() - middle, body.place().y()) < 9;
       if (near) {
