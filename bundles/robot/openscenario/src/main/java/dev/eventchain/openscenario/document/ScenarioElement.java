@@ -11,12 +11,14 @@ import java.util.Optional;
  * expressions are replaced, references to catalogs are replaced by their entries, and each
  * attribute has a value of its type. Immutable.
  *
- * @param written the element as it stands in its file
+ * @param name its name, that of the standard's latest version
+ * @param written the element as it stands in its file; for one that only the latest version has,
+ *     the one that stands for it
  * @param values the values of the attributes, Booleans as {@code true} and {@code false}, numbers
  *     without expressions
  */
 public record ScenarioElement(
-    XmlElement written, Map<String, String> values, List<ScenarioElement> children) {
+    String name, XmlElement written, Map<String, String> values, List<ScenarioElement> children) {
 
   /** Copies the attributes and the children. */
   public ScenarioElement {
@@ -24,9 +26,10 @@ public record ScenarioElement(
     children = List.copyOf(children);
   }
 
-  /** Returns its name, that of the standard's latest version. */
-  public String name() {
-    return written.name();
+  /** Creates an element that has the name it is written with. */
+  public ScenarioElement(
+      XmlElement written, Map<String, String> values, List<ScenarioElement> children) {
+    this(written.name(), written, values, children);
   }
 
   public SourceLocation location() {
@@ -54,7 +57,7 @@ public record ScenarioElement(
    */
   public String text(String attribute) {
     return optional(attribute)
-        .orElseThrow(() -> new IllegalArgumentException(name() + " has no " + attribute));
+        .orElseThrow(() -> new IllegalArgumentException(name + " has no " + attribute));
   }
 
   /** Returns a number, in the unit of the standard: m, s, m/s, rad, kg. */
@@ -96,8 +99,7 @@ public record ScenarioElement(
    * @throws IllegalArgumentException if it is not there
    */
   public ScenarioElement required(String child) {
-    return child(child)
-        .orElseThrow(() -> new IllegalArgumentException(name() + " has no " + child));
+    return child(child).orElseThrow(() -> new IllegalArgumentException(name + " has no " + child));
   }
 
   /**
@@ -108,6 +110,6 @@ public record ScenarioElement(
   public ScenarioElement choice() {
     return children.stream()
         .findFirst()
-        .orElseThrow(() -> new IllegalArgumentException(name() + " is empty"));
+        .orElseThrow(() -> new IllegalArgumentException(name + " is empty"));
   }
 }

@@ -1,0 +1,172 @@
+package dev.eventchain.openscenario.document;
+
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.documents.XmlElement;
+import dev.eventchain.openscenario.vocabulary.Version;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** The catalogs in the folders that a scenario names. Each folder is read once. */
+final class Catalogs {
+
+  /** A catalog, or the reason why a file with the name of one could not be read. */
+  private record Catalog(
+      String name,
+      Version version,
+      List<XmlElement> entries,
+      Optional<DiagnosticException> failure) {}
+
+  /** A folder as it is written, and where. */
+  record Location(String path, SourceLocation place) {}
+
+  /** What a reference leads to. */
+  record Entry(XmlElement element, Version version) {}
+
+  private final Folder folder;
+  private final Map<Path, List<Catalog>> read = new ConcurrentHashMap<>();
+
+  Catalogs(Folder folder) {
+    this.folder = folder;
+  }
+
+  /** A reference to an entry: two names, and the place that says so. */
+  record Reference(String catalog, String entry, SourceLocation place) {}
+
+  /**
+   * Returns the entry that a reference leads to; empty, with a finding, if there is none.
+   *
+   * @param folders the folders to look in
+   */
+  Optional<Entry> find(Reference reference, List<Location> folders, Findings findings) {
+    List<Catalog> named = new ArrayList<>();
+    List<String> names = new ArrayList<>();
+    boolean complete = true;
+    for (Location location : folders) {
+      Optional<List<Catalog>> all = in(location, findings);
+      complete &= all.isPresent();
+      for (Catalog catalog : all.orElse(List.of())) {
+        names.add(catalog.name());
+        if (catalog.name().equals(reference.catalog())) {
+          named.add(catalog);
+        }
+      }
+    }
+    for (Catalog catalog : named) {
+      catalog.failure().ifPresent(failure -> findings.addAll(failure.diagnostics()));
+    }
+    if (named.isEmpty() && !complete) {
+      return Optional.empty();
+    } else if (named.isEmpty()) {
+      findings.add(
+          DocumentRules.CATALOG_MISSING,
+          "No catalog `" + reference.catalog() + "` is in " + listed(folders) + ".",
+          reference.place(),
+          NearestName.hint(reference.catalog(), names));
+      return Optional.empty();
+    }
+    return entry(reference, named, findings);
+  }
+
+  private static Optional<Entry> entry(
+      Reference reference, List<Catalog> catalogs, Findings findings) {
+    List<Entry> found = new ArrayList<>();
+    List<String> names = new ArrayList<>();
+    for (Catalog catalog : catalogs) {
+      for (XmlElement each : catalog.entries()) {
+        String name = each.attribute("name").orElse("");
+        names.add(name);
+        if (name.equals(reference.entry())) {
+          found.add(new Entry(each, catalog.version()));
+        }
+      }
+    }
+    boolean unreadable = catalogs.stream().anyMatch(each -> each.failure().isPresent());
+    if (found.isEmpty() && !unreadable) {
+      findings.add(
+          DocumentRules.CATALOG_ENTRY,
+          "The catalog `" + reference.catalog() + "` has no `" + reference.entry() + "`.",
+          reference.place(),
+          NearestName.hint(reference.entry(), names));
+    }
+    for (Entry again : found.subList(Math.min(1, found.size()), found.size())) {
+      findings.add(
+          DocumentRules.CATALOG_DUPLICATE,
+          "The catalog `" + reference.catalog() + "` has `" + reference.entry() + "` twice.",
+          again.element().location(),
+          "The other one is at " + found.get(0).element().location() + ": rename one of them.");
+    }
+    return found.stream().findFirst();
+  }
+
+  /** Returns the catalogs of a folder; empty, with a finding, if it cannot be read. */
+  private Optional<List<Catalog>> in(Location location, Findings findings) {
+    try {
+      Path found = folder.find(location.path(), location.place());
+      if (Files.exists(found)) {
+        return Optional.of(read.computeIfAbsent(found, each -> read(each, location.place())));
+      }
+      findings.add(
+          DocumentRules.CATALOG_MISSING,
+          "There is no folder `" + location.path() + "`.",
+          location.place(),
+          "The path is relative to the folder of the scenario.");
+    } catch (DiagnosticException e) {
+      findings.addAll(e.diagnostics());
+    }
+    return Optional.empty();
+  }
+
+  private List<Catalog> read(Path found, SourceLocation place) {
+    List<Catalog> catalogs = new ArrayList<>();
+    for (Path file : filesOf(found, place)) {
+      String name = file.getFileName().toString().replaceFirst("\\.xosc$", "");
+      try {
+        ScenarioFile each = ScenarioFile.load(file, folder.root());
+        each.element()
+            .child("Catalog")
+            .ifPresent(
+                catalog ->
+                    catalogs.add(
+                        new Catalog(
+                            catalog.attribute("name").orElse(name),
+                            each.version(),
+                            catalog.children(),
+                            Optional.empty())));
+      } catch (DiagnosticException e) {
+        catalogs.add(new Catalog(name, Version.LATEST, List.of(), Optional.of(e)));
+      }
+    }
+    return catalogs;
+  }
+
+  private static List<Path> filesOf(Path found, SourceLocation place) {
+    if (Files.isRegularFile(found)) {
+      return List.of(found);
+    }
+    try (Stream<Path> files = Files.list(found)) {
+      return files.filter(file -> file.toString().endsWith(".xosc")).sorted().toList();
+    } catch (IOException e) {
+      throw Findings.refused(
+          DocumentRules.CATALOG_MISSING,
+          "The folder `" + SourceLocation.of(found).file() + "` cannot be read.",
+          place,
+          "");
+    }
+  }
+
+  private static String listed(List<Location> folders) {
+    return folders.stream()
+        .map(each -> "`" + each.path() + "`")
+        .collect(Collectors.joining(" or "));
+  }
+}

@@ -1,0 +1,56 @@
+package dev.eventchain.openscenario.document;
+
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+
+/**
+ * The files that a scenario may lead to: those below a root.
+ *
+ * @param root the folder that nothing outside of is read
+ * @param folder the folder that paths are relative to
+ */
+record Folder(Path root, Path folder) {
+
+  /**
+   * Returns the file or folder of a path, which may have {@code \} between its parts.
+   *
+   * @throws DiagnosticException (FINDINGS) if it is outside the root, also through a link
+   */
+  Path find(String written, SourceLocation place) {
+    try {
+      Path found = folder.resolve(written.strip().replace('\\', '/')).normalize();
+      if (isInside(found)) {
+        return found;
+      }
+    } catch (InvalidPathException e) {
+      throw Findings.refused(DocumentRules.PATH, "`" + written + "` is not a path.", place, "");
+    }
+    throw Findings.refused(
+        DocumentRules.PATH,
+        "`" + written + "` leads out of `" + SourceLocation.of(root).file() + "`.",
+        place,
+        "Copy what it leads to into that folder, or name a root that has both.");
+  }
+
+  private boolean isInside(Path found) {
+    Path top = real(root);
+    Path existing = found.toAbsolutePath().normalize();
+    while (existing.getParent() != null && Files.notExists(existing)) {
+      existing = existing.getParent();
+    }
+    return found.toAbsolutePath().normalize().startsWith(root.toAbsolutePath().normalize())
+        && (real(existing).startsWith(top) || top.startsWith(real(existing)));
+  }
+
+  private static Path real(Path path) {
+    try {
+      return path.toRealPath();
+    } catch (IOException e) {
+      return path.toAbsolutePath().normalize();
+    }
+  }
+}
