@@ -1,0 +1,66 @@
+package dev.eventchain.roads;
+
+import java.util.List;
+
+/**
+ * A junction.
+ *
+ * @param id the id
+ * @param name often empty
+ * @param kind what its connections are
+ * @param connections in the order of the file
+ */
+public record Junction(String id, String name, Kind kind, List<Connection> connections) {
+
+  /** What the connections of a junction are. */
+  public enum Kind {
+    /** Roads that lead through the junction. */
+    COMMON("default"),
+    /** Roads that meet directly, as at an exit of a motorway. */
+    DIRECT("direct"),
+    /** Roads that leave another one between its ends; paths do not take them. */
+    VIRTUAL("virtual"),
+    /** A crossing of roads without connections. */
+    CROSSING("crossing");
+
+    private final String spelling;
+
+    Kind(String spelling) {
+      this.spelling = spelling;
+    }
+
+    String spelling() {
+      return spelling;
+    }
+  }
+
+  /**
+   * A way through a junction.
+   *
+   * @param incoming the id of the road that leads to the junction
+   * @param road the id of the road that leads through it, or of the linked road of a direct one
+   * @param contact the end of that road at which the way begins
+   * @param lanes the lanes that are linked; empty if the file has none
+   */
+  public record Connection(
+      String id, String incoming, String road, RoadLink.Contact contact, List<LaneLink> lanes) {
+
+    /** Copies the links. */
+    public Connection {
+      lanes = List.copyOf(lanes);
+    }
+  }
+
+  /**
+   * A link between lanes.
+   *
+   * @param from the lane of the incoming road
+   * @param to the lane of the other road
+   */
+  public record LaneLink(int from, int to) {}
+
+  /** Copies the connections. */
+  public Junction {
+    connections = List.copyOf(connections);
+  }
+}

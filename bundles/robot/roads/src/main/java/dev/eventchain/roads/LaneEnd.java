@@ -1,0 +1,24 @@
+package dev.eventchain.roads;
+
+/**
+ * An end of a lane within its section.
+ *
+ * @param section the index of the lane section
+ * @param atEnd whether it is where the section ends, or else where it starts
+ */
+record LaneEnd(Road road, int section, int lane, boolean atEnd) {
+
+  /** Returns the other end of the lane. */
+  LaneEnd other() {
+    return new LaneEnd(road, section, lane, !atEnd);
+  }
+
+  LaneSection laneSection() {
+    return road.sections().get(section);
+  }
+
+  /** Returns s. */
+  double s() {
+    return atEnd ? laneSection().end() : laneSection().start();
+  }
+}

@@ -1,0 +1,171 @@
+package dev.eventchain.roads;
+
+import dev.eventchain.roads.geometry.PlanPoint;
+import dev.eventchain.roads.xml.Place;
+import dev.eventchain.roads.xml.Problems;
+import java.util.Collection;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/** Check of all links of a file, and what they say about lanes. */
+final class LaneGraphBuilder {
+
+  private final Map<String, Road> roads;
+  private final Map<String, Junction> junctions;
+  private final Problems problems;
+  private final LaneGraph graph = new LaneGraph();
+
+  LaneGraphBuilder(Map<String, Road> roads, Map<String, Junction> junctions, Problems problems) {
+    this.roads = roads;
+    this.junctions = junctions;
+    this.problems = problems;
+  }
+
+  LaneGraph graph(PendingLinks links) {
+    links.roads.forEach(this::check);
+    roads.values().forEach(this::addContinuedLanes);
+    links.lanes.forEach(this::add);
+    links.junctions.forEach(this::add);
+    Set<String> signals =
+        roads.values().stream()
+            .flatMap(road -> road.signals().stream().map(Signal::id))
+            .collect(Collectors.toSet());
+    for (PendingLinks.OfSignal reference : links.signals) {
+      if (!signals.contains(reference.signal())) {
+        report(reference.place(), "signal", reference.signal(), signals);
+      }
+    }
+    return graph;
+  }
+
+  private void report(Place place, String kind, String id, Collection<String> known) {
+    problems.add(
+        RoadRules.LINK,
+        place.location(),
+        "There is no " + kind + " `" + id + "`.",
+        listed(known) + "Correct the link, or remove it.");
+  }
+
+  /** Returns a few of the known ids. The nearest one would say nothing: most are numbers. */
+  private static String listed(Collection<String> known) {
+    String ids = known.stream().sorted().limit(12).collect(Collectors.joining("`, `"));
+    return known.isEmpty()
+        ? ""
+        : "Known are `" + ids + "`" + (known.size() > 12 ? ", .... " : ". ");
+  }
+
+  private void check(PendingLinks.OfRoad each) {
+    RoadLink link = each.link();
+    if (link.junction() && !junctions.containsKey(link.id())) {
+      report(each.place(), "junction", link.id(), junctions.keySet());
+    } else if (!link.junction() && !roads.containsKey(link.id())) {
+      report(each.place(), "road", link.id(), roads.keySet());
+    }
+  }
+
+  /** Links lanes of which a section of the other side begins beside them. */
+  private void addContinuedLanes(Road road) {
+    for (int i = 1; i < road.sections().size(); i++) {
+      LaneSection before = road.sections().get(i - 1);
+      for (Lane lane : road.sections().get(i).lanes()) {
+        if (before.lane(lane.id()).filter(other -> other == lane).isPresent()) {
+          graph.add(
+              new LaneEnd(road, i - 1, lane.id(), true), new LaneEnd(road, i, lane.id(), false));
+        }
+      }
+    }
+  }
+
+  private void add(PendingLinks.OfLane each) {
+    Road road = roads.get(each.road());
+    LaneEnd from = new LaneEnd(road, each.section(), each.lane(), each.forward());
+    int next = each.section() + (each.forward() ? 1 : -1);
+    if (next >= 0 && next < road.sections().size()) {
+      link(from, new LaneEnd(road, next, each.target(), !each.forward()), each.place());
+      return;
+    }
+    Optional<RoadLink> link = each.forward() ? road.successor() : road.predecessor();
+    // Lanes that lead into a junction are linked by its connections.
+    link.filter(found -> !found.junction() && roads.containsKey(found.id()))
+        .ifPresent(
+            found ->
+                link(
+                    from,
+                    end(roads.get(found.id()), found.contact().orElseThrow(), each.target()),
+                    each.place()));
+  }
+
+  private static LaneEnd end(Road road, RoadLink.Contact contact, int lane) {
+    boolean atEnd = contact == RoadLink.Contact.END;
+    return new LaneEnd(road, atEnd ? road.sections().size() - 1 : 0, lane, atEnd);
+  }
+
+  private void link(LaneEnd from, LaneEnd to, Place place) {
+    boolean fromExists = require(from, place);
+    boolean toExists = require(to, place);
+    if (fromExists && toExists) {
+      graph.add(from, to);
+    }
+  }
+
+  private boolean require(LaneEnd end, Place place) {
+    boolean exists = end.lane() != 0 && end.laneSection().lane(end.lane()).isPresent();
+    if (!exists) {
+      String lanes =
+          end.laneSection().lanes().stream()
+              .map(Lane::id)
+              .filter(id -> id != 0)
+              .map(String::valueOf)
+              .collect(Collectors.joining(", "));
+      problems.add(
+          RoadRules.LINK,
+          place.location(),
+          "Road `" + end.road().id() + "` has no lane " + end.lane() + " at s = " + end.s() + ".",
+          "Its lanes there are " + lanes + ". Correct the link, or remove it.");
+    }
+    return exists;
+  }
+
+  private void add(PendingLinks.OfJunction each) {
+    Junction.Connection connection = each.connection();
+    Road incoming = roads.get(connection.incoming());
+    Road road = roads.get(connection.road());
+    if (incoming == null) {
+      report(each.place(), "road", connection.incoming(), roads.keySet());
+    } else if (road == null) {
+      report(each.place(), "road", connection.road(), roads.keySet());
+    } else {
+      RoadLink.Contact contact = contact(incoming, each.junction(), road, connection.contact());
+      for (Junction.LaneLink lane : connection.lanes()) {
+        link(
+            end(incoming, contact, lane.from()),
+            end(road, connection.contact(), lane.to()),
+            each.place());
+      }
+    }
+  }
+
+  /** Returns the end of an incoming road that is at a junction; the nearer one if both may be. */
+  private static RoadLink.Contact contact(
+      Road incoming, String junction, Road road, RoadLink.Contact of) {
+    boolean start = leadsTo(incoming.predecessor(), junction);
+    boolean end = leadsTo(incoming.successor(), junction);
+    if (start != end) {
+      return start ? RoadLink.Contact.START : RoadLink.Contact.END;
+    }
+    PlanPoint to = road.plan(of == RoadLink.Contact.START ? 0 : road.length());
+    return distance(incoming.plan(0), to) < distance(incoming.plan(incoming.length()), to)
+        ? RoadLink.Contact.START
+        : RoadLink.Contact.END;
+  }
+
+  private static boolean leadsTo(Optional<RoadLink> link, String junction) {
+    return link.filter(found -> found.junction() && found.id().equals(junction)).isPresent();
+  }
+
+  private static double distance(PlanPoint first, PlanPoint second) {
+    return Math.hypot(first.x() - second.x(), first.y() - second.y());
+  }
+}

@@ -1,0 +1,31 @@
+package dev.eventchain.roads;
+
+import dev.eventchain.roads.xml.Place;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The links of a file with their places, until all that they refer to is read. */
+final class PendingLinks {
+
+  /** A link of a road's end. */
+  record OfRoad(String road, RoadLink.Contact end, RoadLink link, Place place) {}
+
+  /**
+   * A link of a lane.
+   *
+   * @param section the index of the lane section
+   * @param forward whether it leads along s
+   */
+  record OfLane(String road, int section, int lane, boolean forward, int target, Place place) {}
+
+  /** A connection of a junction. */
+  record OfJunction(String junction, Junction.Connection connection, Place place) {}
+
+  /** A reference to a signal. */
+  record OfSignal(String signal, Place place) {}
+
+  final List<OfRoad> roads = new ArrayList<>();
+  final List<OfLane> lanes = new ArrayList<>();
+  final List<OfJunction> junctions = new ArrayList<>();
+  final List<OfSignal> signals = new ArrayList<>();
+}

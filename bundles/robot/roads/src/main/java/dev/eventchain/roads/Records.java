@@ -1,0 +1,53 @@
+package dev.eventchain.roads;
+
+import dev.eventchain.roads.geometry.Profile;
+import dev.eventchain.roads.xml.Problems;
+import dev.eventchain.roads.xml.XmlElement;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Reader of elements that hold from their s on. */
+final class Records {
+
+  /** Difference between numbers of a file that are meant to be equal, in m. */
+  static final double ROUNDING = 1e-3;
+
+  private final Problems problems;
+
+  Records(Problems problems) {
+    this.problems = problems;
+  }
+
+  /**
+   * Reads polynomials.
+   *
+   * @param attribute the name of the attribute with the start
+   * @param from s of the place from which the starts are measured
+   */
+  Profile profile(List<XmlElement> elements, String attribute, double from) {
+    requireOrder(elements, attribute);
+    List<Profile.Piece> pieces = new ArrayList<>();
+    for (XmlElement element : elements) {
+      double start = from + element.number(attribute);
+      pieces.add(new Profile.Piece(start, RoadReader.cubic(element)));
+    }
+    return new Profile(pieces);
+  }
+
+  /** Reports starts that are below 0 or run backwards. */
+  void requireOrder(List<XmlElement> elements, String attribute) {
+    double last = 0;
+    for (XmlElement element : elements) {
+      // What is no number is reported where the element is read.
+      double start = element.isNumber(attribute) ? element.number(attribute) : last;
+      if (start < last - ROUNDING) {
+        problems.add(
+            RoadRules.ORDER,
+            element.at(attribute),
+            "`" + attribute + "` runs backwards, from " + last + " to " + start + ".",
+            "Sort the `" + element.name() + "` elements by `" + attribute + "`, from 0 up.");
+      }
+      last = Math.max(last, start);
+    }
+  }
+}

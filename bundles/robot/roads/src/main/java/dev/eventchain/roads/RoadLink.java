@@ -1,0 +1,26 @@
+package dev.eventchain.roads;
+
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * What follows an end of a road.
+ *
+ * @param junction whether it is a junction and no road
+ * @param id the id of the road or junction
+ * @param contact the end of the road that is linked; empty for a junction
+ */
+public record RoadLink(boolean junction, String id, Optional<Contact> contact) {
+
+  /** An end of a road. */
+  public enum Contact {
+    /** Where s is 0. */
+    START,
+    /** Where s is the road's length. */
+    END;
+
+    String spelling() {
+      return name().toLowerCase(Locale.ROOT);
+    }
+  }
+}

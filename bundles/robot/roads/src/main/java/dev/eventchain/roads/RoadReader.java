@@ -1,0 +1,135 @@
+package dev.eventchain.roads;
+
+import dev.eventchain.roads.geometry.Cubic;
+import dev.eventchain.roads.geometry.Profile;
+import dev.eventchain.roads.geometry.ReferenceLine;
+import dev.eventchain.roads.xml.Problems;
+import dev.eventchain.roads.xml.XmlElement;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/** Reader of roads. */
+final class RoadReader {
+
+  private final Problems problems;
+  private final PendingLinks links;
+
+  RoadReader(Problems problems, PendingLinks links) {
+    this.problems = problems;
+    this.links = links;
+  }
+
+  /** Reads a road; empty if it has problems, which are reported. */
+  Optional<Road> read(String id, XmlElement element) {
+    int before = problems.errors();
+    Road.Facts facts = facts(id, element);
+    double length = element.number("length");
+    if (length <= 0) {
+      problems.add(
+          RoadRules.LENGTH, element, "The road is " + length + " m long.", "Remove the road.");
+    }
+    Optional<ReferenceLine> line = new PlanReader(problems).read(element, length);
+    RoadSurface surface = new SurfaceReader(problems).read(element);
+    Optional<XmlElement> lanes = element.requiredChild("lanes");
+    Profile offset = lanes.map(child -> offset(child)).orElse(Profile.ZERO);
+    List<LaneSection> sections =
+        lanes
+            .map(child -> new LanesReader(problems, links, id, offset, length).read(child))
+            .orElse(List.of());
+    if (problems.errors() > before || line.isEmpty()) {
+      return Optional.empty();
+    }
+    Road bare = new Road(facts, line.get(), surface, offset, sections, Road.Furniture.NONE);
+    Road.Furniture furniture = furniture(bare, element);
+    return problems.errors() > before
+        ? Optional.empty()
+        : Optional.of(new Road(facts, line.get(), surface, offset, sections, furniture));
+  }
+
+  private Road.Furniture furniture(Road bare, XmlElement element) {
+    SignalsReader signals = new SignalsReader(problems, bare);
+    element.children("signals", "signalReference").stream()
+        .map(each -> new PendingLinks.OfSignal(each.string("id"), each.place()))
+        .forEach(links.signals::add);
+    return new Road.Furniture(
+        new ObjectsReader(problems, bare).read(element),
+        signals.read(element),
+        signals.references(element));
+  }
+
+  private Profile offset(XmlElement lanes) {
+    return new Records(problems).profile(lanes.children("laneOffset"), "s", 0);
+  }
+
+  private Road.Facts facts(String id, XmlElement element) {
+    String junction = element.optional("junction").orElse("-1");
+    Optional<XmlElement> link = element.child("link");
+    return new Road.Facts(
+        id,
+        element.optional("name").orElse(""),
+        junction.equals("-1") || junction.isEmpty() ? Optional.empty() : Optional.of(junction),
+        element.choice("rule", List.of(Road.Traffic.values()), RoadReader::spelling),
+        types(element),
+        link.flatMap(child -> link(id, child.child("predecessor"), RoadLink.Contact.START)),
+        link.flatMap(child -> link(id, child.child("successor"), RoadLink.Contact.END)));
+  }
+
+  private static String spelling(Road.Traffic traffic) {
+    return traffic == Road.Traffic.RIGHT_HAND ? "RHT" : "LHT";
+  }
+
+  private Optional<RoadLink> link(String id, Optional<XmlElement> element, RoadLink.Contact end) {
+    return element.map(
+        child -> {
+          boolean junction =
+              child.choice("elementType", List.of("road", "junction"), v -> v).equals("junction");
+          Optional<RoadLink.Contact> contact = Optional.empty();
+          if (!junction) {
+            child.string("contactPoint");
+            contact =
+                Optional.of(
+                    child.choice(
+                        "contactPoint",
+                        List.of(RoadLink.Contact.values()),
+                        RoadLink.Contact::spelling));
+          }
+          RoadLink link = new RoadLink(junction, child.string("elementId"), contact);
+          links.roads.add(new PendingLinks.OfRoad(id, end, link, child.place()));
+          return link;
+        });
+  }
+
+  private List<Road.RoadType> types(XmlElement road) {
+    List<XmlElement> children = road.children("type");
+    new Records(problems).requireOrder(children, "s");
+    return children.stream()
+        .map(
+            child ->
+                new Road.RoadType(
+                    child.number("s"),
+                    child.optional("type").orElse("unknown"),
+                    child
+                        .child("speed")
+                        .map(speed -> new Road.SpeedLimit(child.number("s"), speed(speed)))))
+        .toList();
+  }
+
+  /** Returns a speed in m/s. */
+  static OptionalDouble speed(XmlElement element) {
+    String value = element.string("max").strip();
+    if (List.of("", "no limit", "undefined").contains(value.toLowerCase(Locale.ROOT))) {
+      return OptionalDouble.empty();
+    }
+    String unit = element.choice("unit", List.of("m/s", "km/h", "mph"), each -> each);
+    double factor = unit.equals("m/s") ? 1 : unit.equals("km/h") ? 1 / 3.6 : 0.44704;
+    return OptionalDouble.of(element.number("max") * factor);
+  }
+
+  /** Returns a polynomial by its attributes {@code a} to {@code d}. */
+  static Cubic cubic(XmlElement element) {
+    return new Cubic(
+        element.number("a"), element.number("b"), element.number("c"), element.number("d"));
+  }
+}

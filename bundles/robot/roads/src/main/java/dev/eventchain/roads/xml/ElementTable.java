@@ -1,0 +1,93 @@
+package dev.eventchain.roads.xml;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * What is done with each element of OpenDRIVE: read, without effect, or refused because roads would
+ * be different without it. The table is a file beside this class.
+ */
+public final class ElementTable {
+
+  /** What is done with an element. */
+  enum Treatment {
+    /** Read. */
+    READ,
+    /** Skipped with all that it contains. */
+    SKIPPED,
+    /** Reported as an error. */
+    REFUSED
+  }
+
+  /**
+   * A line of the table.
+   *
+   * @param reason empty for what is read
+   */
+  record Entry(Treatment treatment, String reason) {}
+
+  /**
+   * Entries by {@code parent/child}; elements that may be anywhere are <code>*&#47;child</code>.
+   */
+  static final Map<String, Entry> ENTRIES = entries();
+
+  private ElementTable() {}
+
+  private static Map<String, Entry> entries() {
+    Map<String, Entry> entries = new TreeMap<>();
+    text()
+        .lines()
+        .filter(line -> !line.isBlank() && !line.startsWith("#"))
+        .forEach(
+            line -> {
+              String[] parts = (line + " ").split(" ", 3);
+              entries.put(parts[0], new Entry(Treatment.valueOf(parts[1]), parts[2].strip()));
+            });
+    return entries;
+  }
+
+  private static String text() {
+    try (InputStream table = ElementTable.class.getResourceAsStream("elements.txt")) {
+      return new String(table.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Reports what is refused or unknown in a child of the root. */
+  public static void check(XmlElement element, Problems problems) {
+    check("OpenDRIVE", element, problems);
+  }
+
+  private static void check(String parent, XmlElement element, Problems problems) {
+    Entry entry = ENTRIES.get(parent + "/" + element.name());
+    if (entry == null) {
+      entry = ENTRIES.get("*/" + element.name());
+    }
+    if (entry == null) {
+      problems.add(
+          XmlRules.ELEMENT_UNKNOWN,
+          element,
+          "`" + element.name() + "` in `" + parent + "` is not part of OpenDRIVE up to 1.8.",
+          "It has no effect. Data of your own belong into `userData`.");
+    } else if (entry.treatment == Treatment.REFUSED && !isHarmless(element)) {
+      problems.add(
+          XmlRules.ELEMENT_UNSUPPORTED,
+          element,
+          "`" + element.name() + "` is not supported: " + entry.reason + ".",
+          "Export the file without it, or remove it if the difference does not matter.");
+    } else if (entry.treatment == Treatment.READ) {
+      element.children().forEach(child -> check(element.name(), child, problems));
+    }
+  }
+
+  /** Returns whether a description of a surface changes the friction only. */
+  private static boolean isHarmless(XmlElement element) {
+    return element.name().equals("CRG")
+        && element.optional("purpose").filter("friction"::equals).isPresent();
+  }
+}

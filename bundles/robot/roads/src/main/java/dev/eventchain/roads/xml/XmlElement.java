@@ -1,0 +1,266 @@
+package dev.eventchain.roads.xml;
+
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * An element with its attributes, children and place. Reads of attributes report what is wrong with
+ * them and return a stand-in, {@code NaN} or an empty text, so that one reading finds all problems.
+ */
+public final class XmlElement {
+
+  private final SourceText source;
+  private final Problems problems;
+  private final String name;
+  private final int offset;
+  private final XmlElement parent;
+  private final Map<String, String> attributes;
+  private final List<XmlElement> children = new ArrayList<>(0);
+  private String text = "";
+
+  XmlElement(
+      SourceText source,
+      Problems problems,
+      String name,
+      int offset,
+      XmlElement parent,
+      Map<String, String> attributes) {
+    this.source = source;
+    this.problems = problems;
+    this.name = name;
+    this.offset = offset;
+    this.parent = parent;
+    this.attributes = attributes;
+    if (parent != null) {
+      parent.children.add(this);
+    }
+  }
+
+  void append(String more) {
+    text = text.isEmpty() ? more : text + more;
+  }
+
+  /** Returns the local name. */
+  public String name() {
+    return name;
+  }
+
+  /** Returns the text without white space at its ends. */
+  public String text() {
+    return text.strip();
+  }
+
+  /** Returns the parent; null for a child of the document's root. */
+  XmlElement parent() {
+    return parent;
+  }
+
+  /** Returns all children. */
+  public List<XmlElement> children() {
+    return children;
+  }
+
+  /** Returns the children of a name. */
+  public List<XmlElement> children(String childName) {
+    List<XmlElement> found = new ArrayList<>(children.size());
+    for (XmlElement child : children) {
+      if (child.name.equals(childName)) {
+        found.add(child);
+      }
+    }
+    return found;
+  }
+
+  /** Returns the grandchildren of a name below children of another one. */
+  public List<XmlElement> children(String childName, String grandchildName) {
+    return children(childName).stream()
+        .flatMap(child -> child.children(grandchildName).stream())
+        .toList();
+  }
+
+  /** Returns the first child of a name. */
+  public Optional<XmlElement> child(String childName) {
+    for (XmlElement child : children) {
+      if (child.name.equals(childName)) {
+        return Optional.of(child);
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Returns the first child of a name; reports that there is none. */
+  public Optional<XmlElement> requiredChild(String childName) {
+    Optional<XmlElement> child = child(childName);
+    if (child.isEmpty()) {
+      problems.add(
+          XmlRules.ELEMENT_MISSING,
+          this,
+          "`" + name + "` has no `" + childName + "`.",
+          "Add the element, or export the file again.");
+    }
+    return child;
+  }
+
+  /** Returns the value of an attribute. */
+  public Optional<String> optional(String attribute) {
+    return Optional.ofNullable(attributes.get(attribute));
+  }
+
+  /** Returns the value of an attribute; an empty text, and a problem, if there is none. */
+  public String string(String attribute) {
+    String value = attributes.get(attribute);
+    if (value == null) {
+      missing(attribute);
+      return "";
+    }
+    return value;
+  }
+
+  private void missing(String attribute) {
+    String question = NearestName.question(attribute, attributes.keySet());
+    problems.add(
+        XmlRules.ATTRIBUTE_MISSING,
+        this,
+        "`" + name + "` has no attribute `" + attribute + "`.",
+        question.isEmpty() ? "Add the attribute, or export the file again." : question);
+  }
+
+  /** Returns the finite number of an attribute; {@code NaN}, and a problem, if it is none. */
+  public double number(String attribute) {
+    String value = attributes.get(attribute);
+    if (value == null) {
+      missing(attribute);
+      return Double.NaN;
+    }
+    return parsed(attribute, value);
+  }
+
+  /** Returns the finite number of an attribute, or a value if there is no such attribute. */
+  public double number(String attribute, double absent) {
+    String value = attributes.get(attribute);
+    return value == null ? absent : parsed(attribute, value);
+  }
+
+  /** Returns whether an attribute is a finite number; reports nothing. */
+  public boolean isNumber(String attribute) {
+    String value = attributes.get(attribute);
+    return value != null && Double.isFinite(decimal(value.strip()));
+  }
+
+  private double parsed(String attribute, String value) {
+    double number = decimal(value.strip());
+    if (!Double.isFinite(number)) {
+      problems.add(
+          XmlRules.NUMBER,
+          at(attribute),
+          "`" + attribute + "` is `" + shortened(value) + "`, which is no finite number.",
+          "Write a decimal number, such as `12.5` or `1.2e-3`.");
+      return Double.NaN;
+    }
+    return number;
+  }
+
+  /** Java's numbers may also be hexadecimal, have a type suffix, or be called {@code Infinity}. */
+  private static double decimal(String value) {
+    boolean plain = !value.isEmpty();
+    for (int i = 0; plain && i < value.length(); i++) {
+      plain = "0123456789+-.eE".indexOf(value.charAt(i)) >= 0;
+    }
+    try {
+      return plain ? Double.parseDouble(value) : Double.NaN;
+    } catch (NumberFormatException e) {
+      return Double.NaN;
+    }
+  }
+
+  /** Returns the integer of an attribute; 0, and a problem, if it is none. */
+  public int integer(String attribute) {
+    String value = attributes.get(attribute);
+    if (value == null) {
+      missing(attribute);
+      return 0;
+    }
+    try {
+      return Integer.parseInt(value.strip());
+    } catch (NumberFormatException e) {
+      problems.add(
+          XmlRules.NUMBER,
+          at(attribute),
+          "`" + attribute + "` is `" + shortened(value) + "`, which is no integer.",
+          "Write an integer, such as `-1`.");
+      return 0;
+    }
+  }
+
+  /**
+   * Returns the meaning of an attribute's value, or that of the first one if there is no such
+   * attribute or, with a problem, if the value is none of those that are allowed.
+   *
+   * @param allowed the allowed values in lower case with their meanings
+   */
+  public <T> T choice(String attribute, List<T> allowed, Function<T, String> spelling) {
+    String value = attributes.get(attribute);
+    if (value == null) {
+      return allowed.get(0);
+    }
+    for (T each : allowed) {
+      if (spelling.apply(each).equalsIgnoreCase(value.strip())) {
+        return each;
+      }
+    }
+    problems.add(
+        XmlRules.VALUE,
+        at(attribute),
+        "`" + attribute + "` is `" + shortened(value) + "`, which OpenDRIVE does not know here.",
+        "Write one of "
+            + allowed.stream()
+                .map(v -> "`" + spelling.apply(v) + "`")
+                .collect(Collectors.joining(", "))
+            + ".");
+    return allowed.get(0);
+  }
+
+  private static String shortened(String value) {
+    return value.length() <= 40 ? value : value.substring(0, 40) + "...";
+  }
+
+  /** Returns the place of the element, with its path. */
+  public SourceLocation location() {
+    return place().location();
+  }
+
+  /** Returns the place of the element, which keeps no element in memory. */
+  public Place place() {
+    return new Place(source, offset, path());
+  }
+
+  /** Returns the place of an attribute; that of the element if it has no such attribute. */
+  public SourceLocation at(String attribute) {
+    Matcher written =
+        Pattern.compile("\\s" + Pattern.quote(attribute) + "\\s*=").matcher(source.text());
+    int end = source.text().indexOf('>', offset);
+    boolean found = written.region(offset, Math.max(offset, end)).find();
+    return found ? source.at(written.start() + 1).withElement(path()) : location();
+  }
+
+  /** Returns the names of the elements from the root, with what identifies each. */
+  private String path() {
+    String own =
+        Stream.of("id", "s", "sOffset")
+            .filter(attributes::containsKey)
+            .findFirst()
+            .map(key -> name + "[" + key + "=" + shortened(attributes.get(key)) + "]")
+            .orElse(name);
+    return parent == null ? own : parent.path() + "/" + own;
+  }
+}
