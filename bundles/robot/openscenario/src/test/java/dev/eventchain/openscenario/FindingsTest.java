@@ -9,6 +9,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.openscenario.document.ScenarioFile;
+import dev.eventchain.openscenario.document.Variations;
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.nio.file.Files;
@@ -48,7 +49,10 @@ class FindingsTest {
 
   private static List<Diagnostic> findings(Path file, Path root) {
     try {
-      return ScenarioFile.read(file, root).resolve(Map.of()).warnings();
+      ScenarioFile read = ScenarioFile.read(file, root);
+      return read.kind() == ScenarioFile.Kind.DISTRIBUTION
+          ? Variations.of(read).warnings()
+          : read.resolve(Map.of()).warnings();
     } catch (DiagnosticException e) {
       return e.diagnostics();
     }

@@ -12,6 +12,9 @@ final class DocumentRules {
   static final Rule CATALOG_DUPLICATE = Rule.error("osc.catalog.duplicate");
   static final Rule CATALOG_ENTRY = Rule.error("osc.catalog.entry");
   static final Rule CATALOG_MISSING = Rule.error("osc.catalog.missing");
+  static final Rule DISTRIBUTION = Rule.error("osc.distribution");
+  static final Rule DISTRIBUTION_SIZE = Rule.error("osc.distribution.size");
+  static final Rule DISTRIBUTION_UNSUPPORTED = Rule.error("osc.distribution.unsupported");
   static final Rule ELEMENT_MISSING = Rule.error("osc.element.missing");
   static final Rule ELEMENT_SURPLUS = Rule.error("osc.element.surplus");
   static final Rule ELEMENT_UNKNOWN = Rule.error("osc.element.unknown");

@@ -52,6 +52,14 @@ final class Resolver {
     return new ResolvedScenario(file, root, parameters, variables, road, findings.endIfWrong());
   }
 
+  /** Returns the elements of a file that has no parameters. */
+  ScenarioElement tree(Findings into) {
+    ScenarioElement root =
+        build(file.element(), Vocabulary.standard().root(), new Scope(null, findings));
+    into.addAll(findings.all());
+    return root;
+  }
+
   private void locateCatalogs(Scope scope) {
     for (XmlElement each :
         file.element().child("CatalogLocations").map(XmlElement::children).orElse(List.of())) {
