@@ -30,6 +30,14 @@ final class AttributeValues {
     return PRIMITIVES.getOrDefault(attribute.type(), DataType.STRING);
   }
 
+  /** Returns a value in its latest form; empty if it is not of the type. */
+  static Optional<String> latest(AttributeType attribute, String value) {
+    return Vocabulary.standard()
+        .enumeration(attribute.type())
+        .map(words -> words.literal(value.strip()).map(Enumeration.Literal::latest))
+        .orElseGet(() -> typeOf(attribute).canonical(value));
+  }
+
   /** Returns a value in its latest form; empty, with a finding, if it is not of the type. */
   static Optional<String> check(
       AttributeType attribute, String value, SourceLocation place, Findings findings) {

@@ -149,22 +149,36 @@ final class Resolver {
 
   private Map<String, String> values(XmlElement element, ElementType type, Scope scope) {
     Map<String, String> values = new LinkedHashMap<>();
-    boolean literal = type.name().equals("FileHeader");
     element
         .attributes()
         .forEach(
             (name, written) -> {
               AttributeType attribute = type.attributes().get(name);
+              boolean literal = type.name().equals("FileHeader") || name.equals("parameterRef");
               if (attribute != null) {
-                SourceLocation place = element.location(name);
-                boolean names = literal || name.equals("parameterRef");
-                Optional<String> text =
-                    names ? Optional.of(written) : scope.evaluate(written, place);
-                text.flatMap(value -> AttributeValues.check(attribute, value, place, findings))
+                boolean computed = !literal && written.strip().startsWith("$");
+                value(element, attribute, written, computed ? Optional.of(scope) : Optional.empty())
                     .ifPresent(value -> values.put(name, value));
               }
             });
     return values;
+  }
+
+  /** Returns the value of an attribute. Its place, which takes long to find, is for findings. */
+  private Optional<String> value(
+      XmlElement element, AttributeType attribute, String written, Optional<Scope> scope) {
+    if (scope.isEmpty()) {
+      Optional<String> value = AttributeValues.latest(attribute, written);
+      return value.isPresent() ? value : checked(element, attribute, written);
+    }
+    return scope
+        .get()
+        .evaluate(written, element.location(attribute.name()))
+        .flatMap(text -> checked(element, attribute, text));
+  }
+
+  private Optional<String> checked(XmlElement element, AttributeType attribute, String text) {
+    return AttributeValues.check(attribute, text, element.location(attribute.name()), findings);
   }
 
   private Optional<ScenarioElement> entry(XmlElement reference, ElementType parent, Scope scope) {

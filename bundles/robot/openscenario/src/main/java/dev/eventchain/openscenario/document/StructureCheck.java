@@ -57,9 +57,13 @@ final class StructureCheck {
     if (name.indexOf(':') >= 0) {
       return;
     }
+    AttributeType attribute = type.attribute(name).orElse(null);
+    boolean known = attribute != null && version.isSince(attribute.since());
+    if (known && (value.startsWith("$") || AttributeValues.latest(attribute, value).isPresent())) {
+      return;
+    }
     SourceLocation place = element.location(name);
     String message = named(element) + " has no attribute named `" + name + "`.";
-    AttributeType attribute = type.attribute(name).orElse(null);
     if (attribute == null) {
       String hint = NearestName.hint(name, type.attributes().keySet());
       findings.add(DocumentRules.ATTRIBUTE_UNKNOWN, message, place, hint);

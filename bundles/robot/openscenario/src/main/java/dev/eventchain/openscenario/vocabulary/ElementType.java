@@ -1,6 +1,5 @@
 package dev.eventchain.openscenario.vocabulary;
 
-import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -13,6 +12,7 @@ import java.util.TreeMap;
  *
  * @param since the version that has it first
  * @param contents what may stand in its elements, by the version that says so first
+ * @param children the children of all versions: their types by name
  * @param hasText whether text may stand in its elements
  */
 public record ElementType(
@@ -20,12 +20,14 @@ public record ElementType(
     Version since,
     Map<String, AttributeType> attributes,
     NavigableMap<Version, Content> contents,
+    Map<String, String> children,
     boolean hasText) {
 
   /** Copies the maps, in their order. */
   public ElementType {
     attributes = Collections.unmodifiableMap(new LinkedHashMap<>(attributes));
     contents = Collections.unmodifiableNavigableMap(new TreeMap<>(contents));
+    children = Collections.unmodifiableMap(new LinkedHashMap<>(children));
   }
 
   /** Returns an attribute. */
@@ -41,13 +43,5 @@ public record ElementType(
   public Content content(Version version) {
     Map.Entry<Version, Content> content = contents.floorEntry(version);
     return content == null ? contents.firstEntry().getValue() : content.getValue();
-  }
-
-  /** Returns the children of all versions: their types by name. */
-  public Map<String, String> children() {
-    Map<String, String> all = new LinkedHashMap<>();
-    Collection<Content> latestFirst = contents.descendingMap().values();
-    latestFirst.forEach(content -> content.children().forEach(all::putIfAbsent));
-    return all;
   }
 }

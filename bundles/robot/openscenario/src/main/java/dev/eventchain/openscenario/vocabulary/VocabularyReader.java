@@ -82,7 +82,11 @@ final class VocabularyReader {
       enumerations.put(name, new Enumeration(name, since, literals));
     } else if (!name.isEmpty()) {
       contents.putIfAbsent(since, ContentReader.read(""));
-      elements.put(name, new ElementType(name, since, attributes, contents, hasText));
+      Map<String, String> children = new LinkedHashMap<>();
+      for (Content content : contents.descendingMap().values()) {
+        content.children().forEach(children::putIfAbsent);
+      }
+      elements.put(name, new ElementType(name, since, attributes, contents, children, hasText));
     }
   }
 
