@@ -10,6 +10,9 @@ import java.util.OptionalInt;
 /** The lanes of a part of a road. Immutable. */
 public final class LaneSection {
 
+  /** Distance to the outermost edge that is rounding, in m. */
+  private static final double ROUNDING = 1e-9;
+
   private final double start;
   private final double end;
   private final Profile offset;
@@ -120,8 +123,9 @@ public final class LaneSection {
         return OptionalInt.of(lane.id());
       }
     }
-    return t == inner + edge
-        ? OptionalInt.of(side.isEmpty() ? 0 : side.size())
+    boolean onEdge = Math.abs(t - inner - edge) < ROUNDING;
+    return onEdge
+        ? OptionalInt.of(side.isEmpty() ? 0 : side.get(side.size() - 1).id())
         : OptionalInt.empty();
   }
 

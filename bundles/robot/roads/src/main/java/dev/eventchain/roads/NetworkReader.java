@@ -48,7 +48,9 @@ final class NetworkReader {
   private Header header(XmlElement element) {
     double major = element.number("revMajor");
     double minor = element.number("revMinor");
-    if (major != 1 && !Double.isNaN(major) || minor > NEWEST_MINOR || minor < 0) {
+    // What is no number is reported where it is read.
+    boolean unknown = major < 1 || major > 1 || minor > NEWEST_MINOR || minor < 0;
+    if (unknown) {
       problems.add(
           RoadRules.VERSION,
           element,

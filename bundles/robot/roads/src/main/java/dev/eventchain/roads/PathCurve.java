@@ -78,9 +78,9 @@ final class PathCurve {
     double place = s[i] + share * (s[i + 1] - s[i]);
     double sense = track.isAlongS() ? 1 : -1;
     for (int round = 0; round < 8; round++) {
-      double signed = sense * Math.signum(sense * (place - s[i])) * track.length(s[i], place);
-      double error = sense * signed - (inside - along[i]);
-      place -= sense * error / Math.max(1e-6, track.stretch(place));
+      double error = track.length(s[i], place) - (inside - along[i]);
+      double next = place - sense * error / Math.max(1e-6, track.stretch(place));
+      place = Math.max(Math.min(s[i], s[i + 1]), Math.min(Math.max(s[i], s[i + 1]), next));
       if (Math.abs(error) < 1e-10) {
         break;
       }

@@ -211,7 +211,9 @@ public final class RoadNetwork {
   }
 
   private Optional<Lane> lane(LanePosition position) {
+    // Lane 0 is a line, along which nothing drives.
     return t(position)
+        .filter(t -> position.lane() != 0)
         .flatMap(t -> road(position.road()).orElseThrow().lane(position.s(), position.lane()));
   }
 

@@ -9,6 +9,9 @@ public final class Profile {
   /** The constant 0. */
   public static final Profile ZERO = new Profile(List.of());
 
+  /** Distance before the first piece that is rounding, in m. */
+  private static final double ROUNDING = 1e-3;
+
   private final double[] starts;
   private final Cubic[] pieces;
 
@@ -46,7 +49,7 @@ public final class Profile {
 
   /** Returns the value, or a derivative of an order up to 3. */
   public double at(double s, int order) {
-    int i = indexAt(starts, s);
+    int i = indexAt(starts, s + (starts.length > 0 && s < starts[0] ? ROUNDING : 0));
     return i < 0 ? 0 : pieces[i].at(s - starts[i], order);
   }
 
