@@ -1,0 +1,151 @@
+package dev.eventchain.openscenario.storyboard;
+
+import dev.eventchain.openscenario.document.ScenarioElement;
+import dev.eventchain.openscenario.storyboard.scene.Actor;
+import dev.eventchain.openscenario.storyboard.scene.Scene;
+import dev.eventchain.openscenario.storyboard.scene.Signals;
+import dev.eventchain.openscenario.storyboard.tree.Change;
+import dev.eventchain.openscenario.storyboard.tree.Log;
+import dev.eventchain.openscenario.storyboard.tree.Tree;
+import dev.eventchain.openscenario.storyboard.world.Collisions;
+import dev.eventchain.openscenario.storyboard.world.Entities;
+import dev.eventchain.openscenario.storyboard.world.EntityState;
+import dev.eventchain.openscenario.storyboard.world.RoadMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * A run of a storyboard in steps of simulated time. The same scenario and the same steps give the
+ * same run.
+ *
+ * <p>An entity keeps its speed and its lane, unless an action decides otherwise. Its speed is that
+ * along its lane or its way; a motion across it adds to that. Actions that follow others see them
+ * as they were at the beginning of the step.
+ */
+public final class StoryboardRun {
+
+  private final Scene scene;
+  private final Log log;
+  private final Tree tree;
+  private final String ego;
+
+  private StoryboardRun(ScenarioElement scenario, RoadMap roads, String ego) {
+    this.ego = ego;
+    scene = new Scene(Entities.of(scenario), roads, Signals.of(scenario));
+    declare(scenario, "ParameterDeclarations");
+    declare(scenario, "VariableDeclarations");
+    ScenarioElement storyboard = scenario.required("Storyboard");
+    log = new Log(scene);
+    tree = new Tree(storyboard, log);
+    new Init(storyboard, scene).run();
+    tree.start();
+  }
+
+  private void declare(ScenarioElement scenario, String kind) {
+    boolean variables = kind.equals("VariableDeclarations");
+    scenario
+        .child(kind)
+        .ifPresent(
+            declarations ->
+                declarations
+                    .children()
+                    .forEach(
+                        each ->
+                            (variables ? scene.variables() : scene.parameters())
+                                .set(each.text("name"), each.text("value"))));
+  }
+
+  /**
+   * Starts a run: the actions of {@code Init} are done, and what is triggered at time 0 has
+   * happened.
+   *
+   * @param scenario the root, with all parameters and catalogs replaced
+   * @param ego the entity that {@link #handOver} is about
+   * @throws dev.eventchain.diagnostics.DiagnosticException if the scenario cannot be played
+   */
+  public static StoryboardRun start(ScenarioElement scenario, RoadMap roads, String ego) {
+    return new StoryboardRun(scenario, roads, ego);
+  }
+
+  /** Returns the simulated time in s. */
+  public double time() {
+    return scene.time();
+  }
+
+  /** Returns the entities by name, in the order of the scenario. */
+  public Entities entities() {
+    return scene.entities();
+  }
+
+  /** Returns the states now, by name, in the order of the scenario; also of what is not there. */
+  public Map<String, EntityState> states() {
+    Map<String, EntityState> states = new LinkedHashMap<>();
+    for (Actor each : scene.actors()) {
+      states.put(each.entity().name(), each.state());
+    }
+    return states;
+  }
+
+  /**
+   * Returns the states after a time if nothing is triggered in between. Changes nothing. The speed,
+   * acceleration and curvature of the ego are what the scenario wants of it.
+   */
+  public Map<String, EntityState> next(double dt) {
+    Map<String, EntityState> states = states();
+    scene.next(dt).forEach((name, next) -> states.put(name, next.state()));
+    return states;
+  }
+
+  /**
+   * Moves all by a step, and lets happen what happens at its end.
+   *
+   * @param dt in s
+   * @param seen where the ego really is then; empty if it is where the scenario has it
+   * @param collisions which entities touch then
+   * @throws dev.eventchain.diagnostics.DiagnosticException if an action refers to what is not there
+   */
+  public void advance(double dt, Optional<EntityState> seen, Collisions collisions) {
+    Map<String, EntityState> moved = new LinkedHashMap<>();
+    seen.ifPresent(each -> moved.put(ego, each));
+    scene.advance(dt, moved, collisions);
+    tree.settle();
+  }
+
+  /**
+   * Hands the ego over to software. From then on no action changes its speed or its way; those that
+   * run go on in time, and end, without an effect on it.
+   *
+   * @param speed whether the software decides its speed
+   * @param way whether the software decides its way
+   */
+  public void handOver(boolean speed, boolean way) {
+    scene.actor(ego).release(speed, way);
+  }
+
+  /** Returns whether the storyboard has a stop trigger. */
+  public boolean hasStop() {
+    return tree.hasStop();
+  }
+
+  /** Returns whether the stop trigger held, or all stories of one without a stop are complete. */
+  public boolean ended() {
+    return tree.ended();
+  }
+
+  /** Returns what happened in the storyboard so far, in its order. */
+  public List<Change> changes() {
+    return log.changes();
+  }
+
+  /** Returns the factor of the environment on the friction of the road. */
+  public double friction() {
+    return scene.surroundings().friction();
+  }
+
+  /** Returns the values of the variables. */
+  public Map<String, String> variables() {
+    return scene.variables().all();
+  }
+}

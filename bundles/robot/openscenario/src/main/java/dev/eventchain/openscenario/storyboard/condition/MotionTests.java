@@ -1,0 +1,93 @@
+package dev.eventchain.openscenario.storyboard.condition;
+
+import dev.eventchain.openscenario.document.ScenarioElement;
+import dev.eventchain.openscenario.storyboard.condition.EntityTests.OfOne;
+import dev.eventchain.openscenario.storyboard.scene.Actor;
+import dev.eventchain.openscenario.storyboard.world.EntityState;
+
+/** Expressions on how an entity moves. */
+final class MotionTests {
+
+  private MotionTests() {}
+
+  static OfOne read(ScenarioElement condition) {
+    switch (condition.name()) {
+      case "SpeedCondition":
+        return speed(condition);
+      case "RelativeSpeedCondition":
+        return relativeSpeed(condition);
+      case "AccelerationCondition":
+        return acceleration(condition);
+      case "CollisionCondition":
+        return collision(condition);
+      default:
+        throw new IllegalArgumentException(condition.name() + " is not supported");
+    }
+  }
+
+  /** Without a direction, the speed has no sign. */
+  private static OfOne speed(ScenarioElement condition) {
+    Comparison rule = Comparison.of(condition);
+    double value = condition.number("value");
+    String direction = condition.optional("direction").orElse("");
+    return (scene, actor) -> {
+      double speed = speed(actor.state(), direction);
+      return rule.holds(direction.isEmpty() ? Math.abs(speed) : speed, value);
+    };
+  }
+
+  private static double speed(EntityState state, String direction) {
+    double heading = state.pose().heading();
+    return switch (direction) {
+      case "longitudinal" -> state.vx() * Math.cos(heading) + state.vy() * Math.sin(heading);
+      case "lateral" -> state.vy() * Math.cos(heading) - state.vx() * Math.sin(heading);
+      case "vertical" -> 0;
+      default -> state.speed();
+    };
+  }
+
+  /** The speed of the triggering entity minus that of the reference, each along its own axes. */
+  private static OfOne relativeSpeed(ScenarioElement condition) {
+    Comparison rule = Comparison.of(condition);
+    double value = condition.number("value");
+    String other = condition.text("entityRef");
+    String direction = condition.optional("direction").orElse("");
+    return (scene, actor) ->
+        scene.state(other).exists()
+            && rule.holds(
+                speed(actor.state(), direction) - speed(scene.state(other), direction), value);
+  }
+
+  private static OfOne acceleration(ScenarioElement condition) {
+    Comparison rule = Comparison.of(condition);
+    double value = condition.number("value");
+    String direction = condition.optional("direction").orElse("");
+    return (scene, actor) -> {
+      EntityState state = actor.state();
+      double actual =
+          switch (direction) {
+            case "longitudinal" -> state.acceleration();
+            case "lateral" -> state.lateralAcceleration();
+            case "vertical" -> 0;
+            default -> Math.hypot(state.acceleration(), state.lateralAcceleration());
+          };
+      return rule.holds(actual, value);
+    };
+  }
+
+  private static OfOne collision(ScenarioElement condition) {
+    ScenarioElement target = condition.choice();
+    if (target.name().equals("EntityRef")) {
+      String other = target.text("entityRef");
+      return (scene, actor) ->
+          scene.entities().named(other).stream()
+              .anyMatch(each -> scene.collisions().touch(actor.entity().name(), each));
+    }
+    String type = target.text("type");
+    return (scene, actor) ->
+        scene.actors().stream()
+            .filter(each -> each.entity().kind().equals(type) && each != actor)
+            .map(Actor::entity)
+            .anyMatch(each -> scene.collisions().touch(actor.entity().name(), each.name()));
+  }
+}

@@ -1,0 +1,2 @@
+/** The conditions of the standard, and triggers made of them. */
+package dev.eventchain.openscenario.storyboard.condition;

@@ -1,0 +1,35 @@
+package dev.eventchain.openscenario.storyboard.scene;
+
+import dev.eventchain.openscenario.storyboard.world.EntityState;
+
+/**
+ * What an entity did so far.
+ *
+ * @param travelled the length of its way, in m, jumps left out
+ * @param standing for how long it has been standing, in s; negative while it moves
+ * @param offRoad for how long it has been off the roads, in s; negative on a road
+ * @param atEnd for how long it has been at the end of a road, in s; negative elsewhere
+ */
+public record Odometer(double travelled, double standing, double offRoad, double atEnd) {
+
+  /** That of an entity of which nothing is known. */
+  static final Odometer START = new Odometer(0, -1, -1, -1);
+
+  /** Speed up to which an entity stands, in m/s. */
+  private static final double STANDING = 1e-3;
+
+  Odometer after(double distance, EntityState state, boolean end, double dt) {
+    return new Odometer(
+        travelled + Math.abs(distance),
+        since(standing, Math.abs(state.speed()) <= STANDING, dt),
+        since(offRoad, state.road().isEmpty(), dt),
+        since(atEnd, end, dt));
+  }
+
+  private static double since(double before, boolean now, double dt) {
+    if (!now) {
+      return -1;
+    }
+    return before < 0 ? 0 : before + dt;
+  }
+}

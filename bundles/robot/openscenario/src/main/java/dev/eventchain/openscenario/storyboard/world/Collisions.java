@@ -1,0 +1,12 @@
+package dev.eventchain.openscenario.storyboard.world;
+
+/** Which entities are in contact at a moment. */
+@FunctionalInterface
+public interface Collisions {
+
+  /** No contacts. */
+  Collisions NONE = (first, second) -> false;
+
+  /** Returns whether two entities touch; the order does not matter. */
+  boolean touch(String first, String second);
+}

@@ -1,0 +1,22 @@
+package dev.eventchain.openscenario.storyboard.world;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
+import dev.eventchain.diagnostics.SourceLocation;
+
+/** Rules of the findings about storyboards. */
+public final class StoryboardRules {
+
+  public static final Rule NO_PLACE = Rule.error("storyboard.place.none");
+  public static final Rule CIRCLE = Rule.error("storyboard.init.circle");
+
+  private StoryboardRules() {}
+
+  /** Returns a failure of one finding. */
+  public static DiagnosticException failure(
+      Rule rule, String message, SourceLocation place, String hint) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.FINDINGS, Diagnostic.of(rule, message, place).withHint(hint));
+  }
+}
