@@ -21,7 +21,7 @@ final class MotionTests {
       case "CollisionCondition":
         return collision(condition);
       default:
-        throw new IllegalArgumentException(condition.name() + " is not supported");
+        return DistanceTests.read(condition);
     }
   }
 

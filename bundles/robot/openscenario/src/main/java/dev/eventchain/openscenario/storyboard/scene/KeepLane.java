@@ -9,8 +9,9 @@ import java.util.Optional;
  * Follows the lane with the offset and the angle to it that an entity has.
  *
  * @param turned the angle of the heading to the way
+ * @param atEnd whether it is at the end of the road
  */
-public record KeepLane(LaneWay way, double turned) implements Lateral {
+public record KeepLane(LaneWay way, double turned, boolean atEnd) implements Lateral {
 
   /** Angle to a lane up to which an entity follows it; beyond, it goes straight on. */
   private static final double MOST = Math.PI / 4;
@@ -24,7 +25,7 @@ public record KeepLane(LaneWay way, double turned) implements Lateral {
     if (way.isPresent()) {
       double turned = Angles.normalized(state.pose().heading() - way.get().pose(scene).heading());
       if (Math.abs(turned) <= MOST) {
-        return new KeepLane(way.get(), turned);
+        return new KeepLane(way.get(), turned, false);
       }
     }
     return StraightOn.STRAIGHT_ON;
@@ -34,6 +35,7 @@ public record KeepLane(LaneWay way, double turned) implements Lateral {
   public Step step(Scene scene, Actor actor, Longitudinal.Step moved, double dt) {
     Optional<LaneWay> there = way.moved(scene, moved.distance(), actor.route());
     LaneWay now = there.orElse(way);
+    boolean end = there.isEmpty() || (atEnd && moved.distance() == 0);
     Pose lane = now.pose(scene);
     Pose pose = lane.withHeading(lane.heading() + turned);
     return new Step(
@@ -41,8 +43,8 @@ public record KeepLane(LaneWay way, double turned) implements Lateral {
         Optional.of(now.point()),
         lane.heading(),
         0,
-        there.isEmpty(),
-        new KeepLane(now, turned),
+        end,
+        new KeepLane(now, turned, end),
         false);
   }
 
