@@ -225,7 +225,7 @@ abstract class ProjectCommand implements Callable<Integer> {
         Optional.ofNullable(llm.llm),
         llm.record,
         overwrite,
-        scenarios.scenarios,
+        given(scenarios::selection),
         given(scenarios::driver),
         scenarios.mcap,
         Optional.ofNullable(scenarios.compare),

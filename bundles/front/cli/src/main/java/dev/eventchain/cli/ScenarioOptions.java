@@ -2,6 +2,7 @@ package dev.eventchain.cli;
 
 import dev.eventchain.pipeline.project.StrengthExtent;
 import dev.eventchain.pipeline.run.RunOptions;
+import dev.eventchain.pipeline.run.ScenarioSelection;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -14,7 +15,39 @@ final class ScenarioOptions {
       names = "--scenario",
       paramLabel = "NAME",
       description = "Simulate this scenario only; may be repeated.")
-  List<String> scenarios = List.of();
+  private List<String> names = List.of();
+
+  @Option(
+      names = "--scenario-file",
+      paramLabel = "FILE",
+      description =
+          "Simulate the scenarios of this file instead of the project's, also one in OpenSCENARIO"
+              + " XML (.xosc), which needs --accept; may be repeated.")
+  private List<Path> files = List.of();
+
+  @Option(
+      names = "--accept",
+      paramLabel = "CRITERION",
+      description =
+          "What is required in the .xosc files of --scenario-file: a key of 'accept' in scenarios,"
+              + " such as no_impact, never_brakes or maximal_impact_speed_kmh=10; may be repeated.")
+  private List<String> accept = List.of();
+
+  /**
+   * Returns the scenarios that are simulated.
+   *
+   * @throws IllegalArgumentException if the options contradict each other
+   */
+  ScenarioSelection selection() {
+    if (!names.isEmpty() && !files.isEmpty()) {
+      throw new IllegalArgumentException(
+          "--scenario is about the project's scenarios, and --scenario-file about others");
+    }
+    if (!accept.isEmpty() && files.isEmpty()) {
+      throw new IllegalArgumentException("--accept needs --scenario-file");
+    }
+    return new ScenarioSelection(names, files, accept);
+  }
 
   @Option(
       names = "--driver",

@@ -7,11 +7,11 @@ import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.RunOptions.Driver;
 import dev.eventchain.pipeline.run.RunResult;
+import dev.eventchain.pipeline.run.ScenarioSelection;
 import dev.eventchain.pipeline.run.Stage;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 import org.apache.maven.plugins.annotations.Parameter;
 
@@ -104,7 +104,7 @@ abstract class ChainMojo extends EventchainMojo {
             Optional.ofNullable(llm),
             false,
             overwrite,
-            List.of(),
+            ScenarioSelection.ALL,
             driver,
             false,
             Optional.empty(),

@@ -46,7 +46,10 @@ class ConditionTest {
         scenario(
             CARS,
             INIT,
-            story("Ego", event("A", action, after(0)), event("E", "<UserDefinedAction/>", condition))
+            story(
+                    "Ego",
+                    event("A", action, after(0)),
+                    event("E", "<UserDefinedAction/>", condition))
                 + Scenarios.stop(100)));
   }
 
@@ -155,7 +158,9 @@ class ConditionTest {
   @ParameterizedTest
   @CsvSource({
     // 50 m between reference points and 46 m between boxes, closed at 6 m/s
-    "false, '', 8.333333", "true, '', 7.666667", "true, longitudinal, 7.666667",
+    "false, '', 8.333333",
+    "true, '', 7.666667",
+    "true, longitudinal, 7.666667",
   })
   void theTimeToCollisionIsThatAtTheseVelocities(boolean freespace, String type, double time) {
     String kind = type.isEmpty() ? "" : "relativeDistanceType='longitudinal'";
@@ -187,7 +192,9 @@ class ConditionTest {
     assertEquals(1.5, started(standing), 0.011);
     StoryboardRun way =
         played(
-            run(stops, when("none", 0, ofEntity("Ego", "<TraveledDistanceCondition value='3.2'/>"))),
+            run(
+                stops,
+                when("none", 0, ofEntity("Ego", "<TraveledDistanceCondition value='3.2'/>"))),
             2);
     // 10 t - 5 t^2 = 3.2
     assertEquals(0.4, started(way), 1e-9);
@@ -240,10 +247,10 @@ class ConditionTest {
 
   @Test
   void seesContacts() {
-    for (String target : new String[] {"<EntityRef entityRef='Other'/>", "<ByType type='vehicle'/>"}) {
+    for (String target :
+        new String[] {"<EntityRef entityRef='Other'/>", "<ByType type='vehicle'/>"}) {
       String condition = "<CollisionCondition>" + target + "</CollisionCondition>";
-      StoryboardRun run =
-          run("<UserDefinedAction/>", when("none", 0, ofEntity("Ego", condition)));
+      StoryboardRun run = run("<UserDefinedAction/>", when("none", 0, ofEntity("Ego", condition)));
       Collisions contact = (first, second) -> second.equals("Other") || first.equals("Other");
       run.advance(STEP, Optional.empty(), Collisions.NONE);
       assertEquals(false, holds(run));
@@ -256,7 +263,9 @@ class ConditionTest {
   void asksOneOrAllOfTheTriggeringEntities() {
     String both =
         ofEntity("Ego", "<SpeedCondition rule='greaterThan' value='5'/>")
-            .replace("<EntityRef entityRef='Ego'/>", "<EntityRef entityRef='Ego'/><EntityRef entityRef='Other'/>");
+            .replace(
+                "<EntityRef entityRef='Ego'/>",
+                "<EntityRef entityRef='Ego'/><EntityRef entityRef='Other'/>");
     assertEquals(true, holds(both));
     assertEquals(false, holds(both.replace("'any'", "'all'")));
     assertEquals(true, holds(both.replace("'any'", "'all'").replace("value='5'", "value='3'")));
@@ -296,8 +305,7 @@ class ConditionTest {
         name="e"><TimeOfDay animation="true" dateTime="2026-01-01T12:00:00Z"/></Environment>
         </EnvironmentAction></GlobalAction>%s</Actions></Init>%s%s</Storyboard></OpenSCENARIO>
         """;
-    String events =
-        story("", event("E", "<UserDefinedAction/>", when("none", 0, condition)), more);
+    String events = story("", event("E", "<UserDefinedAction/>", when("none", 0, condition)), more);
     return Scenarios.run(tree(text.formatted(CARS, INIT, events, Scenarios.stop(100))));
   }
 
@@ -343,7 +351,8 @@ class ConditionTest {
 
   private static double started(StoryboardRun run) {
     return run.changes().stream()
-        .filter(each -> each.path().endsWith("/E") && String.valueOf(each.transition()).equals("START"))
+        .filter(
+            each -> each.path().endsWith("/E") && String.valueOf(each.transition()).equals("START"))
         .findFirst()
         .orElseThrow()
         .time();

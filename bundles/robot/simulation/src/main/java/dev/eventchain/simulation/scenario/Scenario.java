@@ -160,7 +160,7 @@ public final class Scenario {
 
   /** Reads a text in memory as {@link #read} does. */
   public static Scenario parse(SourceText text, Bench bench) {
-    return ScenarioReader.read(text, bench, true);
+    return ScenarioReader.read(text, bench, true, warning -> {}).get(0);
   }
 
   /**
@@ -168,7 +168,7 @@ public final class Scenario {
    * may be true or false whatever the software does.
    */
   public static Scenario parseCase(SourceText text, Bench bench) {
-    return ScenarioReader.read(text, bench, false);
+    return ScenarioReader.read(text, bench, false, warning -> {}).get(0);
   }
 
   /**
@@ -184,14 +184,30 @@ public final class Scenario {
     return new ScenarioFolder(folder).read(bench, warnings);
   }
 
+  /**
+   * Reads the scenarios of files, in their order.
+   *
+   * @param accept the criteria of files in OpenSCENARIO XML: {@code KEY} or {@code KEY=NUMBER}
+   * @param warnings receives what to know about the files
+   * @throws DiagnosticException (INPUT) with every problem of every file, or if two scenarios have
+   *     one name
+   */
+  public static List<Scenario> readFiles(
+      List<Path> files, List<String> accept, Bench bench, Consumer<Diagnostic> warnings) {
+    return new ScenarioFiles(files, accept).read(bench, warnings);
+  }
+
   /** Returns the JSON Schema of scenarios. */
   public static String schema() {
     return BenchReader.resource("scenario.schema.json");
   }
 
-  /** Returns the files on which {@link #readFolder} depends, in a fixed order. */
+  /**
+   * Returns the files in a folder of scenarios, in a fixed order, and then those outside of it to
+   * which scenarios lead.
+   */
   public static List<Path> filesIn(Path folder) {
-    return new ScenarioFolder(folder).files();
+    return new ScenarioFolder(folder).allFiles();
   }
 
   /** Returns the name, unique in a folder: lower-case letters, digits and hyphens. */

@@ -2,6 +2,7 @@ package dev.eventchain.simulation.scenario;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileReads;
 import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
@@ -14,9 +15,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 
@@ -57,6 +60,42 @@ record ScenarioFolder(Path folder) {
     return false;
   }
 
+  /**
+   * Returns all files, and those that they lead to: OpenSCENARIO files, and what these lead to.
+   * What cannot be read is a finding later.
+   */
+  List<Path> allFiles() {
+    List<Path> all = new ArrayList<>(files());
+    Set<Path> inside = new HashSet<>();
+    all.forEach(file -> inside.add(file.toAbsolutePath().normalize()));
+    played(all).stream().filter(file -> !inside.contains(file)).forEach(all::add);
+    return all;
+  }
+
+  /**
+   * Returns the files to which the scenarios among some files lead, in the order of their paths.
+   */
+  private static Set<Path> played(List<Path> files) {
+    Runnable reading =
+        () ->
+            files.stream()
+                .filter(ScenarioFolder::isScenario)
+                .forEach(
+                    file -> {
+                      try {
+                        ScenarioReader.played(SourceText.read(file));
+                      } catch (DiagnosticException e) {
+                        // Reading the scenarios reports it.
+                      }
+                    });
+    return FileReads.record(
+            () -> {
+              reading.run();
+              return true;
+            })
+        .files();
+  }
+
   private static boolean isScenario(Path file) {
     return file.getFileName().toString().toLowerCase(Locale.ROOT).matches(".*\\.ya?ml");
   }
@@ -64,42 +103,60 @@ record ScenarioFolder(Path folder) {
   /** Reads the scenarios as {@link Scenario#readFolder} does. */
   List<Scenario> read(Bench bench, Consumer<Diagnostic> warnings) {
     List<Diagnostic> problems = new ArrayList<>();
-    List<Diagnostic> unread = new ArrayList<>();
+    List<Diagnostic> warned = new ArrayList<>();
     List<Scenario> scenarios = new ArrayList<>();
-    for (Path file : files()) {
-      if (isScenario(file)) {
-        read(file, bench, scenarios, problems);
-      } else {
-        unread.add(unread(file));
-      }
-    }
+    List<Path> files = files();
+    Set<Path> read =
+        FileReads.record(
+                () -> {
+                  files.stream()
+                      .filter(ScenarioFolder::isScenario)
+                      .forEach(file -> read(file, bench, scenarios, problems, warned));
+                  return true;
+                })
+            .files();
+    files.stream()
+        .filter(file -> !isScenario(file) && !read.contains(file.toAbsolutePath().normalize()))
+        .forEach(file -> warned.add(unread(file)));
     refuseDuplicates(scenarios, problems);
     if (scenarios.isEmpty() && problems.isEmpty()) {
       problems.add(none());
-      problems.addAll(unread);
+      problems.addAll(warned);
     }
     if (!problems.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
     }
-    unread.forEach(warnings);
+    warned.forEach(warnings);
     return List.copyOf(scenarios);
   }
 
   private static void read(
-      Path file, Bench bench, List<Scenario> scenarios, List<Diagnostic> problems) {
+      Path file,
+      Bench bench,
+      List<Scenario> scenarios,
+      List<Diagnostic> problems,
+      List<Diagnostic> warnings) {
     try {
-      scenarios.add(Scenario.read(file, bench));
+      scenarios.addAll(ScenarioReader.read(SourceText.read(file), bench, true, warnings::add));
     } catch (DiagnosticException e) {
       problems.addAll(e.diagnostics());
     }
   }
 
   private static Diagnostic unread(Path file) {
+    boolean played = ScenarioFiles.isOpenScenario(file);
     return Diagnostic.of(
             ScenarioRules.FILE_UNREAD,
-            "This is not simulated: its name does not end in .yaml or .yml.",
+            played
+                ? "This is not simulated: no scenario names it."
+                : "This is not simulated: its name does not end in .yaml or .yml.",
             SourceLocation.of(file))
-        .withHint("Rename a scenario; move anything else, or let its name begin with a dot.");
+        .withHint(
+            played
+                ? "Write a scenario with `openscenario: {file: "
+                    + file.getFileName()
+                    + "}`, and with `accept`: what is required is not in such files."
+                : "Rename a scenario; move anything else, or let its name begin with a dot.");
   }
 
   private Diagnostic none() {
@@ -108,7 +165,7 @@ record ScenarioFolder(Path folder) {
         .withHint("Put at least one scenario file (*.yaml) into this folder.");
   }
 
-  private static void refuseDuplicates(List<Scenario> scenarios, List<Diagnostic> problems) {
+  static void refuseDuplicates(List<Scenario> scenarios, List<Diagnostic> problems) {
     Map<String, Scenario> byName = new HashMap<>();
     for (Scenario scenario : scenarios) {
       Scenario earlier = byName.putIfAbsent(scenario.name(), scenario);

@@ -12,13 +12,16 @@ import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.formula.ActorSignals;
 import dev.eventchain.simulation.formula.Range;
+import dev.eventchain.simulation.stage.PlayedFile;
 import dev.eventchain.simulation.world.Script;
 import dev.eventchain.simulation.world.Situation;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 
 /** Reads scenario files, with units in the names of the keys, into SI units. */
 final class ScenarioReader {
@@ -34,37 +37,83 @@ final class ScenarioReader {
   private static final NumberRange DURATION = NumberRange.of(0.1, 600);
   private static final NumberRange SEED = NumberRange.of(0, 1L << 52);
 
-  private ScenarioReader() {}
+  private final SourceText text;
+  private final Bench bench;
+  private final boolean varying;
+  private final BooleanSupplier sound;
 
-  static Scenario read(SourceText text, Bench bench, boolean varying) {
+  /**
+   * Creates a reader.
+   *
+   * @param varying whether formulas are refused that are true or false in every run
+   * @param sound returns whether there is no problem yet
+   */
+  private ScenarioReader(SourceText text, Bench bench, boolean varying, BooleanSupplier sound) {
+    this.text = text;
+    this.bench = bench;
+    this.varying = varying;
+    this.sound = sound;
+  }
+
+  /**
+   * Reads a file, which has one scenario, or several cases of one.
+   *
+   * @param warnings receives what to know about other files to which it leads
+   */
+  static List<Scenario> read(
+      SourceText text, Bench bench, boolean varying, Consumer<Diagnostic> warnings) {
     List<Diagnostic> problems = new ArrayList<>();
     Document document = Document.parse(text, DocumentFormat.YAML, RULES, problems::add);
-    Optional<Scenario> scenario =
+    Optional<ObjectReader> whole = document.object("", problems::add);
+    List<PlayedFile> cases =
+        whole
+            .filter(section -> section.has(OpenScenarioReader.KEY))
+            .map(section -> OpenScenarioReader.read(section, Path.of(text.name())))
+            .orElse(List.of());
+    boolean written = whole.filter(section -> !section.has(OpenScenarioReader.KEY)).isPresent();
+    List<Scenario> scenarios = new ArrayList<>();
+    ScenarioReader reader = new ScenarioReader(text, bench, varying, problems::isEmpty);
+    for (Optional<PlayedFile> each :
+        written
+            ? List.of(Optional.<PlayedFile>empty())
+            : cases.stream().map(Optional::of).toList()) {
+      if (problems.isEmpty() || scenarios.isEmpty()) {
         document
             .object("", problems::add)
-            .map(section -> scenario(section, text, bench, varying, problems::isEmpty));
+            .ifPresent(it -> scenarios.add(reader.scenario(it, each)));
+      }
+    }
     if (!problems.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
     }
-    return scenario.orElseThrow();
+    cases.stream().flatMap(each -> each.warnings().stream()).distinct().forEach(warnings);
+    return scenarios;
+  }
+
+  /** Reads the files to which a scenario leads, if it leads to any. */
+  static void played(SourceText text) {
+    Document document = Document.parse(text, DocumentFormat.YAML, RULES, finding -> {});
+    document
+        .object("", finding -> {})
+        .filter(section -> section.has(OpenScenarioReader.KEY))
+        .ifPresent(section -> OpenScenarioReader.read(section, Path.of(text.name())));
   }
 
   /**
    * Reads a scenario.
    *
-   * @param varying whether formulas are refused that are true or false in every run
-   * @param sound returns whether there is no problem yet
+   * @param played what has its situation; empty if the file itself has it
    */
-  private static Scenario scenario(
-      ObjectReader section, SourceText text, Bench bench, boolean varying, BooleanSupplier sound) {
-    String name = name(section);
+  private Scenario scenario(ObjectReader section, Optional<PlayedFile> played) {
+    String name = name(section) + played.map(PlayedFile::suffix).orElse("");
     section.text("description"); // for people
-    String title = section.requiredText("title");
+    String title = section.requiredText("title") + played.map(PlayedFile::words).orElse("");
     NamedRequirements requirements = NamedRequirements.ofScenario(section);
     long seed = section.wholeNumber("seed", SEED).orElse(1);
-    double duration = section.requiredNumber("duration_s", DURATION);
+    section.has(OpenScenarioReader.KEY);
+    double duration = duration(section, played);
     SituationReader reader = new SituationReader(section, text, bench, longest(section));
-    Situation situation = reader.read();
+    Situation situation = played.map(reader::read).orElseGet(reader::read);
     Map<String, Script> inputs =
         section.object("inputs").map(part -> InputsReader.read(part, bench)).orElse(Map.of());
     FormulasReader formulas =
@@ -74,7 +123,7 @@ final class ScenarioReader {
             longest(section),
             requirements,
             Optional.<Range.Source>of(new SignalRanges(situation, inputs, bench, longest(section)))
-                .filter(ranges -> varying));
+                .filter(ranges -> varying && played.isEmpty()));
     NodePhases phases = section.object("phases_ms").map(NodePhases::read).orElse(NodePhases.NONE);
     Scenario.Asked asked = asked(section, formulas);
     if (sound.getAsBoolean()) { // A criterion with an error may be the one that needs an input.
@@ -108,6 +157,13 @@ final class ScenarioReader {
       section.find(ScenarioRules.VALUE_RANGE, message, section.at("name"));
     }
     return name;
+  }
+
+  /** Returns the duration, which a file with a trigger that stops it need not have. */
+  private static double duration(ObjectReader section, Optional<PlayedFile> played) {
+    return played.filter(PlayedFile::stops).isPresent() && !section.has("duration_s")
+        ? PlayedFile.LONGEST
+        : section.requiredNumber("duration_s", DURATION);
   }
 
   /**

@@ -6,6 +6,7 @@ import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.bench.VehicleReader;
+import dev.eventchain.simulation.stage.PlayedFile;
 import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.Body;
 import dev.eventchain.simulation.world.EgoMotion;
@@ -77,6 +78,35 @@ final class SituationReader {
         road,
         reader.completed(actors, circumstances),
         circumstances.read(section, "end_when").map(CircumstancesReader.Circumstance::condition));
+  }
+
+  /**
+   * Reads what a scenario adds to what is played: the vehicle, and when it ends before its time.
+   */
+  Situation read(PlayedFile played) {
+    OpenScenarioReader.ELSEWHERE.forEach(section::has); // refused with the file
+    EgoVehicle usual = played.vehicle(bench.vehicle());
+    EgoVehicle ego =
+        section
+            .object("ego")
+            .map(
+                part -> {
+                  EgoVehicle own =
+                      VehicleReader.read(part, usual, usual.speed(), ScenarioRules.VALUE_RANGE);
+                  part.refuseOthers();
+                  return own;
+                })
+            .orElse(usual);
+    Situation situation = played.situation(ego, !section.has("duration_s"));
+    CircumstancesReader circumstances =
+        new CircumstancesReader(text, bench.signals(), names(situation.actors()), awaited);
+    return new Situation(
+        ego,
+        situation.driver(),
+        situation.road(),
+        situation.actors(),
+        circumstances.read(section, "end_when").map(CircumstancesReader.Circumstance::condition),
+        situation.director());
   }
 
   private void refuseOverlap(List<Actor> actors, EgoVehicle ego, Road road) {

@@ -29,7 +29,9 @@ public enum ActorKind {
   /** A steel barrier of the usual height for EN 1317. */
   GUARD_RAIL(false, 40.0, 0.3, 0.0, 0.75, 0.7f),
   /** A plate over a trench, to be driven over. */
-  STEEL_PLATE(false, 3.0, 2.5, 0.0, 0.03, 0.7f);
+  STEEL_PLATE(false, 3.0, 2.5, 0.0, 0.03, 0.7f),
+  /** Any other box on the road, such as lost cargo. */
+  OBSTACLE(false, 1.0, 1.0, 0.0, 1.0, 0.5f);
 
   private final boolean moves;
   private final double length;

@@ -9,6 +9,7 @@ import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.project.StrengthExtent;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.RunOptions;
+import dev.eventchain.pipeline.run.ScenarioSelection;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.Sample;
 import java.nio.file.Path;
@@ -246,7 +247,7 @@ public final class LanguageModelEvaluation {
         Optional.of(own),
         true,
         true,
-        List.of(),
+        ScenarioSelection.ALL,
         RunOptions.Driver.LOCKSTEP,
         false,
         Optional.empty(),

@@ -5,7 +5,6 @@ import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.project.StrengthExtent;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.List;
 import java.util.Optional;
 
 /**
@@ -19,7 +18,7 @@ import java.util.Optional;
  *     project's configuration
  * @param record true to keep answers from elsewhere as recordings of the project
  * @param overwrite true to replace files in the output folder that a person has edited
- * @param scenarios the names of the scenarios to simulate; empty: all
+ * @param scenarios those to simulate
  * @param driver the driver of the simulated nodes
  * @param mcap true to record the messages of the scenarios, too
  * @param compare the measurements of another run, which the report compares with this one's: its
@@ -37,7 +36,7 @@ public record RunOptions(
     Optional<String> llm,
     boolean record,
     boolean overwrite,
-    List<String> scenarios,
+    ScenarioSelection scenarios,
     Driver driver,
     boolean mcap,
     Optional<Path> compare,
@@ -73,7 +72,7 @@ public record RunOptions(
         Optional.empty(),
         false,
         false,
-        List.of(),
+        ScenarioSelection.ALL,
         Driver.LOCKSTEP,
         false,
         Optional.empty(),
@@ -89,7 +88,6 @@ public record RunOptions(
       throw new IllegalArgumentException(
           "the first stage, " + first.id() + ", comes after the last one, " + last.id());
     }
-    scenarios = List.copyOf(scenarios);
   }
 
   /** Returns options for other stages and another folder. */
@@ -114,7 +112,7 @@ public record RunOptions(
 
   /** Returns whether only some scenarios are simulated, which is not enough for a verdict. */
   public boolean isPartial() {
-    return !scenarios.isEmpty();
+    return !scenarios.isAll();
   }
 
   /** Returns whether the nodes run elsewhere, so that changes in them are unknown. */

@@ -3,6 +3,7 @@ package dev.eventchain.pipeline.simulate;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.pipeline.run.ScenarioSelection;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.util.List;
@@ -17,9 +18,14 @@ final class ProjectScenarios {
 
   /** Returns the scenarios that a run requests, in the order of their files. */
   static List<Scenario> selected(RunContext run) {
+    ScenarioSelection selection = run.options().scenarios();
+    if (!selection.files().isEmpty()) {
+      return Scenario.readFiles(
+          selection.files(), selection.accept(), run.chain().bench(), run::find);
+    }
     List<Scenario> all =
         Scenario.readFolder(run.project().scenarios(), run.chain().bench(), run::find);
-    Set<String> wanted = new TreeSet<>(run.options().scenarios());
+    Set<String> wanted = new TreeSet<>(selection.names());
     if (wanted.isEmpty()) {
       return all;
     }

@@ -74,8 +74,10 @@ public final class SimulateStage implements StageWork {
     fingerprint.addSetting("strength", project.configuration().strength().asValue());
     run.options().faults().ifPresent(fingerprint::addFile);
     fingerprint.addFile(run.model());
+    Path scenarios = project.scenarios().toAbsolutePath().normalize();
     for (Path file : Scenario.filesIn(project.scenarios())) {
-      fingerprint.add(project.scenarios().relativize(file)).addFile(file);
+      Path known = scenarios.relativize(file.toAbsolutePath().normalize());
+      fingerprint.add(known).addFile(file);
     }
     project.bench().ifPresent(fingerprint::addFile);
     fingerprint.addFiles(project.softwareBaseFiles());

@@ -55,8 +55,7 @@ final class AngleTests {
   }
 
   /** Returns an angle to the world, to the road, or to the direction in which a lane is driven. */
-  private static OptionalDouble angle(
-      Scene scene, EntityState state, String type, String system) {
+  private static OptionalDouble angle(Scene scene, EntityState state, String type, String system) {
     double absolute =
         switch (type) {
           case "heading" -> state.pose().heading();
@@ -72,8 +71,7 @@ final class AngleTests {
     LanePoint point = state.road().get();
     Pose road = scene.roads().pose(scene.roads().road(point));
     boolean against =
-        system.equals("lane")
-            && !scene.roads().goesAlongS(point.road(), point.s(), point.lane());
+        system.equals("lane") && !scene.roads().goesAlongS(point.road(), point.s(), point.lane());
     return OptionalDouble.of(absolute - road.heading() - (against ? Math.PI : 0));
   }
 }

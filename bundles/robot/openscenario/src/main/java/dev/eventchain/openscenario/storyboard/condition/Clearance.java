@@ -27,13 +27,10 @@ final class Clearance {
 
   private Clearance(ScenarioElement written) {
     this.written = written;
-    others =
-        written.children("EntityRef").stream().map(each -> each.text("entityRef")).toList();
+    others = written.children("EntityRef").stream().map(each -> each.text("entityRef")).toList();
     forward = written.number("distanceForward", 0);
     backward = written.number("distanceBackward", 0);
-    measure =
-        new Measure(
-            Measure.Kind.LONGITUDINAL, Measure.Frame.ROAD, written.flag("freeSpace"));
+    measure = new Measure(Measure.Kind.LONGITUDINAL, Measure.Frame.ROAD, written.flag("freeSpace"));
   }
 
   static OfOne read(ScenarioElement condition) {
@@ -63,15 +60,13 @@ final class Clearance {
     String road = other.road();
     boolean opposite =
         scene.roads().goesAlongS(road, other.s(), other.lane())
-            != scene.roads().goesAlongS(
-                own.point().road(), own.point().s(), own.point().lane());
+            != scene.roads().goesAlongS(own.point().road(), own.point().s(), own.point().lane());
     if (opposite && !written.flag("oppositeLanes")) {
       return false;
     }
     // The lanes of the other's road, from the one that continues the own by its place.
     List<Integer> lanes = scene.roads().lanes(road, other.s());
-    RoadPoint beside =
-        new RoadPoint(road, other.s(), scene.roads().road(own.point()).t());
+    RoadPoint beside = new RoadPoint(road, other.s(), scene.roads().road(own.point()).t());
     int from = lanes.indexOf(scene.roads().lane(beside).lane());
     int to = lanes.indexOf(other.lane());
     int left = own.alongS() ? from - to : to - from;

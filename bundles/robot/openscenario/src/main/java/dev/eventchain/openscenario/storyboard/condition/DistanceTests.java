@@ -64,8 +64,7 @@ final class DistanceTests {
     Measure measure = Measure.of(condition);
     return (scene, actor) -> {
       Optional<Body> to = target.in(scene);
-      return to.isPresent()
-          && rule.holds(measure.distance(scene, Body.of(actor), to.get()), value);
+      return to.isPresent() && rule.holds(measure.distance(scene, Body.of(actor), to.get()), value);
     };
   }
 
@@ -103,8 +102,7 @@ final class DistanceTests {
   private static OptionalDouble timeToCollision(
       Scene scene, Measure measure, Actor actor, Body to) {
     Body from = Body.of(actor);
-    return quotient(
-        measure.distance(scene, from, to), measure.closing(scene, from, to));
+    return quotient(measure.distance(scene, from, to), measure.closing(scene, from, to));
   }
 
   /** Returns a time; empty for a speed that is not clearly greater than 0. */

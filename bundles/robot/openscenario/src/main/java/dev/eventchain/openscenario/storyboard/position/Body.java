@@ -15,17 +15,12 @@ import java.util.Optional;
  * @param vx velocity in the world, in m/s
  * @param vy likewise
  */
-public record Body(
-    Pose pose, Optional<Box> box, Optional<LanePoint> road, double vx, double vy) {
+public record Body(Pose pose, Optional<Box> box, Optional<LanePoint> road, double vx, double vy) {
 
   public static Body of(Actor actor) {
     EntityState state = actor.state();
     return new Body(
-        state.pose(),
-        Optional.of(actor.entity().box()),
-        state.road(),
-        state.vx(),
-        state.vy());
+        state.pose(), Optional.of(actor.entity().box()), state.road(), state.vx(), state.vy());
   }
 
   public static Body of(Placement place) {
@@ -34,9 +29,7 @@ public record Body(
 
   /** Returns what it covers, or its reference point only. */
   Footprint footprint(boolean freespace) {
-    return freespace && box.isPresent()
-        ? Footprint.of(pose, box.get())
-        : Footprint.of(pose);
+    return freespace && box.isPresent() ? Footprint.of(pose, box.get()) : Footprint.of(pose);
   }
 
   /** Returns it after a short time in which it keeps its velocity. */

@@ -101,11 +101,7 @@ public record Measure(Kind kind, Frame frame, boolean freespace) {
     Pose secondAxes = scene.roads().pose(second);
     double apart = kind == Kind.LONGITUDINAL ? along.getAsDouble() : second.t() - first.t();
     DoubleSummaryStatistics ahead = range(secondAxes, to);
-    double gap =
-        gap(
-            range(firstAxes, from),
-            ahead.getMin() + apart,
-            ahead.getMax() + apart);
+    double gap = gap(range(firstAxes, from), ahead.getMin() + apart, ahead.getMax() + apart);
     return OptionalDouble.of(isAlongS(firstAxes, from) ? gap : -gap);
   }
 

@@ -1,0 +1,79 @@
+package dev.eventchain.simulation.scenario;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.simulation.stage.PlayedFile;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Reads the section {@code openscenario} of a scenario: the file that has its situation. */
+final class OpenScenarioReader {
+
+  /** The key of the section. */
+  static final String KEY = "openscenario";
+
+  /** What the file has, so that the scenario may not say it. */
+  static final List<String> ELSEWHERE = List.of("road", "actors", "furniture");
+
+  private OpenScenarioReader() {}
+
+  /**
+   * Returns what is played, one for each case of a distribution; empty if the section or a file is
+   * wrong.
+   *
+   * @param scenario the whole scenario
+   * @param file its file, from whose folder paths go
+   */
+  static List<PlayedFile> read(ObjectReader scenario, Path file) {
+    Optional<ObjectReader> section = scenario.requiredObject(KEY);
+    for (String key : ELSEWHERE) {
+      if (scenario.has(key)) {
+        scenario.value(key);
+        scenario.find(
+            Diagnostic.of(
+                    ScenarioRules.KEY_UNKNOWN,
+                    "'" + key + "' is that of the OpenSCENARIO file.",
+                    scenario.atKey(key))
+                .withHint("Leave it out, or describe all of the situation here."));
+      }
+    }
+    return section.map(part -> played(part, file)).orElse(List.of());
+  }
+
+  private static List<PlayedFile> played(ObjectReader section, Path scenario) {
+    String file = section.requiredText("file");
+    Optional<String> ego = section.text("ego");
+    Map<String, String> parameters =
+        section.object("parameters").map(OpenScenarioReader::parameters).orElse(Map.of());
+    section.refuseOthers();
+    if (file.isBlank()) {
+      return List.of();
+    }
+    try {
+      return PlayedFile.read(scenario.resolveSibling(file), parameters, ego, section.at("file"));
+    } catch (DiagnosticException e) {
+      e.diagnostics().forEach(section::find);
+      return List.of();
+    }
+  }
+
+  private static Map<String, String> parameters(ObjectReader section) {
+    Map<String, String> parameters = new LinkedHashMap<>();
+    for (String name : section.names()) {
+      Optional<JsonNode> value = section.value(name);
+      if (value.filter(JsonNode::isValueNode).isEmpty()) {
+        section.refuseType(name, "a text, a number or a Boolean");
+      }
+      value.ifPresent(
+          it ->
+              parameters.put(
+                  name, it.isNumber() ? it.decimalValue().toPlainString() : it.asText()));
+    }
+    return parameters;
+  }
+}

@@ -1,0 +1,153 @@
+package dev.eventchain.simulation.stage;
+
+import dev.eventchain.openscenario.document.ResolvedScenario;
+import dev.eventchain.openscenario.storyboard.StoryboardRun;
+import dev.eventchain.openscenario.storyboard.world.Box;
+import dev.eventchain.openscenario.storyboard.world.Entity;
+import dev.eventchain.openscenario.storyboard.world.EntityState;
+import dev.eventchain.openscenario.storyboard.world.LanePoint;
+import dev.eventchain.openscenario.storyboard.world.Pose;
+import dev.eventchain.openscenario.storyboard.world.RoadMap;
+import dev.eventchain.roads.LanePath;
+import dev.eventchain.roads.LanePosition;
+import dev.eventchain.roads.RoadNetwork;
+import dev.eventchain.simulation.world.Chassis;
+import dev.eventchain.simulation.world.Director;
+import dev.eventchain.simulation.world.EgoVehicle;
+import dev.eventchain.simulation.world.HumanDriver;
+import dev.eventchain.simulation.world.LateralProfile;
+import dev.eventchain.simulation.world.Road;
+import dev.eventchain.simulation.world.Shape;
+import dev.eventchain.simulation.world.Situation;
+import dev.eventchain.simulation.world.SpeedProfile;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What a scenario needs to be played: its storyboard, its roads, and the ego at the start.
+ *
+ * <p>The world has its origin where the ego's front bumper is at the start, in the middle of its
+ * lane, and its x axis along that lane.
+ */
+final class Stage {
+
+  /** How far the ego's lane is followed, in m. */
+  private static final double AHEAD = 20_000.0;
+
+  private static final double BEHIND = 1_000.0;
+
+  private final ResolvedScenario scenario;
+  private final RoadMap roads;
+  private final Entity ego;
+  private final EntityState start;
+  private final Road road;
+  private final Frame frame;
+  private final Road.Place front;
+  private final boolean stops;
+  private final double friction;
+
+  /**
+   * Sets the stage.
+   *
+   * @param network empty if the scenario has no roads
+   * @param ego the name of an entity with a body
+   * @throws dev.eventchain.diagnostics.DiagnosticException if it cannot be played
+   */
+  Stage(ResolvedScenario scenario, Optional<RoadNetwork> network, RoadMap roads, String ego) {
+    this.scenario = scenario;
+    this.roads = roads;
+    StoryboardRun run = StoryboardRun.start(scenario.root(), roads, ego);
+    this.ego = run.entities().find(ego).orElseThrow();
+    this.start = run.states().get(ego);
+    this.stops = run.hasStop();
+    this.friction = run.friction();
+    Pose bumper = start.pose().moved(this.ego.box().front(), this.ego.box().y());
+    Optional<LanePath> path = network.flatMap(this::path);
+    if (path.isPresent()) {
+      LanePath lane = path.get();
+      double along = lane.station(bumper.x(), bumper.y(), lane.origin()).along();
+      dev.eventchain.roads.Pose origin = lane.pose(along, 0.0);
+      this.frame = new Frame(origin.x(), origin.y(), origin.heading());
+      this.road = new EgoLane(network.get(), lane, along, frame);
+    } else {
+      this.frame = new Frame(bumper.x(), bumper.y(), bumper.heading());
+      this.road = new OpenPlane();
+    }
+    this.front = frame.toWorld(bumper);
+  }
+
+  private Optional<LanePath> path(RoadNetwork network) {
+    Optional<LanePoint> at = start.road();
+    return at.flatMap(
+        point -> {
+          LanePosition lane = new LanePosition(point.road(), point.lane(), point.s(), 0.0);
+          double direction =
+              network.road(point.road()).orElseThrow().heading(point.s()) - start.pose().heading();
+          return network.path(lane, StrictMath.cos(direction) >= 0.0, BEHIND, AHEAD);
+        });
+  }
+
+  /** Returns whether a trigger stops the storyboard. */
+  boolean stops() {
+    return stops;
+  }
+
+  /** Returns the vehicle of a project with the body and the speed that the scenario gives it. */
+  EgoVehicle vehicle(EgoVehicle usual) {
+    Box box = ego.box();
+    double wheelbase = Math.min(wheelbase(usual), box.front());
+    Chassis chassis =
+        new Chassis(
+            wheelbase,
+            usual.chassis().maximalSteeringAngle(),
+            usual.chassis().handBrakeDeceleration(),
+            usual.chassis().drag(),
+            front.y(),
+            StrictMath.IEEEremainder(front.heading(), 2.0 * Math.PI));
+    return new EgoVehicle(
+        Math.max(0.0, start.speed()),
+        usual.brakeDelay(),
+        usual.brakeBuildUp(),
+        usual.maximalDeceleration() * Math.min(1.0, friction),
+        usual.coastingDeceleration(),
+        usual.maximalAcceleration(),
+        usual.lidar(),
+        chassis,
+        new Shape(box.length(), box.width(), box.z() + box.height() / 2, box.front() - wheelbase),
+        usual.speedStep());
+  }
+
+  /** Returns the distance of the axles, which a vehicle of the scenario says itself. */
+  private double wheelbase(EgoVehicle usual) {
+    return ego.written()
+        .child("Vehicle")
+        .flatMap(vehicle -> vehicle.child("Axles"))
+        .flatMap(axles -> axles.child("FrontAxle"))
+        .map(axle -> axle.number("positionX"))
+        .filter(position -> position > 0.0)
+        .orElse(usual.chassis().wheelbase());
+  }
+
+  /**
+   * Returns the situation at the start.
+   *
+   * @param limit when the storyboard has to be at its end; empty if it need not
+   */
+  Situation situation(EgoVehicle vehicle, Optional<StoryboardDirector.Limit> limit) {
+    Director.Source source =
+        () ->
+            new StoryboardDirector(
+                StoryboardRun.start(scenario.root(), roads, ego.name()),
+                frame,
+                road,
+                ego.name(),
+                limit);
+    HumanDriver driver =
+        new HumanDriver(
+            new SpeedProfile(vehicle.speed(), List.of()),
+            new LateralProfile(vehicle.chassis().offset(), List.of()),
+            false);
+    return new Situation(
+        vehicle, driver, road, source.begin().actors(), Optional.empty(), Optional.of(source));
+  }
+}

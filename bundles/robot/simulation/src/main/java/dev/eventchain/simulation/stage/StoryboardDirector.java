@@ -1,0 +1,165 @@
+package dev.eventchain.simulation.stage;
+
+import dev.eventchain.openscenario.storyboard.StoryboardRun;
+import dev.eventchain.openscenario.storyboard.world.Entity;
+import dev.eventchain.openscenario.storyboard.world.EntityState;
+import dev.eventchain.openscenario.storyboard.world.Pose;
+import dev.eventchain.openscenario.storyboard.world.Visibility;
+import dev.eventchain.simulation.world.Actor;
+import dev.eventchain.simulation.world.Body;
+import dev.eventchain.simulation.world.Director;
+import dev.eventchain.simulation.world.Road;
+import dev.eventchain.simulation.world.Track;
+import dev.eventchain.simulation.world.World;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/** Plays a storyboard in the world. */
+final class StoryboardDirector implements Director {
+
+  private static final double STEP = World.seconds(World.TRACE_STEP);
+
+  private final StoryboardRun run;
+  private final Frame frame;
+  private final Entity ego;
+  private final Map<String, Track> tracks = new LinkedHashMap<>();
+  private final List<Actor> actors = new ArrayList<>();
+  private final Optional<Limit> limit;
+  private double acceleration;
+  private int now;
+
+  /**
+   * The time at which a storyboard has to be at its end.
+   *
+   * @param moment the last one
+   * @param words what has not happened then
+   */
+  record Limit(int moment, String words) {}
+
+  /**
+   * Begins a run.
+   *
+   * @param run at time 0
+   * @param limit empty if the run may end at any time
+   */
+  StoryboardDirector(StoryboardRun run, Frame frame, Road road, String ego, Optional<Limit> limit) {
+    this.run = run;
+    this.frame = frame;
+    this.limit = limit;
+    Map<String, Entity> entities = run.entities().objects();
+    this.ego = entities.get(ego);
+    for (Entity entity : entities.values()) {
+      if (!entity.name().equals(ego) && entity.box().length() > 0.0) {
+        Track track = new Track(road);
+        tracks.put(entity.name(), track);
+        actors.add(Cast.actor(entity, track));
+      }
+    }
+    move(0);
+  }
+
+  @Override
+  public List<Actor> actors() {
+    return List.copyOf(actors);
+  }
+
+  @Override
+  public void continueAt(int moment, Ego seen) {
+    if (seen.pedals() || seen.wheel()) {
+      run.handOver(seen.pedals(), seen.wheel());
+    }
+    if (moment > 0) {
+      Map<String, Body> bodies = bodies(seen);
+      run.advance(
+          STEP,
+          Optional.of(state(seen)),
+          (one, other) -> touch(bodies.get(one), bodies.get(other)));
+    }
+    now = moment;
+    move(moment);
+    acceleration = (run.next(STEP).get(ego.name()).speed() - seen.velocity()) / STEP;
+  }
+
+  private void move(int moment) {
+    Map<String, EntityState> states = run.states();
+    Map<String, EntityState> next = run.next(STEP);
+    tracks.forEach(
+        (name, track) ->
+            track.put(moment, place(name, states.get(name)), place(name, next.get(name))));
+  }
+
+  /** Returns the middle of an entity in the world; null if it is not there. */
+  private Road.Place place(String name, EntityState state) {
+    Entity entity = run.entities().objects().get(name);
+    return state.exists() ? frame.middle(state, entity.box().x(), entity.box().y()) : null;
+  }
+
+  private EntityState state(Ego seen) {
+    Pose front = frame.toMap(seen.front());
+    Pose pose = front.moved(-ego.box().front(), -ego.box().y());
+    double cos = StrictMath.cos(pose.heading());
+    double sin = StrictMath.sin(pose.heading());
+    return new EntityState(
+        pose,
+        seen.velocity(),
+        seen.acceleration(),
+        seen.velocity() * cos,
+        seen.velocity() * sin,
+        seen.yawRate(),
+        Optional.empty(),
+        Visibility.ALL,
+        true);
+  }
+
+  /** Returns the bodies that are there at this moment, as they have moved. */
+  private Map<String, Body> bodies(Ego seen) {
+    Map<String, Body> bodies = new LinkedHashMap<>();
+    double seconds = World.seconds((now + 1L) * World.TRACE_STEP);
+    for (Actor actor : actors) {
+      if (actor.exists(seconds)) {
+        bodies.put(actor.name(), actor.body(null, seconds));
+      }
+    }
+    bodies.put(
+        ego.name(),
+        new Body(
+            seen.front().ahead(-ego.box().length() / 2),
+            ego.box().length(),
+            ego.box().width(),
+            0.0,
+            ego.box().height(),
+            0.0f));
+    return bodies;
+  }
+
+  private static boolean touch(Body one, Body other) {
+    return one != null && other != null && one.separation(other) <= 0.0;
+  }
+
+  @Override
+  public double acceleration() {
+    return acceleration;
+  }
+
+  @Override
+  public OptionalDouble curvature() {
+    return OptionalDouble.empty();
+  }
+
+  @Override
+  public boolean ended() {
+    return run.ended();
+  }
+
+  @Override
+  public List<String> neverBegun() {
+    return limit
+        .filter(it -> now >= it.moment() && !run.ended())
+        .map(it -> List.of(it.words()))
+        .orElse(List.of());
+  }
+}

@@ -1,0 +1,200 @@
+package dev.eventchain.simulation.stage;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.scenario.Scenario;
+import dev.eventchain.simulation.world.Actor;
+import dev.eventchain.simulation.world.EgoVehicle;
+import dev.eventchain.simulation.world.Situation;
+import dev.eventchain.simulation.world.Trace;
+import dev.eventchain.simulation.world.VehicleCommand;
+import dev.eventchain.simulation.world.World;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+
+/** Tests scenarios whose situation is a file in OpenSCENARIO XML. */
+class PlayedScenarioTest {
+
+  private static final Path FOLDER = Path.of("src/test/resources/openscenario");
+  private static final double KMH = 1 / 3.6;
+
+  /** From the reference point of the tested car to its front, and of the target to its rear. */
+  private static final double FRONT = 1.4 + 4.4 / 2;
+
+  private static final double REAR = 1.3 - 4.0 / 2;
+
+  private static String scenario(String file, String more) {
+    return """
+        name: rear-end
+        title: A car ahead
+        openscenario:
+          file: %s
+        %s
+        accept:
+          no_impact: true
+        """
+        .formatted(file, more);
+  }
+
+  private static SourceText text(String file, String more) {
+    return SourceText.of(FOLDER.resolve("scenario.yaml").toString(), scenario(file, more));
+  }
+
+  private static Scenario read(String more) {
+    return Scenario.parse(text("rear-end.xosc", more), Bench.carla());
+  }
+
+  private static World world(Scenario scenario) {
+    Situation situation = scenario.situation();
+    return new World(situation, new Trace(Map.of(), situation.road()));
+  }
+
+  private static void drive(World world, double seconds) {
+    world.advanceTo(world.now() + World.nanoseconds(seconds));
+  }
+
+  @Test
+  void gapsAndImpactsAreThoseOfTheFile() {
+    List<Scenario> cases =
+        Scenario.readFiles(
+            List.of(FOLDER.resolve("rear-end-cases.xosc")),
+            List.of("no_impact"),
+            Bench.carla(),
+            warning -> fail(warning.message()));
+    assertEquals(6, cases.size());
+    int index = 0;
+    for (double speed : new double[] {30, 50, 70}) {
+      for (double target : new double[] {0, 20}) {
+        Scenario each = cases.get(index++);
+        double gap = 5 * speed * KMH - FRONT + REAR;
+        World world = world(each);
+        assertEquals(gap, world.moment().end().gap(), 1e-9, each.title());
+        drive(world, 60);
+        double closing = (speed - target) * KMH;
+        assertEquals(closing, world.trace().impactSpeed().getAsDouble(), 1e-6, each.title());
+        assertEquals(gap / closing, World.seconds(world.now()), 1e-6, each.title());
+      }
+    }
+  }
+
+  @Test
+  void casesAreNamedByNumberAndSayWhatDiffers() {
+    Scenario third =
+        Scenario.readFiles(
+                List.of(FOLDER.resolve("rear-end-cases.xosc")),
+                List.of("no_impact"),
+                Bench.carla(),
+                warning -> fail(warning.message()))
+            .get(2);
+    assertEquals("rear-end-cases-3", third.name());
+    assertEquals("rear-end-cases (speed_kph = 50, target_kph = 0)", third.title());
+  }
+
+  @Test
+  void theWorldLiesAlongTheLaneOfTheEgo() {
+    Scenario scenario = read("");
+    World world = world(scenario);
+    assertEquals(0, world.ego().front().x(), 1e-9);
+    assertEquals(0, world.ego().front().y(), 1e-9);
+    assertEquals(0, world.ego().front().heading(), 1e-9);
+    assertEquals(3.5, scenario.situation().road().laneWidth(10), 1e-9);
+    Actor target = world.actors().get(0);
+    assertEquals("Target", target.name());
+    assertEquals(0, target.across(0), 1e-9);
+    assertEquals(1.4, target.size().top(), 1e-9);
+    EgoVehicle ego = scenario.situation().ego();
+    assertEquals(4.4, ego.shape().length());
+    assertEquals(2.6, ego.chassis().wheelbase());
+    assertEquals(FRONT, ego.chassis().wheelbase() + ego.shape().frontOverhang(), 1e-9);
+  }
+
+  @Test
+  void parametersTakeTheirValuesFromTheScenario() {
+    Scenario scenario =
+        Scenario.parse(
+            text("rear-end.xosc", "  parameters: {speed_kph: 36, headway: 3, aside: 1.5}"),
+            Bench.carla());
+    World world = world(scenario);
+    assertEquals(10, world.egoSpeed(), 1e-12);
+    assertEquals(1.5, world.actors().get(0).across(0), 1e-9);
+    assertEquals(30 - FRONT + REAR, world.moment().end().gap(), 1e-9);
+  }
+
+  @Test
+  void brakingSoftwareWinsAndTheStoryboardEndsTheRun() {
+    World world = world(read(""));
+    drive(world, 1);
+    assertEquals(50 * KMH, world.egoSpeed(), 1e-9);
+    world.command(world.now(), VehicleCommand.brake(1.0));
+    drive(world, 60);
+    assertTrue(world.trace().impactSpeed().isEmpty());
+    assertEquals(0, world.egoSpeed());
+    assertTrue(world.isOver());
+    // At rest for 0.1 s, and that for 1 s.
+    double stopped =
+        world.trace().states().stream()
+            .filter(state -> state.speed() == 0)
+            .mapToDouble(state -> World.seconds(state.time()))
+            .findFirst()
+            .orElseThrow();
+    assertEquals(stopped + 1.1, World.seconds(world.now()), 0.0101);
+  }
+
+  @Test
+  void twoRunsOfOneScenarioAreTheSame() {
+    Scenario scenario = read("");
+    World first = world(scenario);
+    drive(first, 2);
+    World second = world(scenario);
+    drive(second, 2);
+    assertEquals(first.trace().states(), second.trace().states());
+    assertEquals(first.now(), second.now());
+  }
+
+  private static List<String> problems(String file, String more) {
+    DiagnosticException refused =
+        assertThrows(
+            DiagnosticException.class, () -> Scenario.parse(text(file, more), Bench.carla()));
+    return refused.diagnostics().stream()
+        .map(each -> each.id() + " " + each.location().line() + ": " + each.message())
+        .toList();
+  }
+
+  @Test
+  void theEgoIsNamedOrKnown() {
+    assertEquals(
+        List.of("scenario.ego.unknown 4: There is no entity 'ego1'."),
+        problems("rear-end.xosc", "  ego: ego1"));
+    Scenario other = Scenario.parse(text("rear-end.xosc", "  ego: Target"), Bench.carla());
+    assertEquals(List.of("Ego"), other.situation().actors().stream().map(Actor::name).toList());
+  }
+
+  @Test
+  void whatTheFileHasIsNotSaidTwice() {
+    assertEquals(
+        List.of("scenario.key.unknown 5: 'actors' is that of the OpenSCENARIO file."),
+        problems("rear-end.xosc", "actors: []"));
+    assertTrue(
+        problems("rear-end.xosc", "ego: {speed_kmh: 30}")
+            .get(0)
+            .startsWith("scenario.key.unknown"));
+  }
+
+  @Test
+  void valuesAreThoseThatTheFileAllows() {
+    List<String> wrong = problems("rear-end.xosc", "  parameters: {headway: 1}");
+    assertEquals(1, wrong.size());
+    assertTrue(wrong.get(0).startsWith("osc."), wrong.get(0));
+    assertFalse(problems("rear-end.xosc", "  parameters: {headwy: 3}").isEmpty());
+    assertFalse(problems("missing.xosc", "").isEmpty());
+  }
+}
