@@ -9,9 +9,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -48,33 +50,28 @@ final class Catalogs {
    * @param folders the folders to look in
    */
   Optional<Entry> find(Reference reference, List<Location> folders, Findings findings) {
-    List<Catalog> named = new ArrayList<>();
-    List<String> names = new ArrayList<>();
+    Set<Catalog> there = new LinkedHashSet<>();
     boolean complete = true;
     for (Location location : folders) {
       Optional<List<Catalog>> all = in(location, findings);
       complete &= all.isPresent();
-      for (Catalog catalog : all.orElse(List.of())) {
-        names.add(catalog.name());
-        if (catalog.name().equals(reference.catalog())) {
-          named.add(catalog);
-        }
-      }
+      there.addAll(all.orElse(List.of()));
     }
-    for (Catalog catalog : named) {
-      catalog.failure().ifPresent(failure -> findings.addAll(failure.diagnostics()));
+    List<Catalog> named =
+        there.stream().filter(each -> each.name().equals(reference.catalog())).toList();
+    for (Catalog each : named.isEmpty() ? there : named) {
+      each.failure().ifPresent(failure -> findings.addAll(failure.diagnostics()));
     }
-    if (named.isEmpty() && !complete) {
-      return Optional.empty();
-    } else if (named.isEmpty()) {
+    if (!named.isEmpty()) {
+      return entry(reference, named, findings);
+    } else if (complete) {
       findings.add(
           DocumentRules.CATALOG_MISSING,
           "No catalog `" + reference.catalog() + "` is in " + listed(folders) + ".",
           reference.place(),
-          NearestName.hint(reference.catalog(), names));
-      return Optional.empty();
+          NearestName.hint(reference.catalog(), there.stream().map(Catalog::name).toList()));
     }
-    return entry(reference, named, findings);
+    return Optional.empty();
   }
 
   private static Optional<Entry> entry(

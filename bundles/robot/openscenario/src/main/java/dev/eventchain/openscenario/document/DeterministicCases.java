@@ -57,7 +57,7 @@ final class DeterministicCases {
     for (ScenarioElement set : distribution.children("ParameterValueSet")) {
       Map<String, String> values = new LinkedHashMap<>();
       for (ScenarioElement each : set.children("ParameterAssignment")) {
-        String name = each.text("parameterRef").replaceFirst("^\\$", "");
+        String name = each.text("parameterRef");
         parameters.check(name, each.text("value"), each.location("value"));
         if (values.put(name, each.text("value")) != null) {
           parameters.wrong("`" + name + "` has two values.", each.location(), "Leave one out.");

@@ -26,16 +26,20 @@ final class Resolver {
 
   private static final int MOST_ELEMENTS = 1_000_000;
 
+  private static final int DEEPEST_REFERENCES = 30;
+
   private static final String REFERENCE = "CatalogReference";
 
   private final ScenarioFile file;
   private final Findings findings = new Findings();
   private final Map<String, Catalogs.Location> catalogFolders = new LinkedHashMap<>();
   private final Deque<XmlElement> open = new ArrayDeque<>();
+  private final DeclaredNames declared;
   private int elements;
 
   Resolver(ScenarioFile file) {
     this.file = file;
+    this.declared = new DeclaredNames(file, findings);
   }
 
   ResolvedScenario resolve(Map<String, String> given) {
@@ -144,7 +148,9 @@ final class Resolver {
         children.add(build(child, Vocabulary.standard().element(childType), scope));
       }
     }
-    return LatestForm.of(type, element, values(element, type, scope), children);
+    Map<String, String> values = values(element, type, scope);
+    declared.check(element, values);
+    return LatestForm.of(type, element, values, children);
   }
 
   private Map<String, String> values(XmlElement element, ElementType type, Scope scope) {
@@ -168,8 +174,10 @@ final class Resolver {
   private Optional<String> value(
       XmlElement element, AttributeType attribute, String written, Optional<Scope> scope) {
     if (scope.isEmpty()) {
-      Optional<String> value = AttributeValues.latest(attribute, written);
-      return value.isPresent() ? value : checked(element, attribute, written);
+      boolean isName = attribute.name().equals("parameterRef");
+      String text = isName ? written.replaceFirst("^\\$", "") : written;
+      Optional<String> value = AttributeValues.latest(attribute, text);
+      return value.isPresent() ? value : checked(element, attribute, text);
     }
     return scope
         .get()
@@ -229,6 +237,13 @@ final class Resolver {
           "`" + reference.entry() + "` is a `" + kind + "`, which does not belong here.",
           reference.place(),
           NearestName.hint(kind, parent.children().keySet()));
+      return false;
+    } else if (open.size() > DEEPEST_REFERENCES) {
+      findings.add(
+          DocumentRules.SIZE,
+          "References to catalogs are nested more than " + DEEPEST_REFERENCES + " deep.",
+          reference.place(),
+          "");
       return false;
     } else if (open.contains(entry.element())) {
       findings.add(

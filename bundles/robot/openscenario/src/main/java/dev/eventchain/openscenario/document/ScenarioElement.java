@@ -70,8 +70,9 @@ public record ScenarioElement(
     return has(attribute) ? number(attribute) : otherwise;
   }
 
+  /** Returns a whole number; one that is larger than an {@code int} as the largest one. */
   public int integer(String attribute) {
-    return Integer.parseInt(text(attribute));
+    return (int) Math.min(Integer.MAX_VALUE, Long.parseLong(text(attribute)));
   }
 
   public boolean flag(String attribute) {

@@ -34,14 +34,16 @@ public final class ScenarioFile {
   private final XmlElement element;
   private final Version version;
   private final Catalogs catalogs;
-  private List<Diagnostic> warnings = List.of();
+  private final List<Diagnostic> warnings;
 
-  private ScenarioFile(Path path, Folder folder, XmlElement element, Version version) {
+  private ScenarioFile(
+      Path path, Folder folder, XmlElement element, Version version, List<Diagnostic> warnings) {
     this.path = path;
     this.folder = folder;
     this.element = element;
     this.version = version;
     this.catalogs = new Catalogs(folder);
+    this.warnings = warnings;
   }
 
   /** Reads a file that leads to files in its own folder only. */
@@ -58,20 +60,20 @@ public final class ScenarioFile {
    *     findings if it is not what its version of the standard says
    */
   public static ScenarioFile read(Path file, Path root) {
-    ScenarioFile read = load(file, root);
+    ScenarioFile loaded = load(file, root);
     Findings findings = new Findings();
-    new StructureCheck(read.version, findings).check(read.element, Vocabulary.standard().root());
-    read.warnings = findings.endIfWrong();
-    return read;
+    new StructureCheck(loaded.version, findings)
+        .check(loaded.element, Vocabulary.standard().root());
+    return new ScenarioFile(
+        file, loaded.folder, loaded.element, loaded.version, findings.endIfWrong());
   }
 
   /** Reads a file of which only the header is checked. */
   static ScenarioFile load(Path file, Path root) {
-    XmlElement element = SourceFile.read(file);
-    Version version = SourceFile.version(element);
-    Path folder = file.resolveSibling("").normalize();
     new Folder(root, root).find(file.toAbsolutePath().toString(), SourceLocation.of(file));
-    return new ScenarioFile(file, new Folder(root, folder), element, version);
+    XmlElement element = SourceFile.read(file);
+    Folder folder = new Folder(root, file.resolveSibling("").normalize());
+    return new ScenarioFile(file, folder, element, SourceFile.version(element), List.of());
   }
 
   public Path path() {

@@ -6,7 +6,11 @@ import dev.eventchain.openscenario.expression.Expression;
 import dev.eventchain.openscenario.expression.ExpressionException;
 import dev.eventchain.openscenario.expression.Operand;
 import dev.eventchain.openscenario.vocabulary.DataType;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -20,7 +24,6 @@ import java.util.regex.Pattern;
 final class Scope {
 
   private static final Pattern REFERENCE = Pattern.compile("\\$[A-Za-z_]\\w*");
-  private static final int LONGEST_CHAIN = 500;
   private static final int LONGEST_QUOTE = 100;
 
   /** Where a value comes from: its declaration, or who gives another one. */
@@ -31,7 +34,6 @@ final class Scope {
   private final Findings findings;
   private final Map<String, Source> sources = new LinkedHashMap<>();
   private final Map<String, Optional<String>> values = new LinkedHashMap<>();
-  private final Set<String> open = new TreeSet<>();
 
   /**
    * Creates a scope without parameters.
@@ -69,12 +71,21 @@ final class Scope {
     }
   }
 
-  /** Returns the values of the parameters that are declared here, as far as they have one. */
+  /**
+   * Returns the values of the parameters that are declared here, as far as they have one, and holds
+   * them against their constraints.
+   */
   Map<String, String> values() {
     Map<String, String> all = new LinkedHashMap<>();
     for (String name : sources.keySet()) {
       value(name, SourceLocation.NONE).ifPresent(value -> all.put(name, value));
     }
+    Constraints constraints = new Constraints(this, findings);
+    all.forEach(
+        (name, value) -> {
+          Source source = sources.get(name);
+          constraints.check(source.declared(), value, source.place());
+        });
     return all;
   }
 
@@ -162,34 +173,65 @@ final class Scope {
       unknown(name, known, place);
       return Optional.empty();
     }
-    return owner.ownValue(name, place);
+    if (!owner.values.containsKey(name)) {
+      owner.compute(name);
+    }
+    return owner.values.get(name);
   }
 
-  private Optional<String> ownValue(String name, SourceLocation place) {
-    if (!values.containsKey(name)) {
-      if (open.contains(name) || open.size() > LONGEST_CHAIN) {
-        findings.add(
-            DocumentRules.PARAMETER_CYCLE,
-            "The value of `" + name + "` depends on itself, or on too many others in a row.",
-            place,
-            "Give one of them a value.");
-        return Optional.empty();
+  /** Computes a value after those that it depends on, without recursion: chains may be long. */
+  private void compute(String name) {
+    Deque<String> next = new ArrayDeque<>(List.of(name));
+    Set<String> open = new HashSet<>();
+    while (!next.isEmpty()) {
+      String top = next.peek();
+      if (values.containsKey(top) || !open.add(top)) {
+        if (!values.containsKey(top)) {
+          values.put(top, computed(top));
+        }
+        open.remove(next.pop());
+        continue;
       }
-      open.add(name);
-      Source source = sources.get(name);
-      DataType type = DataType.ofWord(source.declared().type()).orElseThrow();
-      Optional<String> value =
-          source
-              .scope()
-              .evaluate(source.written(), source.place())
-              .flatMap(
-                  text -> AttributeValues.check(type, "$" + name, text, source.place(), findings));
-      open.remove(name);
-      values.put(name, value);
-      value.ifPresent(
-          held -> new Constraints(this, findings).check(source.declared(), held, source.place()));
+      for (String needed : missing(top)) {
+        if (open.contains(needed)) {
+          cycle(needed, sources.get(top).place());
+          values.put(top, Optional.empty());
+        } else {
+          next.push(needed);
+        }
+      }
     }
-    return values.get(name);
+  }
+
+  /** Returns the parameters declared here that a value needs, and that have none yet. */
+  private List<String> missing(String name) {
+    Source source = sources.get(name);
+    if (source.scope() != this || !source.written().strip().startsWith("$")) {
+      return List.of();
+    }
+    return REFERENCE
+        .matcher(source.written())
+        .results()
+        .map(found -> found.group().substring(1))
+        .filter(needed -> sources.containsKey(needed) && !values.containsKey(needed))
+        .toList();
+  }
+
+  private Optional<String> computed(String name) {
+    Source source = sources.get(name);
+    DataType type = DataType.ofWord(source.declared().type()).orElseThrow();
+    return source
+        .scope()
+        .evaluate(source.written(), source.place())
+        .flatMap(text -> AttributeValues.check(type, "$" + name, text, source.place(), findings));
+  }
+
+  private void cycle(String name, SourceLocation place) {
+    findings.add(
+        DocumentRules.PARAMETER_CYCLE,
+        "The value of `" + name + "` depends on itself.",
+        place,
+        "Give one of them a value of its own.");
   }
 
   private void unknown(String name, Set<String> known, SourceLocation place) {
