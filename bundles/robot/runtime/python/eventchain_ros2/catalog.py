@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +21,7 @@ class Catalog:
     """
 
     def __init__(self, own: Mapping[str, Any] | None = None) -> None:
-        self._stated = {**_standard(), **(own or {})}
+        self._stated = {**_STANDARD, **(own or {})}
         self.packages = {name.partition("/")[0] for name in self._stated}
 
     def names(self) -> list[str]:
@@ -44,10 +43,8 @@ class Catalog:
         return None if stated is None else resolved(name, stated)
 
 
-@cache
-def _standard() -> dict[str, Any]:
-    found: dict[str, Any] = json.loads(STANDARD_MESSAGES.read_text(encoding="utf-8"))
-    return found
+_STANDARD: dict[str, Any] = json.loads(STANDARD_MESSAGES.read_text(encoding="utf-8"))
+"""Read on import: once for all processes that are forked after it."""
 
 
 def read(files: Iterable[Path]) -> dict[str, Any]:

@@ -82,14 +82,20 @@ Hook = Callable[[str, tuple[Any, ...]], None]
 
 
 def install(readable: Iterable[str], writable: str) -> None:
-    """Permanently refuse all files except the given ones, all sockets and all processes."""
+    """Permanently refuse all files except the given ones, all sockets and all processes.
+
+    Args:
+        readable: real paths.
+        writable: a folder.
+
+    """
     for name in SILENT_FUNCTIONS:
         for module in (os, posix):
             if hasattr(module, name):
                 delattr(module, name)
     for name in REFUSED_MODULES:
         sys.modules[name] = None  # type: ignore[assignment]  # an import then raises ModuleNotFoundError
-    sys.addaudithook(_hook(tuple(os.path.realpath(path) for path in readable), os.path.realpath(writable)))
+    sys.addaudithook(_hook(tuple(readable), os.path.realpath(writable)))
 
 
 def _hook(readable: tuple[str, ...], writable: str) -> Hook:

@@ -29,6 +29,7 @@ _FIRST_READ = 1 << 16
 _FRAME = re.compile(r'^ {2}File "(.*)", line (\d+) in', re.MULTILINE)
 _PATIENCE = 2.0  # s for the stack of a process that hangs
 _SIGXCPU = 24
+_NANOSECONDS = 1_000_000_000
 _TOO_LATE_HINT = "Compute with loops that end, without waiting."
 _ENDED_HINT = "Do not end the process."
 _CRASHED_HINT = "It crashed in native code, or something ended it."
@@ -152,7 +153,8 @@ class ComponentProcess:
         self._ended = False
         self._process, self._channel, self._stack = server.start(description)
         self._clock = (~self._process << 3) | 2  # the processor time of another process, clock_getcpuclockid(3)
-        self._deadlines = 0.0, 0.0
+        self._asked_at = 0
+        self._deadline = 0.0
         self._token = b""
         self._buffer = memoryview(bytearray(_FIRST_READ))
 
@@ -182,9 +184,8 @@ class ComponentProcess:
 
     def call(self, arguments: tuple[Any, ...], inputs: dict[str, Any]) -> Result:
         """Execute it."""
-        before = time.clock_gettime_ns(self._clock)
         answer = self._ask(["call", arguments, inputs])
-        processor = time.clock_gettime_ns(self._clock) - before
+        processor = time.clock_gettime_ns(self._clock) - self._asked_at
         if answer[0] == "result" and len(answer) == 4:
             return Result(answer[1], _number(answer[2]), _number(answer[3]), processor)
         if answer[0] == "unfit" and len(answer) == 5:
@@ -218,7 +219,8 @@ class ComponentProcess:
     def _ask(self, question: list[Any]) -> list[Any]:
         if self._ended:
             raise ComponentError("component.ended", "the process of the component has ended", self._file)
-        self._start_clocks()
+        self._asked_at = time.clock_gettime_ns(self._clock)
+        self._deadline = time.monotonic() + self._limits.wall
         self._token = os.urandom(_TOKEN_BYTES)  # prevents answers sent before the question
         self._send(component_values.write(question, self._objects))
         try:
@@ -230,10 +232,6 @@ class ComponentProcess:
         if answer[0] == "raised" and len(answer) == 6:
             raise self._raised(*answer[1:])
         return answer
-
-    def _start_clocks(self) -> None:
-        processor = time.clock_gettime(self._clock) + self._limits.processor
-        self._deadlines = processor, time.monotonic() + self._limits.wall
 
     def _send(self, buffers: list[Any]) -> None:
         length = sum(map(len, buffers))
@@ -285,14 +283,13 @@ class ComponentProcess:
             return count
 
     def _check_deadlines(self) -> None:
-        processor, wall = self._deadlines
         try:
-            used = time.clock_gettime(self._clock)
+            used = time.clock_gettime_ns(self._clock) - self._asked_at
         except OSError:
             raise self._gone() from None
-        if used > processor:
+        if used > self._limits.processor * _NANOSECONDS:
             raise self._late(f"it used more than {self._limits.processor:g} s of processor time")
-        if time.monotonic() > wall:
+        if time.monotonic() > self._deadline:
             raise self._late(f"it did not answer within {self._limits.wall:g} s")
 
     def _late(self, message: str) -> ComponentError:

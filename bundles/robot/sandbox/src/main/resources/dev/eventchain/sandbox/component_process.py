@@ -46,6 +46,7 @@ RANDOM_SOURCE = "random_source"
 _HEADER = struct.Struct("<I4s")
 _MARKER = "_eventchain_returning"
 _LONGEST_TEXT = 2000
+_USUAL_QUESTION = 1 << 17
 
 
 class ComponentProcess:
@@ -61,6 +62,7 @@ class ComponentProcess:
 
     def __init__(self, channel: int, description: dict[str, Any]) -> None:
         self._channel = channel
+        self._buffer = memoryview(bytearray(_USUAL_QUESTION))
         self._file: str = description["file"]
         self._module_name: str = description["module"]
         self._class_name: str = description["class"]
@@ -88,8 +90,19 @@ class ComponentProcess:
             _write_all(self._channel, [_HEADER.pack(sum(map(len, buffers)), token), *buffers])
 
     def _receive(self) -> tuple[bytes, memoryview]:
-        length, token = _HEADER.unpack(_read_all(self._channel, _HEADER.size))
-        return token, memoryview(_read_all(self._channel, length))
+        """Return the token and the value of the next question; the value is valid until the one after that."""
+        have = _read(self._channel, self._buffer)
+        while have < _HEADER.size:
+            have += _read(self._channel, self._buffer[have:])
+        length, token = _HEADER.unpack_from(self._buffer)
+        whole = length + _HEADER.size
+        if whole > len(self._buffer):
+            longer = memoryview(bytearray(whole))
+            longer[:have] = self._buffer[:have]
+            self._buffer = longer
+        while have < whole:
+            have += _read(self._channel, self._buffer[have:whole])
+        return token, self._buffer[_HEADER.size : whole]
 
     def _answer(self, question: list[Any]) -> list[Any]:
         kind = question[0]
@@ -199,14 +212,12 @@ def _objects(files: list[str] | None) -> component_values.Objects:
     return objects
 
 
-def _read_all(channel: int, length: int) -> bytes:
-    data = os.read(channel, length)
-    while len(data) < length:
-        more = os.read(channel, length - len(data))
-        if not more:
-            os._exit(0)
-        data += more
-    return data
+def _read(channel: int, view: memoryview) -> int:
+    """Read what is there; return how much."""
+    count = os.readv(channel, [view])
+    if count == 0:
+        os._exit(0)
+    return count
 
 
 def _write_all(channel: int, buffers: list[Any]) -> None:

@@ -39,18 +39,31 @@ def check(values: Any, outputs: list[Output]) -> list[Problem]:
         expected = keys_hint(outputs)
         return [Problem("component.result.type", f"returned {type(values).__name__}, not dict", expected)]
     wrong = check_keys(values, outputs)
-    return wrong or [problem for output in outputs for problem in _check_output(output, values[output.name])]
+    return wrong or [
+        problem
+        for output in outputs
+        if not _is_number(output.type, values[output.name])
+        for problem in _check_output(output, values[output.name])
+    ]
 
 
 def check_keys(keys: Collection[Any], outputs: list[Output]) -> list[Problem]:
     """Check the keys of the dict that `execute` returns."""
     names = [output.name for output in outputs]
+    if list(keys) == names:
+        return []
     missing = [name for name in names if name not in keys]
     extra = [str(key) for key in keys if key not in names]
     if not missing and not extra:
         return []
     parts = [f"{word} {', '.join(keys)}" for word, keys in (("without", missing), ("with", extra)) if keys]
     return [Problem("component.result.keys", f"returned a dict {' and '.join(parts)}", keys_hint(outputs))]
+
+
+def _is_number(declared: str, value: Any) -> bool:
+    """Return whether the value is a finite number as declared: most are, at each step."""
+    kind = type(value)
+    return ((kind is float and -math.inf < value < math.inf) or kind is int) and declared in _NUMBERS
 
 
 def _check_output(output: Output, value: Any) -> list[Problem]:

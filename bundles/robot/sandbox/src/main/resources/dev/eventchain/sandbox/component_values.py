@@ -7,7 +7,7 @@ one member that names what it stands for::
     {"bytes": length}                      the next part
     {"array": [typecode, length]}          array.array, its content is the next part
     {"numpy": [dtype, shape, length]}      numpy.ndarray, likewise
-    {"dict": [[key, value], ...]}
+    {"dict": {key: value, ...}}
     {"message": [type, {field: value}]}    an object that the caller's `Objects` know
 """
 
@@ -27,9 +27,24 @@ _SCALARS = frozenset({bool, int, float, str, type(None)})
 _TYPE_CODES = frozenset("bBhHiIlLqQfd")
 _NUMPY_KINDS = frozenset("biuf")
 _WIDEST = 8  # size of a number in bytes
-_encode = json.JSONEncoder(separators=(",", ":"), check_circular=False).encode
+_decode = json.JSONDecoder().raw_decode
 
 Buffer = bytes | bytearray | memoryview
+
+
+def _encoder() -> Callable[[Any], str]:
+    """Return what encodes JSON, without the parts that Python's encoder makes anew for each value, if it has them."""
+    plain = json.JSONEncoder(separators=(",", ":"), check_circular=False)
+    try:
+        parts: Any = json.encoder.c_make_encoder(  # type: ignore[attr-defined]
+            None, plain.default, json.encoder.encode_basestring_ascii, None, ":", ",", False, False, True
+        )
+        return lambda value: "".join(parts(value, 0))
+    except (AttributeError, TypeError):
+        return plain.encode
+
+
+_encode = _encoder()
 
 
 class MalformedError(ValueError):
@@ -85,10 +100,10 @@ def _plain(value: Any, parts: list[Any], objects: Objects) -> Any:
         return {"bytes": len(parts[-1])}
     if isinstance(value, dict):
         return {
-            "dict": [
-                [str(key), item if type(item) in _SCALARS else _plain(item, parts, objects)]
+            "dict": {
+                key if type(key) is str else str(key): item if type(item) in _SCALARS else _plain(item, parts, objects)
                 for key, item in value.items()
-            ]
+            }
         }
     return _uncommon(value, parts, objects)
 
@@ -123,7 +138,10 @@ def read(data: Buffer, objects: Objects = NO_OBJECTS) -> Any:
     view = memoryview(data)
     try:
         (length,) = _LENGTH.unpack_from(view)
-        head = json.loads(str(view[_LENGTH.size : _LENGTH.size + length], "ascii"))
+        text = str(view[_LENGTH.size : _LENGTH.size + length], "ascii")
+        head, end = _decode(text)
+        if end != len(text):
+            raise MalformedError("there is text left over")
         reader = _Reader(view[_LENGTH.size + length :], objects)
         value = reader.value(head)
     except (struct.error, ValueError, TypeError, KeyError, AttributeError, RecursionError, OverflowError) as problem:
@@ -157,10 +175,7 @@ class _Reader:
         if name == "numpy":
             return self._numpy(*content)
         if name == "dict":
-            return {
-                key if type(key) is str else _text(key): item if type(item) in _SCALARS else self.value(item)
-                for key, item in content
-            }
+            return {key: item if type(item) in _SCALARS else self.value(item) for key, item in content.items()}
         if name == "message":
             type_name, fields = content
             return self._objects.make(_text(type_name), {key: self.value(item) for key, item in fields.items()})

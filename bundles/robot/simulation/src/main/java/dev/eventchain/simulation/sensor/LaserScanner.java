@@ -122,8 +122,10 @@ public record LaserScanner(
     double cos = StrictMath.cos(eye.heading());
     double sin = StrictMath.sin(eye.heading());
     LidarBox box = new LidarBox(body, dx * cos + dy * sin, dy * cos - dx * sin, eye, height);
+    LidarBox.Span vertical = box.between(0.0);
     for (int ray = 0; ray < distances.length; ray++) {
-      distances[ray] = Math.min(distances[ray], box.distance(forward[ray], left[ray], 0.0));
+      double distance = box.distance(forward[ray], left[ray], vertical, distances[ray]);
+      distances[ray] = Math.min(distances[ray], distance);
     }
   }
 }

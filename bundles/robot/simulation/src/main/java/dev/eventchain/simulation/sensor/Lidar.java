@@ -179,8 +179,12 @@ public final class Lidar {
       last = Math.min(last, rays.azimuthIndex(box.leftmost()) + 1);
     }
     for (int ring = 0; ring < rays.count(); ring += rays.azimuths()) {
+      LidarBox.Span vertical = box.between(rays.z(ring));
+      if (vertical.exit() <= 0.0) {
+        continue;
+      }
       for (int ray = ring + first; ray <= ring + last; ray++) {
-        double distance = box.distance(rays.x(ray), rays.y(ray), rays.z(ray));
+        double distance = box.distance(rays.x(ray), rays.y(ray), vertical, range[ray]);
         if (distance < range[ray]) {
           range[ray] = (float) distance;
           intensity[ray] = body.intensity();
@@ -193,8 +197,9 @@ public final class Lidar {
     int count = 0;
     int start = random.nextInt(NOISE.length);
     float noise = (float) settings.noise();
+    boolean drops = settings.dropout() > 0.0;
     for (int ray = 0; ray < range.length; ray++) {
-      if (range[ray] <= RANGE && !dropped()) {
+      if (range[ray] <= RANGE && !(drops && dropouts.nextDouble() < settings.dropout())) {
         double distance = range[ray] + noise * NOISE[(start + ray) & (NOISE.length - 1)];
         points[count++] = (float) (distance * rays.x(ray));
         points[count++] = (float) (distance * rays.y(ray));
@@ -205,9 +210,5 @@ public final class Lidar {
     ByteBuffer data = ByteBuffer.allocate(count * Float.BYTES).order(ByteOrder.LITTLE_ENDIAN);
     data.asFloatBuffer().put(points, 0, count);
     return data.array();
-  }
-
-  private boolean dropped() {
-    return settings.dropout() > 0.0 && dropouts.nextDouble() < settings.dropout();
   }
 }

@@ -54,30 +54,56 @@ final class LidarBox {
     return rightmost;
   }
 
-  /**
-   * Returns the distance at which a ray enters it: after the last of its entries into the three
-   * slabs.
-   */
-  double distance(double dx, double dy, double dz) {
-    double along = dx * cos + dy * sin;
-    double aside = dy * cos - dx * sin;
-    double enter = entry(-halfLength - x, halfLength - x, along);
-    enter = Math.max(enter, entry(-halfWidth - y, halfWidth - y, aside));
-    enter = Math.max(enter, entry(bottom, top, dz));
-    double exit = -entry(x - halfLength, x + halfLength, along);
-    exit = Math.min(exit, -entry(y - halfWidth, y + halfWidth, aside));
-    exit = Math.min(exit, -entry(-top, -bottom, dz));
-    return enter <= exit && enter > 0.0 ? enter : Double.POSITIVE_INFINITY;
+  /** The part of a ray between two parallel planes, from its entry to its exit. */
+  record Span(double enter, double exit) {}
+
+  /** Returns the part of rays with this slope that is between its bottom and its top. */
+  Span between(double dz) {
+    if (dz == 0.0) {
+      return bottom <= 0.0 && top >= 0.0
+          ? new Span(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY)
+          : new Span(Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY);
+    }
+    return new Span(Math.min(bottom / dz, top / dz), Math.max(bottom / dz, top / dz));
   }
 
   /**
-   * Returns the distance at which a ray enters a slab; infinite if it runs outside in parallel,
-   * negatively infinite if inside.
+   * Returns the distance at which a ray enters it: after the last of its entries into the three
+   * slabs; infinite if it does not, or not before the nearest echo so far.
+   *
+   * @param vertical the part of the ray between its bottom and its top
    */
-  private static double entry(double low, double high, double direction) {
-    if (direction == 0.0) {
-      return low <= 0.0 && high >= 0.0 ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
+  double distance(double dx, double dy, Span vertical, double nearest) {
+    double along = dx * cos + dy * sin;
+    double aside = dy * cos - dx * sin;
+    if (along == 0.0 && Math.abs(x) > halfLength || aside == 0.0 && Math.abs(y) > halfWidth) {
+      return Double.POSITIVE_INFINITY;
     }
-    return Math.min(low / direction, high / direction);
+    double enter = vertical.enter();
+    double exit = vertical.exit();
+    if (along != 0.0) {
+      double rear = (-halfLength - x) / along;
+      double front = (halfLength - x) / along;
+      enter = later(enter, rear < front ? rear : front);
+      exit = earlier(exit, rear < front ? front : rear);
+    }
+    if (enter >= nearest) {
+      return Double.POSITIVE_INFINITY;
+    }
+    if (aside != 0.0) {
+      double right = (-halfWidth - y) / aside;
+      double left = (halfWidth - y) / aside;
+      enter = later(enter, right < left ? right : left);
+      exit = earlier(exit, right < left ? left : right);
+    }
+    return enter <= exit && enter > 0.0 ? enter : Double.POSITIVE_INFINITY;
+  }
+
+  private static double later(double one, double other) {
+    return one > other ? one : other;
+  }
+
+  private static double earlier(double one, double other) {
+    return one < other ? one : other;
   }
 }
