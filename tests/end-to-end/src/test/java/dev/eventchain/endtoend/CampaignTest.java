@@ -174,6 +174,33 @@ class CampaignTest {
     campaign("--case", 7).expect(2).says("There is no case 7 of 6.");
   }
 
+  @InTurn
+  @Test
+  void severalCampaignsOfAFileHaveATableEachAndOneConclusion() throws IOException {
+    String one =
+        "  %s: {scenario: stopped-vehicle-50, factors: {gap: {path: \"actors[0].gap_m\", values: [%d]}}}\n";
+    copy.write(
+        "approach.yaml", "campaigns:\n" + one.formatted("near", 10) + one.formatted("far", 60));
+    campaign()
+        .expect(1)
+        .says("approach-near: 1 case: 0 passed, 1 failed")
+        .says("approach-far: 1 case: 1 passed")
+        .says("2 campaigns: errors in approach-near")
+        .says("  at: near");
+    for (String name : List.of("approach-near", "approach-far")) {
+      assertEquals(2, Files.readAllLines(results(name + "/cases.csv")).size());
+      assertTrue(Files.exists(results(name + "/report.html")));
+    }
+    campaign("--only", "far").expect(0).says("1 case: 1 passed").says("= Simulate");
+    campaign("--case", 1).expect(2).says("[campaign.name]").says("--only near, --only far");
+    campaign("--only", "fr", "--case", 1).expect(2).says("There is no campaign 'fr'.");
+    campaign("--only", "far", "--case", 1).expect(0).says("case 1: gap = 60");
+    new Program()
+        .run("search", copy.path(), copy.path().resolve("approach.yaml"))
+        .expect(2)
+        .says("This file has several campaigns, and this is for one.");
+  }
+
   @Test
   void factorsThatNameNothingOrDoNotFitAreFoundBeforeAnythingIsSimulated() throws IOException {
     copy.replace("approach.yaml", "ego.speed_kmh", "ego.sped_kmh");

@@ -28,7 +28,8 @@ import picocli.CommandLine.Parameters;
       "FILE says which numbers of which scenario differ between the cases, and by which values. The"
           + " nodes are generated first, as far as something has changed. A case is judged by its"
           + " criteria alone; what they prove is a matter of 'run'. Results are in"
-          + " OUTPUT/campaigns/NAME: cases.csv, report.html and cases.json. The same command"
+          + " OUTPUT/campaigns/NAME: cases.csv, report.html and cases.json, those of a file of several"
+          + " campaigns in a folder FILE-NAME each. The same command"
           + " continues where it was interrupted, and comes to the same bytes."
     })
 final class CampaignCommand extends ProjectCommand {
@@ -91,6 +92,12 @@ final class CampaignCommand extends ProjectCommand {
       description = "Say which cases pass now and which no longer, compared with these results.")
   private Path compared;
 
+  @Option(
+      names = "--only",
+      paramLabel = "NAME",
+      description = "Of a file of several campaigns, only the one of this name.")
+  private String only;
+
   @Mixin private LlmOptions llm;
 
   CampaignCommand(Console console) {
@@ -115,6 +122,7 @@ final class CampaignCommand extends ProjectCommand {
             upToGeneration(project, llm),
             new CampaignOptions(
                 file,
+                Optional.ofNullable(only),
                 dryRun,
                 shard(),
                 replayed(),

@@ -6,6 +6,7 @@ import dev.eventchain.pipeline.campaign.CampaignOutcome;
 import dev.eventchain.pipeline.campaign.Searches;
 import dev.eventchain.pipeline.project.Project;
 import java.nio.file.Path;
+import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -41,6 +42,12 @@ final class SearchCommand extends ProjectCommand {
               + " overwritten.")
   private boolean keep;
 
+  @Option(
+      names = "--only",
+      paramLabel = "NAME",
+      description = "Of a file of several campaigns, only the one of this name.")
+  private String only;
+
   @Mixin private LlmOptions llm;
 
   SearchCommand(Console console) {
@@ -56,6 +63,7 @@ final class SearchCommand extends ProjectCommand {
             project,
             upToGeneration(project, llm),
             file,
+            Optional.ofNullable(only),
             keep,
             new ProgressLines(console.err(), console.terminal()));
     if (format() == DiagnosticFormat.TEXT) {

@@ -9,6 +9,7 @@ import java.util.OptionalInt;
  * Options of a campaign.
  *
  * @param file the campaign file
+ * @param only the only campaign of a file of several
  * @param dryRun whether cases are only counted, and a few of them timed
  * @param replayed the number of the only case that is simulated, from 1, as in the table
  * @param merged the folders of parts that are put together instead of simulating; usually none
@@ -17,6 +18,7 @@ import java.util.OptionalInt;
  */
 public record CampaignOptions(
     Path file,
+    Optional<String> only,
     boolean dryRun,
     Shard shard,
     OptionalInt replayed,
@@ -26,5 +28,10 @@ public record CampaignOptions(
 
   public CampaignOptions {
     merged = List.copyOf(merged);
+  }
+
+  /** Returns whether folders or numbers are given that can be those of one campaign only. */
+  boolean needsOne() {
+    return replayed.isPresent() || !merged.isEmpty() || compared.isPresent();
   }
 }

@@ -25,6 +25,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 
 /** What the cases of a campaign file are simulated with: the generated nodes and the scenario. */
 final class CampaignScene {
@@ -37,11 +38,12 @@ final class CampaignScene {
   private final ScenarioTemplate template;
   private Optional<CaseSimulation> simulation = Optional.empty();
 
-  private CampaignScene(RunContext run, CampaignPlan plan) {
+  private CampaignScene(
+      RunContext run, CampaignPlan plan, Fingerprint inputs, List<Scenario> scenarios) {
     this.run = run;
     this.plan = plan;
-    this.inputs = fingerprint(); // Before anything is read, so that later changes are noticed.
-    this.scenarios = Scenario.readFolder(run.project().scenarios(), run.chain().bench(), run::find);
+    this.inputs = inputs;
+    this.scenarios = scenarios;
     this.scenario = ScenarioTemplate.find(scenarios, plan);
     this.template = new ScenarioTemplate(run, plan, Path.of(scenario.location().file()));
   }
@@ -52,7 +54,7 @@ final class CampaignScene {
    * @param settings options of the run up to the generation, in lock-step
    * @param file the campaign file
    * @param reader reads it
-   * @param work is not done if the nodes cannot be generated
+   * @param work with its campaigns; it is not done if the nodes cannot be generated
    * @throws DiagnosticException for failures caused by the project, the campaign file or this
    *     machine
    */
@@ -60,11 +62,11 @@ final class CampaignScene {
       Project project,
       RunOptions settings,
       Path file,
-      Function<Path, CampaignPlan> reader,
+      Function<Path, List<CampaignPlan>> reader,
       Progress progress,
-      Function<CampaignScene, CampaignOutcome> work) {
+      Function<List<CampaignScene>, CampaignOutcome> work) {
     String read = Fingerprint.contentOf(file);
-    CampaignPlan plan = reader.apply(file);
+    List<CampaignPlan> plans = reader.apply(file);
     RunResult generated = PipelineRun.run(project, settings, progress, Optional.empty()).result();
     if (generated.failure().isPresent() || Diagnostic.anyError(generated.diagnostics())) {
       return new CampaignOutcome(Outcome.of(generated), "");
@@ -73,10 +75,20 @@ final class CampaignScene {
       RunContext run = new RunContext(project, settings, output, progress, Optional.empty());
       generated.diagnostics().forEach(run::find);
       if (!Fingerprint.contentOf(file).equals(read)) {
-        throw changed(plan);
+        throw changed(file);
       }
-      return work.apply(new CampaignScene(run, plan));
+      return work.apply(scenes(run, plans));
     }
+  }
+
+  private static List<CampaignScene> scenes(RunContext run, List<CampaignPlan> plans) {
+    // Before anything is read, so that later changes are noticed.
+    List<Fingerprint> inputs = plans.stream().map(plan -> fingerprint(run, plan)).toList();
+    List<Scenario> scenarios =
+        Scenario.readFolder(run.project().scenarios(), run.chain().bench(), run::find);
+    return IntStream.range(0, plans.size())
+        .mapToObj(i -> new CampaignScene(run, plans.get(i), inputs.get(i), scenarios))
+        .toList();
   }
 
   RunContext run() {
@@ -104,14 +116,24 @@ final class CampaignScene {
   /**
    * Checks what can be checked before a case is simulated.
    *
+   * @param scenes those of all campaigns of a file, of which there is at least one
    * @throws DiagnosticException (INPUT) with every problem
    */
-  void requireSound() {
-    List<Diagnostic> problems = template.check();
+  static void requireSound(List<CampaignScene> scenes) {
+    List<Diagnostic> problems =
+        scenes.stream().flatMap(scene -> scene.template.check().stream()).toList();
     if (!problems.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
     }
-    SimulationChecks.requireSound(run, List.of(scenario)).forEach(run::find);
+    RunContext run = scenes.get(0).run;
+    List<Scenario> scenarios = scenes.stream().map(CampaignScene::scenario).distinct().toList();
+    SimulationChecks.requireSound(run, scenarios).forEach(run::find);
+  }
+
+  /** Returns where findings about its cases belong: the file, and the campaign of several. */
+  SourceLocation place() {
+    SourceLocation file = SourceLocation.of(plan.file());
+    return plan.part().map(file::withElement).orElse(file);
   }
 
   /**
@@ -122,10 +144,11 @@ final class CampaignScene {
     return inputs;
   }
 
-  private Fingerprint fingerprint() {
+  private static Fingerprint fingerprint(RunContext run, CampaignPlan plan) {
     Fingerprint fingerprint = new Fingerprint(run);
     new SimulateStage().fingerprint(run, fingerprint);
     fingerprint.addFile(plan.file());
+    plan.part().ifPresent(fingerprint::add);
     plan.factors().forEach(factor -> fingerprint.add(factor.levels()));
     return fingerprint;
   }
@@ -157,19 +180,19 @@ final class CampaignScene {
    * @throws DiagnosticException (INPUT) if it is another one now
    */
   void requireUnchanged(String before, CampaignStore store) {
-    if (!fingerprint().value().equals(before)) {
+    if (!fingerprint(run, plan).value().equals(before)) {
       store.discard();
-      throw changed(plan);
+      throw changed(plan.file());
     }
   }
 
-  private static DiagnosticException changed(CampaignPlan plan) {
+  private static DiagnosticException changed(Path file) {
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
         Diagnostic.of(
                 CampaignRules.INPUTS_CHANGED,
                 "Files of the project or the campaign were changed while it ran.",
-                SourceLocation.of(plan.file()))
+                SourceLocation.of(file))
             .withHint("Nobody can say which cases are of which state. Run it again."));
   }
 

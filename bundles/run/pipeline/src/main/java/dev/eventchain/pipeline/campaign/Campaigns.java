@@ -3,7 +3,6 @@ package dev.eventchain.pipeline.campaign;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
@@ -56,9 +55,19 @@ public final class Campaigns {
         project,
         settings,
         options.file(),
-        CampaignReader::read,
+        file ->
+            new ChosenCampaigns(options.only(), options.needsOne()).of(CampaignReader.read(file)),
         progress,
-        scene -> new Campaigns(scene, options).run());
+        scenes -> run(scenes, options));
+  }
+
+  /** Simulates one campaign after the other, once all are known to be sound. */
+  private static CampaignOutcome run(List<CampaignScene> scenes, CampaignOptions options) {
+    CampaignScene.requireSound(scenes);
+    List<CampaignOutcome> each =
+        scenes.stream().map(scene -> new Campaigns(scene, options).run()).toList();
+    List<CampaignPlan> plans = scenes.stream().map(CampaignScene::plan).toList();
+    return each.size() == 1 ? each.get(0) : CampaignOutcome.of(plans, each);
   }
 
   /** Returns the JSON Schema of campaign files. */
@@ -72,7 +81,6 @@ public final class Campaigns {
 
   private CampaignOutcome run() {
     long start = System.nanoTime();
-    scene.requireSound();
     CaseList list = new CaseList(plan);
     Combinations combinations = new Combinations(plan, list.cases());
     // First, since it may be the folder that is written into.
@@ -191,7 +199,7 @@ public final class Campaigns {
             Coverage.counted(rows.size(), "case") + " in " + store.path(CampaignStore.TABLE));
     List<Diagnostic> found = new ArrayList<>(run.takeFindings());
     if (options.shard().isAll()) { // a part says nothing about the whole
-      found.addAll(summary.findings(SourceLocation.of(plan.file())));
+      found.addAll(summary.findings(scene.place()));
     }
     Suppressions.Parted parted = run.options().suppressions().part(found);
     String report = "Report: " + store.path(CampaignStore.PAGE) + "\n";

@@ -162,6 +162,7 @@ final class RayCampaign {
                 "campaign",
                 CampaignEngine.FILES + project,
                 CampaignEngine.FILES + absolute(plan.file())));
+    plan.part().ifPresent(part -> arguments.addAll(List.of("--only", part)));
     arguments.addAll(engine.options());
     return arguments;
   }

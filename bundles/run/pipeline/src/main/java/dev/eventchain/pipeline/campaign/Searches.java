@@ -56,25 +56,36 @@ public final class Searches {
    * campaign file that fail.
    *
    * @param settings options of the run up to the generation, in lock-step
+   * @param only the campaign of a file of several
    * @param keeps whether the finds become scenarios of the project
    * @throws DiagnosticException for failures caused by the project, the campaign file or this
    *     machine
    */
   public static CampaignOutcome run(
-      Project project, RunOptions settings, Path file, boolean keeps, Progress progress) {
+      Project project,
+      RunOptions settings,
+      Path file,
+      Optional<String> only,
+      boolean keeps,
+      Progress progress) {
     return CampaignScene.of(
         project,
         settings,
         file,
-        path -> CampaignReader.readForSearch(path).ofSearch(),
+        path -> List.of(plan(path, only)),
         progress,
-        scene -> new Searches(scene, keeps).run());
+        scenes -> new Searches(scenes.get(0), keeps).run());
+  }
+
+  private static CampaignPlan plan(Path file, Optional<String> only) {
+    List<CampaignPlan> all = CampaignReader.readForSearch(file);
+    return new ChosenCampaigns(only, true).of(all).get(0).ofSearch();
   }
 
   private CampaignOutcome run() {
     long start = System.nanoTime();
     requireCriterion();
-    scene.requireSound();
+    CampaignScene.requireSound(List.of(scene));
     SearchSpace space = new SearchSpace(plan);
     CampaignStore.Cases empty = scene.cases(Optional.empty(), Shard.ALL);
     Path folder = scene.run().options().output().resolve(FOLDER);
@@ -218,7 +229,7 @@ public final class Searches {
     CampaignSummary summary = new CampaignSummary(plan, rows);
     List<Diagnostic> all = new ArrayList<>(scene.run().takeFindings());
     all.addAll(found);
-    all.addAll(summary.findings(SourceLocation.of(plan.file()), false));
+    all.addAll(summary.findings(scene.place(), false));
     Suppressions.Parted parted = scene.run().options().suppressions().part(all);
     return Outcome.of(Coverage.NONE, parted.remaining(), parted.suppressed())
         .with(new CampaignSummary(plan, rows.stream().distinct().toList()).trials());

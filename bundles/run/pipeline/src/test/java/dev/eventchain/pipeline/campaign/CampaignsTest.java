@@ -42,6 +42,7 @@ class CampaignsTest {
     CampaignOptions options =
         new CampaignOptions(
             file,
+            Optional.empty(),
             false,
             Shard.ALL,
             OptionalInt.empty(),

@@ -30,7 +30,7 @@ class CombinationsTest {
           speed: {path: ego.speed_kmh, values: [40, 50, 60, 70]}
         """
             + more);
-    CampaignPlan plan = CampaignReader.read(file);
+    CampaignPlan plan = CampaignReader.read(file).get(0);
     return new Combinations(plan, new CaseList(plan).cases());
   }
 

@@ -50,6 +50,7 @@ class SearchWorkTest {
 
   private CampaignPlan plan(String text) throws IOException {
     return CampaignReader.readForSearch(Files.writeString(folder.resolve("a.yaml"), text))
+        .get(0)
         .ofSearch();
   }
 

@@ -11,8 +11,9 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What a campaign file says.
+ * What a campaign file says of a campaign.
  *
+ * @param part its name in a file of several campaigns; empty in one of a single campaign
  * @param name that of its results
  * @param scenario the name of the scenario whose cases are simulated
  * @param computed what follows from the factors, in the order of the file
@@ -23,6 +24,7 @@ import java.util.Optional;
  */
 public record CampaignPlan(
     Path file,
+    Optional<String> part,
     String name,
     String scenario,
     List<Factor> factors,
@@ -52,6 +54,7 @@ public record CampaignPlan(
   public CampaignPlan ofSearch() {
     return new CampaignPlan(
         file,
+        part,
         name,
         scenario,
         factors,

@@ -1,6 +1,5 @@
 package dev.eventchain.pipeline.campaign.plan;
 
-import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
@@ -31,16 +30,6 @@ public final class CampaignReader {
   private static final NumberRange SEED = NumberRange.of(0, 1L << 52);
   private static final NumberRange REPETITIONS = NumberRange.of(1, 1000);
 
-  private static final int MOST_DIGITS = 30;
-  private static final BigDecimal LARGEST = BigDecimal.valueOf(1e12);
-  private static final String BOUNDS = "Its bounds are two numbers, the smaller one first.";
-
-  /** Stands for values that cannot be read. */
-  private static final Levels NO_VALUES = new Levels.Listed(List.of(BigDecimal.ZERO));
-
-  /** Of a normal distribution without bounds, 2 values in 10^9 are farther from its mean. */
-  private static final BigDecimal DEVIATIONS = BigDecimal.valueOf(6);
-
   private final Path file;
   private final boolean isSearched;
   private final SourceText text;
@@ -54,9 +43,10 @@ public final class CampaignReader {
   /**
    * Reads a campaign file.
    *
+   * @return its campaigns, in its order
    * @throws DiagnosticException (INPUT) with every problem of the file
    */
-  public static CampaignPlan read(Path file) {
+  public static List<CampaignPlan> read(Path file) {
     return new CampaignReader(file, false).read();
   }
 
@@ -65,22 +55,45 @@ public final class CampaignReader {
    *
    * @throws DiagnosticException (INPUT) with every problem of the file
    */
-  public static CampaignPlan readForSearch(Path file) {
+  public static List<CampaignPlan> readForSearch(Path file) {
     return new CampaignReader(file, true).read();
   }
 
-  private CampaignPlan read() {
+  private List<CampaignPlan> read() {
     List<Diagnostic> problems = new ArrayList<>();
     Document document =
         Document.parse(text, DocumentFormat.YAML, CampaignRules.OF_DOCUMENTS, problems::add);
-    Optional<CampaignPlan> plan = document.object("", problems::add).map(this::plan);
+    Optional<List<CampaignPlan>> plans = document.object("", problems::add).map(this::plans);
     if (!problems.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
     }
-    return plan.orElseThrow();
+    return plans.orElseThrow();
   }
 
-  private CampaignPlan plan(ObjectReader section) {
+  private List<CampaignPlan> plans(ObjectReader document) {
+    if (!document.has("campaigns")) {
+      return List.of(plan(document, Optional.empty()));
+    }
+    document.text("description"); // for people
+    List<CampaignPlan> plans = new ArrayList<>();
+    document.object("campaigns").ifPresent(section -> plans.addAll(named(section)));
+    document.refuseOthers();
+    return plans;
+  }
+
+  private List<CampaignPlan> named(ObjectReader section) {
+    List<CampaignPlan> plans = new ArrayList<>();
+    for (String name : section.names()) {
+      requireName(section, name, "A campaign");
+      section.object(name).ifPresent(part -> plans.add(plan(part, Optional.of(name))));
+    }
+    if (section.names().isEmpty()) {
+      section.find(CampaignRules.EMPTY, "There is no campaign.", section.location());
+    }
+    return plans;
+  }
+
+  private CampaignPlan plan(ObjectReader section, Optional<String> part) {
     String scenario = section.requiredText("scenario");
     section.text("description"); // for people
     List<Factor> factors = section.requiredObject("factors").map(this::factors).orElse(List.of());
@@ -91,14 +104,15 @@ public final class CampaignReader {
     int repetitions = (int) section.wholeNumber("repetitions", REPETITIONS).orElse(1);
     long seed = section.wholeNumber("seed", SEED).orElse(1);
     Optional<CampaignPlan.Boundary> boundary =
-        section.object("boundary").flatMap(part -> boundary(part, factors, sampling));
+        section.object("boundary").flatMap(it -> boundary(it, factors, sampling));
     SearchSettings search =
         section.object("search").map(SearchSettings::read).orElse(SearchSettings.USUAL);
     section.refuseOthers();
     String name = file.getFileName().toString().replaceFirst("\\.ya?ml$", "");
     return new CampaignPlan(
         file,
-        name,
+        part,
+        part.map(own -> name + "-" + own).orElse(name),
         scenario,
         factors,
         computed,
@@ -143,7 +157,7 @@ public final class CampaignReader {
     List<String> known = new ArrayList<>(factors.stream().map(Factor::name).toList());
     List<Computed> computed = new ArrayList<>();
     for (String name : section.names()) {
-      requireName(section, name);
+      requireName(section, name, "A factor");
       if (known.contains(name)) {
         String message = "There is a factor '" + name + "' already.";
         section.find(CampaignRules.KEY_DUPLICATE, message, section.atKey(name));
@@ -221,7 +235,7 @@ public final class CampaignReader {
   private List<Factor> factors(ObjectReader section) {
     List<Factor> factors = new ArrayList<>();
     for (String name : section.names()) {
-      requireName(section, name);
+      requireName(section, name, "A factor");
       section.object(name).ifPresent(part -> factors.add(factor(name, part)));
     }
     if (factors.isEmpty()) {
@@ -230,9 +244,9 @@ public final class CampaignReader {
     return factors;
   }
 
-  private static void requireName(ObjectReader section, String name) {
+  private static void requireName(ObjectReader section, String name, String what) {
     if (!name.matches("[A-Za-z_][A-Za-z0-9_]*")) {
-      String message = "A factor has a name of letters, digits and underscores.";
+      String message = what + " has a name of letters, digits and underscores.";
       section.find(CampaignRules.VALUE_RANGE, message, section.atKey(name));
     }
   }
@@ -245,113 +259,9 @@ public final class CampaignReader {
 
   private Factor factor(String name, ObjectReader part) {
     List<String> paths = paths(part);
-    Levels levels = levels(part);
+    Levels levels = LevelsReader.read(file, part);
     part.refuseOthers();
     return new Factor(name, paths, levels, part.location());
-  }
-
-  private Levels levels(ObjectReader part) {
-    List<String> kinds =
-        List.of("values", "step", "uniform", "normal", "csv").stream().filter(part::has).toList();
-    if (kinds.size() != 1) {
-      part.find(
-          Diagnostic.of(
-                  kinds.isEmpty() ? CampaignRules.KEY_MISSING : CampaignRules.KEY_DUPLICATE,
-                  "Its values are given by one of values, step, uniform, normal and csv.",
-                  part.location())
-              .withHint("For example `values: [10, 20]`, or `from: 10`, `to: 50`, `step: 5`."));
-      kinds.forEach(part::value);
-      return NO_VALUES;
-    }
-    return switch (kinds.get(0)) {
-      case "values" -> new Levels.Listed(numbers(part, "values"));
-      case "step" -> range(part);
-      case "csv" -> new CsvColumn(file, part).read();
-      case "normal" -> part.object("normal").map(CampaignReader::normal).orElse(NO_VALUES);
-      default -> uniform(part);
-    };
-  }
-
-  /** Returns whether a number is not too large for a scenario, and has not too many digits. */
-  static boolean isUsual(BigDecimal number) {
-    return Math.abs((double) number.scale()) <= MOST_DIGITS && number.abs().compareTo(LARGEST) <= 0;
-  }
-
-  private static List<BigDecimal> numbers(ObjectReader part, String key) {
-    List<BigDecimal> numbers = new ArrayList<>();
-    JsonNode array = part.value(key).orElseThrow();
-    array.forEach(each -> numbers.add(each.isNumber() ? each.decimalValue() : BigDecimal.ZERO));
-    boolean right = array.isArray() && !array.isEmpty();
-    for (JsonNode each : array) {
-      right &= each.isNumber() && isUsual(each.decimalValue());
-    }
-    if (!right) {
-      part.find(CampaignRules.VALUE_TYPE, "'" + key + "' is a list of numbers.", part.at(key));
-      return List.of(BigDecimal.ZERO);
-    }
-    if (numbers.stream().map(BigDecimal::stripTrailingZeros).distinct().count() < numbers.size()) {
-      part.find(CampaignRules.VALUE_RANGE, "A value is there twice.", part.at(key));
-    }
-    return numbers;
-  }
-
-  private static Levels range(ObjectReader part) {
-    BigDecimal from = decimal(part, "from");
-    BigDecimal to = decimal(part, "to");
-    BigDecimal step = decimal(part, "step");
-    if (step.signum() <= 0 || to.compareTo(from) < 0) {
-      String message = "A range goes from a number up to one that is not less, in steps above 0.";
-      part.find(CampaignRules.VALUE_RANGE, message, part.at("step"));
-      return new Levels.Listed(List.of(from));
-    }
-    BigDecimal steps = to.subtract(from).divideToIntegralValue(step);
-    if (steps.compareTo(BigDecimal.valueOf((long) CASES.most())) > 0) {
-      part.find(CampaignRules.SIZE, "These are more than a million values.", part.at("step"));
-      return new Levels.Listed(List.of(from));
-    }
-    List<BigDecimal> values = new ArrayList<>();
-    for (int i = 0; i <= steps.intValue(); i++) {
-      values.add(from.add(step.multiply(BigDecimal.valueOf(i))));
-    }
-    return new Levels.Listed(values);
-  }
-
-  private static BigDecimal decimal(ObjectReader part, String key) {
-    NumberRange any = NumberRange.of(-1e12, 1e12);
-    return BigDecimal.valueOf(part.requiredNumber(key, any));
-  }
-
-  private static Levels uniform(ObjectReader part) {
-    List<BigDecimal> bounds = numbers(part, "uniform");
-    if (!areBounds(bounds)) {
-      part.find(CampaignRules.VALUE_RANGE, BOUNDS, part.at("uniform"));
-      return new Levels.Listed(bounds);
-    }
-    return new Levels.Uniform(bounds.get(0), bounds.get(1));
-  }
-
-  private static Levels normal(ObjectReader part) {
-    BigDecimal mean = decimal(part, "mean");
-    BigDecimal deviation =
-        BigDecimal.valueOf(part.requiredNumber("deviation", NumberRange.of(1e-9, 1e12)));
-    BigDecimal far = deviation.multiply(DEVIATIONS);
-    List<BigDecimal> bounds =
-        part.has("within") ? numbers(part, "within") : List.of(mean.subtract(far), mean.add(far));
-    part.refuseOthers();
-    if (!areBounds(bounds)) {
-      part.find(CampaignRules.VALUE_RANGE, BOUNDS, part.at("within"));
-      return NO_VALUES;
-    }
-    Levels.Normal normal = new Levels.Normal(mean, deviation, bounds.get(0), bounds.get(1));
-    if (deviation.signum() > 0 && !normal.hasMass()) {
-      String message = "Next to no value of the distribution lies within these bounds.";
-      part.find(CampaignRules.VALUE_RANGE, message, part.at("within"));
-    }
-    return normal;
-  }
-
-  private static boolean areBounds(List<BigDecimal> numbers) {
-    return numbers.size() == 2 && numbers.get(0).compareTo(numbers.get(1)) < 0;
   }
 
   private Sampling sampling(ObjectReader part) {

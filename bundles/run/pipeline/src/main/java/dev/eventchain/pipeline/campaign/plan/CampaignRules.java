@@ -25,6 +25,7 @@ public final class CampaignRules {
   public static final Rule KEY_MISSING = Rule.error("campaign.key.missing");
   public static final Rule KEY_UNKNOWN = Rule.error("campaign.key.unknown");
   public static final Rule MERGE = Rule.error("campaign.merge");
+  public static final Rule NAME = Rule.error("campaign.name");
   public static final Rule SEARCH_CRITERION = Rule.error("search.criterion");
   public static final Rule SEARCH_FEW = Rule.warning("search.few-runs");
   public static final Rule SEARCH_FOUND = Rule.error("search.found");

@@ -66,7 +66,7 @@ final class CsvColumn {
 
   private static BigDecimal number(String cell) {
     BigDecimal number = new BigDecimal(cell);
-    if (!CampaignReader.isUsual(number)) {
+    if (!LevelsReader.isUsual(number)) {
       throw new NumberFormatException("too large or too long");
     }
     return number.stripTrailingZeros();

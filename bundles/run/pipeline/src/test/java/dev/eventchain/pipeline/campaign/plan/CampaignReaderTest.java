@@ -72,7 +72,8 @@ class CampaignReaderTest {
     all.append("sampling: {grid: true}\nwhere: [f > 0]\nrepetitions: 2\nseed: 3\n");
     all.append("boundary: {factor: f, resolution: 1}\n");
     all.append("search: {criterion: c, method: random, runs: 20, seeds: 2, stop: first_failure}\n");
-    CampaignPlan plan = CampaignReader.read(Files.writeString(folder.resolve("a.yaml"), all));
+    CampaignPlan plan =
+        CampaignReader.read(Files.writeString(folder.resolve("a.yaml"), all)).get(0);
     assertEquals(List.of("q", "p"), plan.factors().get(0).paths());
     assertEquals(20, plan.search().runs());
     assertTrue(plan.search().stopsAtFirst());
@@ -83,7 +84,24 @@ class CampaignReaderTest {
     schema
         .path("properties")
         .fieldNames()
-        .forEachRemaining(key -> assertTrue(all.toString().contains(key + ":"), key));
+        .forEachRemaining(
+            key -> assertTrue(key.equals("campaigns") || all.toString().contains(key + ":"), key));
+  }
+
+  @Test
+  void aFileOfSeveralCampaignsHasThemInItsOrder() throws IOException {
+    String text =
+        """
+        description: near and far
+        campaigns:
+          near: {scenario: s, factors: {f: {path: p, values: [1]}}}
+          far: {scenario: t, factors: {f: {path: p, values: [1]}}, seed: 3}
+        """;
+    List<CampaignPlan> plans =
+        CampaignReader.read(Files.writeString(folder.resolve("both.yaml"), text));
+    assertEquals(
+        List.of("both-near s 1", "both-far t 3"),
+        plans.stream().map(it -> it.name() + " " + it.scenario() + " " + it.seed()).toList());
   }
 
   /** A search goes between bounds by itself, and a grid has no end of values there. */
@@ -91,7 +109,7 @@ class CampaignReaderTest {
   void onlyASearchNeedsNoSamplingOfBounds() throws IOException {
     Path file = folder.resolve("a.yaml");
     Files.writeString(file, "scenario: s\nfactors: {f: {path: p, uniform: [1, 2]}}\n");
-    assertEquals(1, CampaignReader.readForSearch(file).factors().size());
+    assertEquals(1, CampaignReader.readForSearch(file).get(0).factors().size());
     DiagnosticException refused =
         assertThrows(DiagnosticException.class, () -> CampaignReader.read(file));
     assertEquals("campaign.size", refused.diagnostics().get(0).id());

@@ -43,7 +43,7 @@ class CaseListTest {
 
   private List<CampaignCase> cases(String text) throws IOException {
     Path file = Files.writeString(folder.resolve("c.yaml"), text);
-    return new CaseList(CampaignReader.read(file)).cases();
+    return new CaseList(CampaignReader.read(file).get(0)).cases();
   }
 
   private static List<String> values(List<CampaignCase> cases) {
@@ -218,7 +218,8 @@ class CaseListTest {
           time: {formula: ceil(gap / 4)}
           start: {paths: [a, b], formula: gap + speed / 3.6 * time}
         """;
-    CampaignPlan plan = CampaignReader.read(Files.writeString(folder.resolve("c.yaml"), text));
+    CampaignPlan plan =
+        CampaignReader.read(Files.writeString(folder.resolve("c.yaml"), text)).get(0);
     CampaignCase only = new CaseList(plan).cases().get(0);
     assertEquals("{v=3.6, a=13.0, b=13.0}", plan.settings(only).toString());
   }
@@ -231,7 +232,8 @@ class CaseListTest {
         factors: {speed: {values: [0]}}
         computed: {time: {path: a, formula: 10 / speed}}
         """;
-    CampaignPlan plan = CampaignReader.read(Files.writeString(folder.resolve("c.yaml"), text));
+    CampaignPlan plan =
+        CampaignReader.read(Files.writeString(folder.resolve("c.yaml"), text)).get(0);
     CampaignCase only = new CaseList(plan).cases().get(0);
     DiagnosticException refused =
         assertThrows(DiagnosticException.class, () -> plan.settings(only));
