@@ -26,7 +26,7 @@ class ThreadsTest {
   private static final int BUILDS = 40;
 
   private static Validation validate(String sample) {
-    Path project = Path.of("src/it", sample);
+    Path project = Path.of("src/it/modules", sample);
     Path folder = project.resolve("src/main");
     return ModelValidation.validate(
         List.of(folder.resolve("rules/library.ecore")),
