@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from eventchain_ros2.catalog import Catalog, read
+from eventchain_ros2.catalog import read
 from eventchain_ros2.clock import Duration
 from eventchain_ros2.definitions import Definition
 from eventchain_ros2.messages import Message, Messages, from_cdr, to_cdr
@@ -23,7 +23,13 @@ from eventchain_ros2.qos import (
 from eventchain_ros2.type_support import type_hash
 from wire import CONFORMANCE, DEFINITIONS
 
-MESSAGES = [json.loads(line) for line in (CONFORMANCE / "messages.jsonl").read_text(encoding="utf-8").splitlines()]
+MESSAGES, MESSAGES_OF_JAZZY = (
+    [json.loads(line) for line in (CONFORMANCE / name).read_text(encoding="utf-8").splitlines()]
+    for name in ("messages.jsonl", "jazzy.jsonl")
+)
+OF_CHARACTERS = ("rmw_dds_common/msg/Gid", "service_msgs/msg/ServiceEventInfo")  # uint8 in ROS 2, not so in rosbags
+HASHES = {line["type"]: line["hash"] for line in MESSAGES}
+HASHES_OF_JAZZY = {line["type"]: line["hash"] for line in MESSAGES_OF_JAZZY if line["type"] not in OF_CHARACTERS}
 PAIRS = json.loads((CONFORMANCE / "qos.json").read_text(encoding="utf-8"))
 KINDS = {"reliability": ReliabilityPolicy, "durability": DurabilityPolicy, "liveliness": LivelinessPolicy}
 
@@ -31,6 +37,11 @@ KINDS = {"reliability": ReliabilityPolicy, "durability": DurabilityPolicy, "live
 @pytest.fixture(scope="module")
 def own() -> Messages:
     return Messages(read([DEFINITIONS]))
+
+
+@pytest.fixture(scope="module")
+def jazzy() -> Messages:
+    return Messages(read([CONFORMANCE / "jazzy.json"]))
 
 
 def test_values_are_those_of_the_definitions(own: Messages) -> None:
@@ -88,7 +99,16 @@ def plain(value: Any) -> Any:
 
 @pytest.mark.parametrize("line", MESSAGES, ids=lambda line: line["type"])
 def test_messages_have_their_bytes(own: Messages, line: dict[str, Any]) -> None:
-    message_class = own.get(line["type"])
+    assert_has_its_bytes(own, line)
+
+
+@pytest.mark.parametrize("line", MESSAGES_OF_JAZZY, ids=lambda line: line["type"])
+def test_messages_of_jazzy_have_their_bytes(jazzy: Messages, line: dict[str, Any]) -> None:
+    assert_has_its_bytes(jazzy, line)
+
+
+def assert_has_its_bytes(messages: Messages, line: dict[str, Any]) -> None:
+    message_class = messages.get(line["type"])
     data = bytes.fromhex(line["cdr"])
     message = from_cdr(message_class, data)
     assert plain(message) == line["value"]
@@ -96,14 +116,23 @@ def test_messages_have_their_bytes(own: Messages, line: dict[str, Any]) -> None:
     assert plain(from_cdr(message_class, bytes.fromhex(line["cdr_big_endian"]))) == line["value"]
 
 
-@pytest.mark.parametrize(("name", "expected"), {line["type"]: line["hash"] for line in MESSAGES}.items())
+@pytest.mark.parametrize(("name", "expected"), HASHES.items())
 def test_types_have_their_hashes(own: Messages, name: str, expected: str) -> None:
-    def defined(each: str, catalog: Catalog = own.catalog) -> Definition:
-        found = catalog.find(each)
+    assert hash_of(name, own) == expected
+
+
+@pytest.mark.parametrize(("name", "expected"), HASHES_OF_JAZZY.items())
+def test_types_of_jazzy_have_their_hashes(jazzy: Messages, name: str, expected: str) -> None:
+    assert hash_of(name, jazzy) == expected
+
+
+def hash_of(name: str, messages: Messages) -> str:
+    def defined(each: str) -> Definition:
+        found = messages.catalog.find(each)
         assert found is not None
         return found
 
-    assert type_hash(name, defined) == expected
+    return type_hash(name, defined)
 
 
 def profile(stated: dict[str, Any]) -> QoSProfile:

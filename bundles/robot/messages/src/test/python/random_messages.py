@@ -1,6 +1,7 @@
-"""Write random messages of types as rosbags serializes them: `random_messages.py FILE FOLDER [TYPE...]`.
+"""Write random messages of types as rosbags serializes them: `random_messages.py [--jazzy] FILE FOLDER [TYPE...]`.
 
-The types are the named ones, or all: the standard ones and those of the folder.
+The types are the named ones, or all: the standard ones and those of the folder. The standard ones are those of ROS 2
+Humble, or of Jazzy.
 
 One JSON object a line: `type`, its `hash`, `cdr` and `cdr_big_endian` (hexadecimal), and `value` as nested lists and
 objects. Floating-point numbers stand as text, so that infinities and NaN survive.
@@ -25,7 +26,9 @@ STRINGS = ("", "a", "frame_id", "größer als null", "\U0001f697" * 3, "x" * 300
 FLOATS = (0.0, -0.0, 1.5, -3.25e10, 1e-30, float("inf"), float("-inf"), float("nan"))
 NOTHING = "structure_needs_at_least_one_member"  # what a message without fields has on the wire
 
-store = get_typestore(Stores.ROS2_HUMBLE)
+JAZZY = "--jazzy"
+
+store = get_typestore(Stores.ROS2_JAZZY if JAZZY in sys.argv else Stores.ROS2_HUMBLE)
 chance = random.Random(20261121)
 
 
@@ -116,5 +119,6 @@ def main(target: Path, names: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    register(Path(sys.argv[2]))
-    main(Path(sys.argv[1]), sys.argv[3:])
+    file, definitions, *types = [argument for argument in sys.argv[1:] if argument != JAZZY]
+    register(Path(definitions))
+    main(Path(file), types)

@@ -43,7 +43,7 @@ final class MutantRun {
   private final Path generated;
   private final EventChain chain;
   private final Bench bench;
-  private final List<Path> messages;
+  private final MessageCatalog messages;
   private final List<Scenario> scenarios;
 
   /** A mutant and the scenario that has to fail it. */
@@ -63,12 +63,12 @@ final class MutantRun {
     this.generated = manifest(out.resolve("ros2")).getParent();
     this.chain =
         (EventChain) EventChainMetamodel.store(project).load(model).resource().getContents().get(0);
-    this.messages = List.of(project.resolve("software-base/msg"));
+    this.messages = MessageCatalog.of(List.of(project.resolve("software-base/msg")));
     this.bench =
         Bench.read(
                 Optional.of(project.resolve(Bench.FILE)).filter(Files::exists),
                 SoftwareBase.read(project.resolve("software-base")).signals().orElse(List.of()),
-                MessageCatalog.of(messages))
+                messages)
             .withOutputsOf(chain);
     this.scenarios = Scenario.readFolder(project.resolve("scenarios"), bench, warning -> {});
   }

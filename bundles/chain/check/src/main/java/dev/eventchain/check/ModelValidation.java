@@ -12,6 +12,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.RosDistribution;
 import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage;
@@ -156,7 +157,8 @@ public final class ModelValidation {
    *     standard constraints and the contracts inside each chain, too; UML need not be named
    * @param references where references may lead besides the folders of the files
    * @param messages folders of {@code PACKAGE/msg/NAME.msg} that event chains use, next to the
-   *     standard types of ROS 2 and to those of the projects in which the models are
+   *     standard types of ROS 2 and to those of the projects in which the models are, which also
+   *     say whose standard types these are
    * @param timeLimit the processor time that a constraint, or the patterns of a data type, may take
    *     on all of the models
    * @throws DiagnosticException INPUT if a file cannot be read
@@ -254,7 +256,7 @@ public final class ModelValidation {
    * messages of its project, whoever checks it.
    */
   private Validation contracts(List<Path> messages) {
-    Map<List<Path>, ChainAnalysis> analyses = new HashMap<>();
+    Map<Messages, ChainAnalysis> analyses = new HashMap<>();
     Coverage coverage = Coverage.NONE;
     List<Diagnostic> found = new ArrayList<>();
     for (EObject root : roots(all)) {
@@ -262,7 +264,7 @@ public final class ModelValidation {
         ChainAnalysis analysis =
             analyses.computeIfAbsent(
                 messagesOf(chain, messages),
-                folders -> ChainAnalysis.of(MessageCatalog.of(folders), Optional.empty()));
+                used -> ChainAnalysis.of(used.catalog(), Optional.empty()));
         AnalysisResult result = analysis.check(chain, origins::locate);
         coverage = coverage.and(new Coverage(List.of(), 0, result.checks()));
         found.addAll(result.diagnostics());
@@ -271,12 +273,23 @@ public final class ModelValidation {
     return new Validation(coverage, found);
   }
 
-  private List<Path> messagesOf(EventChain chain, List<Path> given) {
-    Path file = Path.of(origins.locate(chain).file());
+  /**
+   * The messages that a chain uses: the standard ones of a release of ROS 2, and those of folders.
+   */
+  private record Messages(RosDistribution distribution, List<Path> folders) {
+
+    MessageCatalog catalog() {
+      return MessageCatalog.of(distribution, folders);
+    }
+  }
+
+  private Messages messagesOf(EventChain chain, List<Path> given) {
+    Optional<ProjectFolder> project = ProjectFolder.around(Path.of(origins.locate(chain).file()));
     List<Path> folders = new ArrayList<>();
-    ProjectFolder.around(file).map(ProjectFolder::messageFolders).ifPresent(folders::addAll);
+    project.map(ProjectFolder::messageFolders).ifPresent(folders::addAll);
     folders.addAll(given);
-    return folders;
+    return new Messages(
+        project.map(ProjectFolder::distribution).orElse(RosDistribution.DEFAULT), folders);
   }
 
   /** Returns a store in which references may lead to files below the folders of the named ones. */

@@ -103,6 +103,7 @@ public final class ProjectValidation {
    */
   private String stateOfFiles() {
     List<Path> files = new ArrayList<>(folder.constraintFiles(output));
+    files.add(folder.configurationFile());
     files.add(folder.designRulesFile());
     files.add(folder.requirements());
     files.addAll(folder.softwareBaseFiles());

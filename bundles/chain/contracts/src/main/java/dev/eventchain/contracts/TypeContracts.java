@@ -114,7 +114,8 @@ final class TypeContracts {
                 .map(folder -> folder.toString().replace('\\', '/'))
                 .collect(Collectors.joining(" and ", "the standard types of ROS 2 and in ", ""));
     String wanted = RosNames.fullMessageType(type) + ".msg";
-    return meant.map(name -> "Did you mean `" + name + "`? ").orElse("")
+    return catalog.hintOfDistribution(type, "")
+        + meant.map(name -> "Did you mean `" + name + "`? ").orElse("")
         + "Looked for among %s; a definition of your own is PACKAGE/msg/NAME.msg there: %s."
             .formatted(searched, wanted);
   }
@@ -146,7 +147,7 @@ final class TypeContracts {
           place.apply(Literals.DATA__FIELD_NAME),
           "%s names the field '%s' of %s, but %s"
               .formatted(capitalized(user), path, type, resolution.problem()),
-          resolution.hint());
+          (catalog.hintOfDistribution(type.name(), path) + resolution.hint()).strip());
     } else if (declared != null && !declared.isBlank()) {
       findings.checked(ContractRule.TYPE_MISMATCH);
       if (!DeclaredType.fits(declared, resolution.type().get())) {

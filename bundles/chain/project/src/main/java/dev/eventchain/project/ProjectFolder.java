@@ -7,6 +7,7 @@ import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.RosDistribution;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.FileVisitOption;
@@ -206,6 +207,15 @@ public class ProjectFolder {
     return messages.map(List::of).orElse(List.of());
   }
 
+  /**
+   * Returns the release of ROS 2 whose standard messages the project uses.
+   *
+   * @throws DiagnosticException INPUT if the configuration cannot be read, or names an unknown one
+   */
+  public RosDistribution distribution() {
+    return ProjectSettings.distribution(this);
+  }
+
   /** Returns the files in the message folders. */
   public final List<Path> messageFiles() {
     return messageFolders().stream().flatMap(each -> below(each).stream()).toList();
@@ -262,7 +272,7 @@ public class ProjectFolder {
    * @throws DiagnosticException INPUT with the findings if any is an error
    */
   public final MessageCatalog readMessages() {
-    MessageCatalog messages = MessageCatalog.of(messageFolders());
+    MessageCatalog messages = MessageCatalog.of(distribution(), messageFolders());
     refuseErrors(messages.diagnostics());
     return messages;
   }

@@ -6,10 +6,16 @@ import dev.eventchain.pipeline.ExitCode;
 import dev.eventchain.pipeline.MessageDefinitions;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
 
 /** {@code messages}: message definitions for nodes that are run without the simulation. */
 @Command(
@@ -30,7 +36,26 @@ final class MessagesCommand implements Callable<Integer> {
               + "hides an earlier one.")
   private List<Path> folders = new ArrayList<>();
 
+  @Option(
+      names = "--ros-distro",
+      paramLabel = "NAME",
+      completionCandidates = Distributions.class,
+      description =
+          "The release of ROS 2 whose standard messages they use: ${COMPLETION-CANDIDATES}. By default "
+              + "that of the project around the first folder, or humble.")
+  private String distribution;
+
+  @Spec private CommandSpec spec;
+
   private final Console console;
+
+  /** The known releases of ROS 2. */
+  private static final class Distributions implements Iterable<String> {
+    @Override
+    public Iterator<String> iterator() {
+      return MessageDefinitions.distributions().iterator();
+    }
+  }
 
   MessagesCommand(Console console) {
     this.console = console;
@@ -38,7 +63,13 @@ final class MessagesCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    MessageDefinitions definitions = MessageDefinitions.of(folders);
+    if (distribution != null && !MessageDefinitions.distributions().contains(distribution)) {
+      String known = String.join(" or ", MessageDefinitions.distributions());
+      throw new ParameterException(
+          spec.commandLine(), "--ros-distro is " + known + ", not '" + distribution + "'");
+    }
+    MessageDefinitions definitions =
+        MessageDefinitions.of(Optional.ofNullable(distribution), folders);
     console.out().print(definitions.json());
     console.out().flush();
     console.err().print(DiagnosticFormat.TEXT.render(definitions.diagnostics()));

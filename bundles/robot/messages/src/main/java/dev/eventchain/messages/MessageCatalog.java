@@ -6,13 +6,12 @@ import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.FileVisitOption;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -26,21 +25,26 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Catalog of the available message types: the standard ones of ROS 2 Humble, and those in folders
- * of the user. Definitions are read on demand.
+ * Catalog of the available message types: the standard ones of a release of ROS 2, and those in
+ * folders of the user. Definitions are read on demand.
  */
 public final class MessageCatalog {
 
-  private static final String STANDARD = "humble.msgs";
   private static final String SUFFIX = ".msg";
   private static final String IDL_SUFFIX = ".idl";
-  private static final String HEADING = "MSG: ";
-  private static final String SEPARATOR = "=".repeat(80) + "\n";
 
+  /** What stands before the name of a type, in the format of recordings. */
+  static final String HEADING = "MSG: ";
+
+  /** What stands between two definitions, in the format of recordings. */
+  static final String SEPARATOR = "=".repeat(80) + "\n";
+
+  private final RosDistribution distribution;
   private final Map<String, String> standard;
   private final List<Path> folders;
   private final SortedMap<String, Path> files = new TreeMap<>();
@@ -48,33 +52,41 @@ public final class MessageCatalog {
   private final List<Path> misplaced = new ArrayList<>();
   private final Map<String, MessageType> types = new HashMap<>();
 
-  private MessageCatalog(Map<String, String> standard, List<Path> folders) {
+  private MessageCatalog(
+      RosDistribution distribution, Map<String, String> standard, List<Path> folders) {
+    this.distribution = distribution;
     this.standard = standard;
     this.folders = folders;
     folders.forEach(this::list);
   }
 
+  /** As {@link #of(RosDistribution, Collection)}, of the default release. */
+  public static MessageCatalog of(Collection<Path> folders) {
+    return of(RosDistribution.DEFAULT, folders);
+  }
+
   /**
    * Returns a catalog of the standard types and those in folders.
    *
+   * @param distribution the release that defines the standard types
    * @param folders folders with {@code PACKAGE/msg/NAME.msg} or {@code NAME.idl}, or both with
    *     equal content, or links to such files or folders; later folders override earlier ones, and
    *     all override standard types
    * @throws DiagnosticException {@code file.unreadable}: a folder is missing or cannot be listed
    */
-  public static MessageCatalog of(Collection<Path> folders) {
-    return new MessageCatalog(StandardTypes.TEXTS, List.copyOf(folders));
+  public static MessageCatalog of(RosDistribution distribution, Collection<Path> folders) {
+    return new MessageCatalog(distribution, StandardTypes.of(distribution), List.copyOf(folders));
   }
 
   /**
-   * Returns a catalog of the standard types and the given definitions.
+   * Returns a catalog of the standard types of the default release and the given definitions.
    *
    * @param texts definitions by full name; they override standard types
    */
   public static MessageCatalog ofTexts(Map<String, String> texts) {
-    Map<String, String> all = new HashMap<>(StandardTypes.TEXTS);
+    Map<String, String> all = new HashMap<>(StandardTypes.of(RosDistribution.DEFAULT));
     all.putAll(texts);
-    return new MessageCatalog(all, List.of());
+    return new MessageCatalog(RosDistribution.DEFAULT, all, List.of());
   }
 
   private void list(Path folder) {
@@ -120,6 +132,11 @@ public final class MessageCatalog {
             FileRules.UNREADABLE,
             "The folder of message definitions cannot be read: " + reason + ".",
             SourceLocation.of(folder)));
+  }
+
+  /** Returns the release that defines the standard types. */
+  public RosDistribution distribution() {
+    return distribution;
   }
 
   /** Returns the folders of the user, as they were given. */
@@ -203,17 +220,46 @@ public final class MessageCatalog {
 
   /**
    * Returns the types in the user's folders in the format of the Python runtime: a JSON object with
-   * their fields, defaults and constants by full name. Other types that they use are standard ones.
+   * their fields, defaults and constants by full name. Next to them are the standard types that the
+   * default release, which the runtime knows, does not have or has differently.
    *
    * @throws DiagnosticException as {@link #find}, for the first invalid one
    */
   public String ownDefinitions() {
-    return definitions(files.keySet());
+    SortedSet<String> unknown = new TreeSet<>(StandardTypes.different(distribution));
+    unknown.addAll(files.keySet());
+    return definitions(unknown);
   }
 
   /** Returns the definitions of types in the format of {@link #ownDefinitions}. */
   String definitions(Collection<String> types) {
     return DefinitionsJson.of(types.stream().map(name -> find(name).orElseThrow()).toList());
+  }
+
+  /**
+   * Returns the beginning of a hint about a type or field that does not exist: a sentence and a
+   * space if another release of ROS 2 has it, else nothing.
+   *
+   * @param path the path of a field; empty for the type itself
+   */
+  public String hintOfDistribution(String type, String path) {
+    boolean isOwn = files.containsKey(RosNames.fullMessageType(type));
+    return otherDistribution(
+            type, found -> !isOwn && (path.isEmpty() || found.resolve(path).type().isPresent()))
+        .map(
+            other ->
+                ("ROS 2 %s has it, and the messages used here are those of %s: see 'ros_distro' in"
+                        + " eventchain.yaml. ")
+                    .formatted(other, distribution))
+        .orElse("");
+  }
+
+  /** Returns the first other release of ROS 2 with a standard type as wanted, if there is one. */
+  public Optional<RosDistribution> otherDistribution(String type, Predicate<MessageType> wanted) {
+    return Arrays.stream(RosDistribution.values())
+        .filter(other -> other != distribution)
+        .filter(other -> of(other, List.of()).find(type).filter(wanted).isPresent())
+        .findFirst();
   }
 
   private String ownText(MessageType type) {
@@ -308,13 +354,7 @@ public final class MessageCatalog {
       return Optional.empty();
     }
     if (!standard.containsKey(base) && !files.containsKey(base)) {
-      problems.add(
-          Diagnostic.of(
-                  MessageRules.TYPE_UNKNOWN,
-                  "There is no message type " + base + ".",
-                  field.place())
-              .withHint(
-                  "Put its definition into PACKAGE/msg/NAME.msg, or .idl, next to the others."));
+      problems.add(unknown(field));
       return Optional.empty();
     }
     try {
@@ -326,25 +366,10 @@ public final class MessageCatalog {
     }
   }
 
-  /** Texts of the standard types by name, extracted from one resource. */
-  private static final class StandardTypes {
-    private static final Map<String, String> TEXTS = read();
-
-    private static Map<String, String> read() {
-      Map<String, String> texts = new HashMap<>();
-      for (String part : text().split(SEPARATOR, -1)) {
-        int end = part.indexOf('\n');
-        texts.put(part.substring(HEADING.length(), end).strip(), part.substring(end + 1));
-      }
-      return texts;
-    }
-
-    private static String text() {
-      try (InputStream input = MessageCatalog.class.getResourceAsStream(STANDARD)) {
-        return new String(input.readAllBytes(), StandardCharsets.UTF_8);
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
-    }
+  private Diagnostic unknown(Definition.Member field) {
+    String message = "There is no message type " + field.base() + ".";
+    String place = "Put its definition into PACKAGE/msg/NAME.msg, or .idl, next to the others.";
+    return Diagnostic.of(MessageRules.TYPE_UNKNOWN, message, field.place())
+        .withHint(hintOfDistribution(field.base(), "") + place);
   }
 }

@@ -30,6 +30,12 @@ class ConformanceTest {
   private static final MessageCatalog CATALOG =
       MessageCatalog.of(List.of(FOLDER.resolve("definitions")));
 
+  private static final MessageCatalog JAZZY = MessageCatalog.of(RosDistribution.JAZZY, List.of());
+
+  /** Types with a {@code char}, a separate type in rosbags and uint8 in ROS 2. */
+  private static final Set<String> OF_CHARACTERS =
+      Set.of("rmw_dds_common/msg/Gid", "service_msgs/msg/ServiceEventInfo");
+
   @Test
   void definitionsAreResolvedAsExpected() throws IOException {
     assertEquals(List.of(), CATALOG.diagnostics());
@@ -42,8 +48,21 @@ class ConformanceTest {
     ExpectedFile.check(RUNTIME.resolve("humble.json"), standard.definitions(standard.names()));
   }
 
+  @Test
+  void typesOfJazzyAreResolvedAsExpected() throws IOException {
+    ExpectedFile.check(FOLDER.resolve("jazzy.json"), JAZZY.ownDefinitions());
+  }
+
   static List<JsonNode> messages() throws IOException {
-    try (Stream<String> lines = Files.lines(FOLDER.resolve("messages.jsonl"))) {
+    return lines("messages.jsonl");
+  }
+
+  static List<JsonNode> messagesOfJazzy() throws IOException {
+    return lines("jazzy.jsonl");
+  }
+
+  private static List<JsonNode> lines(String name) throws IOException {
+    try (Stream<String> lines = Files.lines(FOLDER.resolve(name))) {
       return lines.map(ConformanceTest::json).toList();
     }
   }
@@ -68,6 +87,27 @@ class ConformanceTest {
   void messagesHaveTheirBytes(JsonNode line) {
     MessageType type = CATALOG.find(line.get("type").asText()).orElseThrow();
     assertEquals(line.get("hash").asText(), type.hash());
+    hasItsBytes(type, line);
+  }
+
+  @ParameterizedTest
+  @MethodSource("messagesOfJazzy")
+  void messagesOfJazzyHaveTheirBytes(JsonNode line) {
+    MessageType type = JAZZY.find(line.get("type").asText()).orElseThrow();
+    if (!OF_CHARACTERS.contains(type.name())) {
+      assertEquals(line.get("hash").asText(), type.hash());
+    }
+    hasItsBytes(type, line);
+  }
+
+  @Test
+  void everyTypeThatIsDifferentInJazzyHasMessages() throws IOException {
+    Set<String> tried = new TreeSet<>();
+    messagesOfJazzy().forEach(line -> tried.add(line.get("type").asText()));
+    assertEquals(StandardTypes.different(RosDistribution.JAZZY), tried);
+  }
+
+  private static void hasItsBytes(MessageType type, JsonNode line) {
     MessageValue value = PlainMessages.read(type, line.get("value"));
     byte[] bytes = HexFormat.of().parseHex(line.get("cdr").asText());
     assertArrayEquals(bytes, CdrCodec.encode(value));

@@ -3,6 +3,7 @@ package dev.eventchain.messages;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -28,6 +29,44 @@ class MessageCatalogTest {
 
   private static final Path FOLDERS = Path.of("src/test/resources/folders");
   private static final MessageCatalog STANDARD = MessageCatalog.of(List.of());
+  private static final MessageCatalog JAZZY = MessageCatalog.of(RosDistribution.JAZZY, List.of());
+
+  /** Hashes that nodes of ROS 2 Jazzy announce. */
+  @ParameterizedTest
+  @CsvSource({
+    "sensor_msgs/msg/Range, b42b62562e93cbfe9d42b82fe5994dfa3d63d7d5c90a317981703f7388adff3a",
+    "service_msgs/msg/ServiceEventInfo, 41bcbbe07a75c9b52bc96bfd5c24d7f0fc0a08c0cb7921b3373c5732345a6f45",
+    "std_msgs/msg/String, df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18"
+  })
+  void hashesOfJazzyAreThoseThatRosPublishes(String type, String hash) {
+    assertEquals("RIHS01_" + hash, JAZZY.find(type).orElseThrow().hash());
+  }
+
+  @Test
+  void definitionsOfJazzyReplaceThoseOfHumble() {
+    assertEquals(150, STANDARD.names().size());
+    assertEquals(162, JAZZY.names().size());
+    assertTrue(JAZZY.names().containsAll(STANDARD.names()));
+    assertEquals(Optional.empty(), STANDARD.find("geometry_msgs/VelocityStamped"));
+    assertTrue(JAZZY.find("geometry_msgs/VelocityStamped").isPresent());
+    assertNotEquals(
+        STANDARD.find("sensor_msgs/Range").orElseThrow().hash(),
+        JAZZY.find("sensor_msgs/Range").orElseThrow().hash());
+    MessageType status = JAZZY.find("sensor_msgs/NavSatStatus").orElseThrow();
+    assertEquals(-2, ((Number) MessageValue.of(status).get("status")).intValue());
+    assertEquals("{}", STANDARD.ownDefinitions().strip());
+  }
+
+  @Test
+  void aHintNamesTheReleaseThatHasATypeOrField() {
+    String hint =
+        "ROS 2 Jazzy has it, and the messages used here are those of Humble: see 'ros_distro' in eventchain.yaml. ";
+    assertEquals(hint, STANDARD.hintOfDistribution("geometry_msgs/VelocityStamped", ""));
+    assertEquals(hint, STANDARD.hintOfDistribution("sensor_msgs/msg/Range", "variance"));
+    assertEquals("", STANDARD.hintOfDistribution("sensor_msgs/msg/Range", "variances"));
+    assertEquals("", STANDARD.hintOfDistribution("geometry_msgs/VelocityStamp", ""));
+    assertEquals("", JAZZY.hintOfDistribution("sensor_msgs/msg/Range", "varianc"));
+  }
 
   static Stream<Path> folders() throws IOException {
     try (Stream<Path> folders = Files.list(FOLDERS)) {

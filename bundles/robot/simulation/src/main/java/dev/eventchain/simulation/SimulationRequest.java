@@ -19,7 +19,7 @@ import java.util.function.UnaryOperator;
  * @param chain the chain whose nodes were generated
  * @param packageFolder the folder that holds the manifest and the generated Python package
  * @param manifest the generated nodes
- * @param messageFolders folders with the user's message definitions, {@code <package>/msg/*.msg}
+ * @param messages the definitions of the messages, the standard ones and the user's
  * @param bench the connection of the world with the nodes
  * @param scenarios at least one
  * @param settings how the nodes run, and what is measured
@@ -28,14 +28,13 @@ public record SimulationRequest(
     EventChain chain,
     Path packageFolder,
     NodeManifest manifest,
-    List<Path> messageFolders,
+    MessageCatalog messages,
     Bench bench,
     List<Scenario> scenarios,
     SimulationSettings settings) {
 
   /** Copies the lists; refuses a request without scenario. */
   public SimulationRequest {
-    messageFolders = List.copyOf(messageFolders);
     scenarios = List.copyOf(scenarios);
     if (scenarios.isEmpty()) {
       throw new IllegalArgumentException("a simulation needs a scenario");
@@ -47,29 +46,23 @@ public record SimulationRequest(
       EventChain chain,
       Path packageFolder,
       NodeManifest manifest,
-      List<Path> messageFolders,
+      MessageCatalog messages,
       Bench bench,
       List<Scenario> scenarios) {
     return new SimulationRequest(
-        chain,
-        packageFolder,
-        manifest,
-        messageFolders,
-        bench,
-        scenarios,
-        SimulationSettings.DEFAULT);
+        chain, packageFolder, manifest, messages, bench, scenarios, SimulationSettings.DEFAULT);
   }
 
   /** Returns a copy with changed settings. */
   public SimulationRequest with(UnaryOperator<SimulationSettings> change) {
     return new SimulationRequest(
-        chain, packageFolder, manifest, messageFolders, bench, scenarios, change.apply(settings));
+        chain, packageFolder, manifest, messages, bench, scenarios, change.apply(settings));
   }
 
   /** Returns a copy with another bench. */
   public SimulationRequest on(Bench other) {
     return new SimulationRequest(
-        chain, packageFolder, manifest, messageFolders, other, scenarios, settings);
+        chain, packageFolder, manifest, messages, other, scenarios, settings);
   }
 
   /** Returns the description of the driver for users. */
@@ -98,7 +91,7 @@ public record SimulationRequest(
     return new NodePackage(
         packageFolder,
         manifest,
-        MessageFile.of(messageFolders),
+        MessageFile.of(messages),
         settings.generated(),
         settings.limits(),
         List.of(),
@@ -112,8 +105,7 @@ public record SimulationRequest(
    *     the chain ({@code simulation.manifest})
    */
   public SimulatedChain simulatedChain() {
-    MessageCatalog catalog = MessageCatalog.of(messageFolders);
     manifest.requireNodesOf(packageFolder, chain, SimulatedChain.components(chain));
-    return new SimulatedChain(chain, bench, catalog, isAttached());
+    return new SimulatedChain(chain, bench, messages, isAttached());
   }
 }

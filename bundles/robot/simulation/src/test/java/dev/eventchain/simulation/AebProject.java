@@ -189,7 +189,12 @@ public final class AebProject {
 
   public SimulationRequest request(List<Scenario> scenarios) {
     return SimulationRequest.of(
-        chain, folder.resolve("aeb"), manifest(), List.of(messages()), BENCH, scenarios);
+        chain,
+        folder.resolve("aeb"),
+        manifest(),
+        MessageCatalog.of(List.of(messages())),
+        BENCH,
+        scenarios);
   }
 
   public NodeManifest manifest() {

@@ -4,7 +4,9 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.llm.service.ModelServices;
 import dev.eventchain.llm.service.ServiceProbe;
+import dev.eventchain.messages.RosDistribution;
 import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.project.ProjectSettings;
 import dev.eventchain.sandbox.PythonEnvironment;
 import java.util.ArrayList;
 import java.util.List;
@@ -44,6 +46,7 @@ public final class Doctor {
     checks.add(new Check("Java", true, true, System.getProperty("java.runtime.version")));
     checks.add(python(progress));
     checks.add(cycloneDds(progress));
+    checks.add(messages(project, environment));
     ModelServices services =
         project.map(each -> each.configuration().services()).orElseGet(ModelServices::usual);
     Set<String> wanted = new TreeSet<>();
@@ -74,6 +77,22 @@ public final class Doctor {
     } catch (DiagnosticException e) {
       return new Check(name, false, false, words(e));
     }
+  }
+
+  /** Says which release of ROS 2 defines the standard messages. */
+  private static Check messages(Optional<Project> project, UnaryOperator<String> environment) {
+    RosDistribution used = project.map(Project::distribution).orElse(RosDistribution.DEFAULT);
+    String setting = "'" + ProjectSettings.DISTRIBUTION + "' in eventchain.yaml";
+    String others = String.join(" or ", RosDistribution.ids());
+    String there = environment.apply("ROS_DISTRO");
+    boolean differs = there != null && !there.isEmpty() && !there.equals(used.id());
+    return new Check(
+        "ROS 2 messages",
+        true,
+        false,
+        "those of %s (%s: %s)%s"
+            .formatted(
+                used, setting, others, differs ? "; ROS_DISTRO is '" + there + "' here" : ""));
   }
 
   private static String words(DiagnosticException problem) {

@@ -46,7 +46,7 @@ public record ProjectBench(String text, List<Diagnostic> diagnostics) {
         Bench.read(
             project.bench(),
             base.signals().orElse(List.of()),
-            MessageCatalog.of(project.messageFolders()));
+            MessageCatalog.of(project.distribution(), project.messageFolders()));
     List<Diagnostic> found = new ArrayList<>(base.diagnostics());
     Optional<Path> file = project.model(output);
     if (file.isEmpty()) {

@@ -205,7 +205,10 @@ final class BenchTopics {
                     BenchRules.MESSAGE_UNKNOWN,
                     "There is no message type " + type + ".",
                     section.has("type") ? section.at("type") : section.location())
-                .withHint(NearestName.hint(type, catalog.get().names())));
+                .withHint(
+                    (catalog.get().hintOfDistribution(type, "")
+                            + NearestName.hint(type, catalog.get().names()))
+                        .strip()));
       }
       return found;
     } catch (DiagnosticException e) {

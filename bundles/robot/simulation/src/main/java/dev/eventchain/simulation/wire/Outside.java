@@ -149,7 +149,11 @@ record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, Wi
                     + (peer.writes() ? " is written" : " is read")
                     + by(peer)
                     + " with another definition of "
-                    + peer.type())
+                    + peer.type()
+                    + catalog
+                        .otherDistribution(peer.type(), type -> type.hash().equals(peer.typeHash()))
+                        .map(other -> ", that of ROS 2 " + other + " ('ros_distro')")
+                        .orElse(""))
         .distinct()
         .toList();
   }

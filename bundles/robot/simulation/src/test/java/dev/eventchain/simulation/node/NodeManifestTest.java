@@ -128,7 +128,7 @@ class NodeManifestTest {
             request.chain(),
             request.packageFolder(),
             manifest,
-            request.messageFolders(),
+            request.messages(),
             request.bench(),
             request.scenarios());
     DiagnosticException failure =

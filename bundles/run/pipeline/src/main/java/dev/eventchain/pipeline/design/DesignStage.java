@@ -29,7 +29,7 @@ public final class DesignStage implements StageWork {
     AgentReport.fingerprint(run, Stage.DESIGN, fingerprint);
     fingerprint.addFile(project.requirements()).addFile(project.designRulesFile());
     fingerprint.addFiles(project.softwareBaseFiles());
-    fingerprint.addFiles(project.messageFiles());
+    fingerprint.addMessages();
     project.editedModel().ifPresent(fingerprint::addFile);
     fingerprint.addFiles(project.ownConstraints());
   }

@@ -44,7 +44,7 @@ public final class GenerateStage implements StageWork {
         .addSetting("template", run.project().configuration().template())
         .addFile(run.model())
         .addFile(run.project().softwareBase().resolve("signals.json"))
-        .addFiles(run.project().messageFiles())
+        .addMessages()
         .addFile(run.file(ProjectFolder.GENERATED));
     run.project().configuration().packageFacts().forEach(fingerprint::addSetting);
     fingerprint.addFiles(run.project().ownConstraints());

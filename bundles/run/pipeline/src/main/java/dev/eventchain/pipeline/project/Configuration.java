@@ -10,6 +10,7 @@ import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.llm.service.ModelServices;
+import dev.eventchain.messages.RosDistribution;
 import dev.eventchain.project.ProjectSettings;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -27,6 +28,7 @@ import java.util.stream.Stream;
  * @param name the chain's name, from which that of the generated package is derived
  * @param title the title of the project; the name if not given
  * @param frequency Hz, for components whose description gives none
+ * @param distribution the release of ROS 2 whose standard messages the chain uses
  * @param llm the default source of answers, see {@link dev.eventchain.llm.ModelAccess}
  * @param models the models for each task, by task: the first one is asked, the next one where it
  *     cannot be reached
@@ -41,6 +43,7 @@ public record Configuration(
     String name,
     String title,
     double frequency,
+    RosDistribution distribution,
     String llm,
     Map<String, List<String>> models,
     ModelServices services,
@@ -88,6 +91,7 @@ public record Configuration(
             name,
             settings.text("title").orElse(name),
             ProjectSettings.frequency(settings),
+            ProjectSettings.distribution(settings),
             settings.text("llm").orElse("replay"),
             settings.object("models").map(Configuration::models).orElse(Map.of()),
             ModelServices.read(settings),
@@ -148,7 +152,7 @@ public record Configuration(
 
   /** Returns the settings of the chain itself. */
   public ProjectSettings settings() {
-    return new ProjectSettings(name, frequency);
+    return new ProjectSettings(name, frequency, distribution);
   }
 
   /**
@@ -167,7 +171,17 @@ public record Configuration(
     Map<String, List<String>> one = new TreeMap<>();
     TASKS.forEach(task -> one.put(task, List.of(model)));
     return new Configuration(
-        name, title, frequency, llm, one, services, repairs, template, strength, packageFacts);
+        name,
+        title,
+        frequency,
+        distribution,
+        llm,
+        one,
+        services,
+        repairs,
+        template,
+        strength,
+        packageFacts);
   }
 
   /** Returns the language models of all tasks, in the order of the tasks. */

@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline.project;
 
+import dev.eventchain.messages.RosDistribution;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.simulation.bench.Bench;
 import java.nio.file.Files;
@@ -42,6 +43,12 @@ public final class Project extends ProjectFolder {
 
   public Configuration configuration() {
     return configuration;
+  }
+
+  /** Returns the release of ROS 2 as it was read with the rest of the configuration. */
+  @Override
+  public RosDistribution distribution() {
+    return configuration.distribution();
   }
 
   public Path recordings() {

@@ -84,7 +84,7 @@ public final class SimulateStage implements StageWork {
     fingerprint.addFiles(project.ownConstraints());
     fingerprint.addFile(run.file(ProjectFolder.GENERATED));
     fingerprint.addFiles(ProjectFolder.below(run.file(GeneratedPackage.required(run).folder())));
-    fingerprint.addFiles(project.messageFiles());
+    fingerprint.addMessages();
     RuleEvidence.ids(run).forEach(fingerprint::add);
     run.writtenRequirements().forEach(item -> fingerprint.add(texts(item)));
     if (run.project().accepted().isPresent()) {
@@ -335,7 +335,7 @@ public final class SimulateStage implements StageWork {
             chain,
             run.file(generated.folder()),
             generated.manifest(),
-            run.project().messageFolders(),
+            run.messages(),
             run.chain().bench(),
             scenarios)
         .with(settings -> settings(run, chain, settings));

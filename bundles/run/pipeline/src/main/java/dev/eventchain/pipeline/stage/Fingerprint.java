@@ -5,6 +5,7 @@ import static java.util.stream.Collectors.toSet;
 import dev.eventchain.diagnostics.ContentHash;
 import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectSettings;
 import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -66,6 +67,12 @@ public final class Fingerprint {
     add(files.size());
     files.forEach(this::addFile);
     return this;
+  }
+
+  /** Adds the definitions of the messages: the release of ROS 2, and the project's files. */
+  public Fingerprint addMessages() {
+    return addSetting(ProjectSettings.DISTRIBUTION, run.project().distribution().id())
+        .addFiles(run.project().messageFiles());
   }
 
   /** Adds files that are inputs but not sources. */

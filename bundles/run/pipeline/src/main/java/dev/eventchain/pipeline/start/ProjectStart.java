@@ -9,6 +9,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.RosDistribution;
 import dev.eventchain.messages.RosNames;
 import dev.eventchain.model.Signal;
 import dev.eventchain.model.TopicIndex;
@@ -212,7 +213,8 @@ public final class ProjectStart {
 
   /** Returns the chain of the described components, which people edit from then on. */
   private EventChain chain(String name, Requirements requirements, SoftwareBase base) {
-    ProjectSettings settings = new ProjectSettings(name, ProjectSettings.DEFAULT_FREQUENCY);
+    ProjectSettings settings =
+        new ProjectSettings(name, ProjectSettings.DEFAULT_FREQUENCY, RosDistribution.DEFAULT);
     Modeled<EventChain> chain =
         ChainModel.ofDescription(folder.resolve(COMPONENTS), settings, requirements, base);
     if (Diagnostic.anyError(chain.diagnostics())) {

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.messages.RosDistribution;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -26,6 +27,7 @@ class ProjectTest {
     Configuration configuration = open("name: lane_keeping\n").configuration();
     assertEquals("lane_keeping", configuration.title());
     assertEquals(20, configuration.frequency());
+    assertEquals(RosDistribution.HUMBLE, configuration.distribution());
     assertEquals("replay", configuration.llm());
     assertEquals("ros2-python", configuration.template());
     assertEquals(List.of("person"), configuration.models("design"));
@@ -103,6 +105,10 @@ class ProjectTest {
         "name: aeb; frequency: -1|2:12|above 0 and at most 10000, not -1",
         "name: aeb; frequency: 0|2:12|above 0",
         "name: aeb; frequency: yes|2:12|a number",
+        "name: aeb; ros_distro: kilted|2:13|The messages of ROS 2 'kilted' are not known",
+        "name: aeb; ros_distro: Jazzy|2:13|ROS 2 'Jazzy'",
+        "name: aeb; ros_distro: [jazzy]|2:13|a string",
+        "name: aeb; ros_distro:|2:12|there is nothing here",
         "name: aeb; repairs: 1000|2:10|from 0 to 20, not 1000",
         "name: aeb; repairs: 2.5|2:10|a whole number, not a number 2.5",
         "name: aeb; repairs: '2'|2:10|a whole number",
