@@ -74,6 +74,56 @@ class UmlModelsTest {
     }
   }
 
+  private Path aboutStereotypes(String name, String feature) throws IOException {
+    return Files.writeString(
+        Files.createDirectories(folder.resolve(name).getParent()).resolve("entities.mtl"),
+        """
+        [comment encoding = UTF-8 /]
+        [module entities('http://www.eclipse.org/uml2/5.0.0/UML', 'http:///schemas/Persistence/_005/0')/]
+        [template public generate(e : Entity)]
+        [comment @main /]
+        [file (e.base_Class.name + '.txt', false, 'UTF-8')]
+        [e.%s/] [e.cached/]
+        [/file]
+        [/template]
+        """
+            .formatted(feature));
+  }
+
+  @Test
+  void stereotypesAreTypesOfTemplatesWithAndWithoutAModel() throws IOException {
+    Path template = aboutStereotypes("entities.mtl", "table");
+    Path out = folder.resolve("out");
+    new Program().run("generate", "--template", template, model, "-o", out).expect(0);
+    assertEquals("CUSTOMERS false\n", Files.readString(out.resolve("Customer.txt")));
+    new Program().run("compile", template).expect(0).says("0 errors, 0 warnings in 1 file");
+    new Program()
+        .run("compile", aboutStereotypes("entities.mtl", "tabel"))
+        .expect(1)
+        .says("entities.mtl:6:4: error: Entity has no feature 'tabel'.")
+        .says("Did you mean `table`?");
+  }
+
+  @Test
+  void profileOfATemplateIsBesideItOrNamed() throws IOException {
+    Path template = aboutStereotypes("templates/entities.mtl", "table");
+    Path profile = folder.resolve("persistence.profile.uml");
+    new Program().run("compile", template).expect(1).says("[m2t.metamodel.unknown]");
+    new Program().run("compile", "--metamodel", profile, template).expect(0).says("0 errors");
+    new Program().run("describe", profile).expect(0).says("class Entity").says("table : String");
+    new Program()
+        .run("validate", "--metamodel", profile, model)
+        .expect(2)
+        .says("It is a profile of UML, which is found where a model applies it");
+    Path unsound = template.resolveSibling("own.profile.uml");
+    Files.writeString(unsound, Files.readString(profile).replace("<ownedAttribute", "<ownAttr"));
+    new Program()
+        .run("compile", template)
+        .expect(1)
+        .says("[m2t.metamodel.unknown]")
+        .says("own.profile.uml:");
+  }
+
   @Test
   void constraintIsViolatedAtTheLineOfTheElement() throws IOException {
     validate(model)

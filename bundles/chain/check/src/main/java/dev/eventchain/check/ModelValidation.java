@@ -36,6 +36,9 @@ import org.eclipse.emf.ecore.EPackage;
 /** Validation of models of any Ecore metamodel. */
 public final class ModelValidation {
 
+  /** How the names of UML profiles end. */
+  public static final String PROFILE = ".profile.uml";
+
   private final XmiStore store;
   private final List<EPackage> packages;
   private final List<LoadedModel> models;
@@ -104,12 +107,32 @@ public final class ModelValidation {
   /**
    * Reads metamodels, for something that needs no model.
    *
+   * @param metamodels the files; of {@code *.profile.uml}, the stereotypes are meant
    * @param references as in {@link #read}
    * @return their packages, and the one of event chains
    * @throws DiagnosticException INPUT if a file cannot be read
    */
   public static List<EPackage> metamodels(List<Path> metamodels, ReferenceFolders references) {
-    return load(storeOf(metamodels, List.of(), references), metamodels);
+    List<Path> profiles = metamodels.stream().filter(ModelValidation::isProfile).toList();
+    List<Path> others = metamodels.stream().filter(file -> !isProfile(file)).toList();
+    List<EPackage> packages = load(storeOf(metamodels, List.of(), references), others);
+    profiles.forEach(profile -> packages.addAll(profiles(profile, references)));
+    return packages;
+  }
+
+  private static boolean isProfile(Path file) {
+    return file.toString().endsWith(PROFILE);
+  }
+
+  /**
+   * Reads a file of UML profiles, for something that needs no model.
+   *
+   * @param references as in {@link #read}
+   * @return the packages that define their stereotypes
+   * @throws DiagnosticException INPUT if the file cannot be read
+   */
+  public static List<EPackage> profiles(Path file, ReferenceFolders references) {
+    return storeOf(List.of(file), List.of(), references).loadProfiles(file);
   }
 
   /**

@@ -20,7 +20,8 @@ import picocli.CommandLine.Parameters;
     mixinStandardHelpOptions = true,
     description = {
       "Check templates (*.mtl) without a model: syntax, names and types, of them and of all that they import.",
-      "Nothing is generated. A template that uses other classes than those of event chains needs --metamodel."
+      "Nothing is generated. A template that uses other classes than those of event chains needs --metamodel,"
+          + " unless they are of UML or of a profile (*.profile.uml) in the folder of the template."
     },
     synopsisHeading = "Usage:%n",
     customSynopsis = "eventchain compile [--metamodel FILE.ecore] TEMPLATE|FOLDER... [OPTIONS]")

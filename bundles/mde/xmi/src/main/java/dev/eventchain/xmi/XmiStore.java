@@ -138,15 +138,52 @@ public final class XmiStore {
     problems.addAll(new NamespaceOwners(metamodels.origins()).check(packages));
     List<EPackage> top = packages.stream().filter(p -> p.eResource() == file).toList();
     if (top.isEmpty()) {
-      problems.add(
-          Diagnostic.of(
-              XmiRules.METAMODEL_UNSOUND,
-              "The file contains no EPackage.",
-              metamodels.origins().locate(file.getContents().get(0))));
+      problems.add(noMetamodel(file.getContents().get(0)));
     }
     refuse(problems.stream().sorted().toList());
     packages.forEach(this::register);
     return top;
+  }
+
+  private Diagnostic noMetamodel(EObject root) {
+    Diagnostic found =
+        Diagnostic.of(
+            XmiRules.METAMODEL_UNSOUND,
+            "The file contains no EPackage.",
+            metamodels.origins().locate(root));
+    return Uml.isProfile(root)
+        ? found.withHint(
+            "It is a profile of UML, which is found where a model applies it: leave it out here.")
+        : found;
+  }
+
+  /**
+   * Reads a file of UML profiles, for what needs no model that applies them.
+   *
+   * @return the packages that define their stereotypes, the current one of each profile first; none
+   *     if none is defined
+   * @throws DiagnosticException (INPUT) with all findings about the file
+   */
+  public List<EPackage> loadProfiles(Path file) {
+    ProjectResources resources = new ProjectResources(files, registry);
+    List<EPackage> definitions = new ArrayList<>();
+    read(file, resources)
+        .getAllContents()
+        .forEachRemaining(
+            each -> {
+              if (each instanceof EPackage definition
+                  && definition.getESuperPackage() == null
+                  && Uml.isDefinition(definition)) {
+                definitions.add(definition);
+              }
+            });
+    List<Diagnostic> problems = new ArrayList<>();
+    for (EPackage definition : definitions) {
+      JavaNames.forget(definition);
+      problems.addAll(new MetamodelChecks(resources.origins()).check(definition));
+    }
+    refuse(problems);
+    return definitions;
   }
 
   private static List<EPackage> packagesIn(XmiResource file) {

@@ -98,8 +98,13 @@ public final class AnyModel {
     Map<String, Map<String, String>> properties = PropertyFiles.read(template.properties());
     try (JavaServices classes = JavaServices.of(template.services())) {
       TemplateModule module =
-          TemplateModule.compile(
-              template.main(), template.sources(), withMessages(any.packages()), classes.loader());
+          new ProfilesBeside(references)
+              .compile(
+                  template,
+                  withMessages(any.packages()),
+                  packages ->
+                      TemplateModule.compile(
+                          template.main(), template.sources(), packages, classes.loader()));
       WrittenFiles files = new WrittenFiles(target.folder());
       files.found(lenient ? milder(any.ecore().diagnostics()) : any.ecore().diagnostics());
       if (!Diagnostic.anyError(suppressions.part(files.diagnostics()).remaining())) {
@@ -122,7 +127,8 @@ public final class AnyModel {
   /**
    * Compiles templates, without a model and without running them.
    *
-   * @param metamodels the metamodels that the templates name; event chains need not be named
+   * @param metamodels the metamodels that the templates name; event chains, UML, and profiles of
+   *     UML in the folders of the templates need not be named
    * @param references as in {@link #generate}
    * @param templates each with its modules and services
    * @return the findings, each once
@@ -131,11 +137,15 @@ public final class AnyModel {
   public static List<Diagnostic> compile(
       List<Path> metamodels, ReferenceFolders references, List<Template> templates) {
     List<EPackage> packages = withMessages(ModelValidation.metamodels(metamodels, references));
+    ProfilesBeside profiles = new ProfilesBeside(references);
     Set<Diagnostic> found = new LinkedHashSet<>();
     boolean missing = false;
     for (Template template : templates) {
       try (JavaServices classes = JavaServices.of(template.services())) {
-        found.addAll(compiled(template, packages, classes.loader()).warnings());
+        found.addAll(
+            profiles
+                .compile(template, packages, all -> compiled(template, all, classes.loader()))
+                .warnings());
       } catch (DiagnosticException e) {
         missing |= !Files.isRegularFile(template.main());
         found.addAll(e.diagnostics());
