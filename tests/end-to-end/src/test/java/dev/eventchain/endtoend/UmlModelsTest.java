@@ -1,6 +1,7 @@
 package dev.eventchain.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.fixtures.Projects;
@@ -147,6 +148,54 @@ class UmlModelsTest {
         .expect(1)
         .says("violates 'Identified'")
         .says("1 error, 0 warnings");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"2.1.0", "3.0.0"})
+  void featureOfAnOlderVersionIsFoundWithTheVersionOfTheFile(String version) throws IOException {
+    Path file = changed("xmlns:uml=\"" + NAMESPACE, "xmlns:uml=\"" + older(version));
+    Files.writeString(file, Files.readString(file).replaceFirst("<ownedLiteral", "<oldLiteral"));
+    validate(file)
+        .expect(2)
+        .says("Class `Enumeration` has no feature `oldLiteral`.")
+        .says(
+            "The file is of Eclipse UML2 "
+                + version
+                + ", and UML 2.5 is read here: open and save it");
+    Program.Ended current = validate(changed("<ownedLiteral", "<oldLiteral")).expect(2);
+    assertFalse((current.out() + current.err()).contains("and save it"));
+  }
+
+  private static String older(String version) {
+    return NAMESPACE.replace("5.0.0", version);
+  }
+
+  @Test
+  void firstVersionOfUml2IsFoundWithWhatConvertsIt() throws IOException {
+    validate(changed("xmlns:uml=\"" + NAMESPACE, "xmlns:uml=\"" + older("1.0.0")))
+        .expect(2)
+        .says("[xmi.package.unknown]")
+        .says("The file is of Eclipse UML2 1.0.0, and UML 2.5 is read here: open and save it");
+  }
+
+  @Test
+  void metamodelOfTheOmgIsFoundWithWhatIsBuiltIn() throws IOException {
+    String head =
+        "<xmi:XMI xmlns:xmi=\"http://www.omg.org/spec/XMI/20131001\""
+            + " xmlns:uml=\"http://www.omg.org/spec/UML/20131001\""
+            + " xmlns:mofext=\"http://www.omg.org/spec/MOF/20131001\">"
+            + "<uml:Package xmi:type=\"uml:Package\" xmi:id=\"_0\" name=\"UML\"/>";
+    Path cmof =
+        Files.writeString(
+            folder.resolve("UML.xmi"),
+            head + "<mofext:Tag xmi:type=\"mofext:Tag\" xmi:id=\"_1\" element=\"_0\"/></xmi:XMI>");
+    String builtIn = "That of UML is built in, as " + NAMESPACE;
+    new Program().run("validate", "--metamodel", cmof, model).expect(2).says(builtIn);
+    Files.writeString(cmof, head + "</xmi:XMI>");
+    new Program()
+        .run("describe", cmof)
+        .expect(2)
+        .says("It is a model of UML: name it as a model. The metamodel of UML is built in");
   }
 
   @Test

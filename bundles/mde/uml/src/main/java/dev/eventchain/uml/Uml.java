@@ -36,6 +36,9 @@ public final class Uml {
           "http://www\\.eclipse\\.org/uml2/[2-5](\\.\\d+)*/UML"
               + "|http://(www|schema)\\.omg\\.org/spec/UML/(20\\d{6}|2(\\.\\d+)*)(/uml\\.xml)?");
 
+  private static final Pattern OLDER =
+      Pattern.compile("http://www\\.eclipse\\.org/uml2/([1-4](?:\\.\\d+)*)/UML");
+
   /** Elements in files of the OMG, such as {@code .../PrimitiveTypes.xmi#String}. */
   private static final Pattern OF_THE_OMG =
       Pattern.compile(
@@ -63,6 +66,21 @@ public final class Uml {
           "http://www\\.eclipse\\.org/uml2/(\\d(\\.\\d+)*/UML/Profile/(Standard|L[23])|schemas/Standard/\\d+)");
 
   private Uml() {}
+
+  /**
+   * Returns what to do with a file of a version of Eclipse UML2 that called features and classes
+   * otherwise: UML2 knows how to convert it, and this program does not.
+   *
+   * @return a hint; empty if the namespace is not that of UML, or of the current version
+   */
+  public static Optional<String> conversion(String nsUri) {
+    Matcher version = OLDER.matcher(nsUri);
+    return version.matches()
+        ? Optional.of(
+            "The file is of Eclipse UML2 %s, and UML 2.5 is read here: open and save it with Eclipse UML2 5, for example in Papyrus, which converts it."
+                .formatted(version.group(1)))
+        : Optional.empty();
+  }
 
   /** Returns whether a namespace is that of UML, of any version 2. */
   public static boolean isNamespace(String nsUri) {

@@ -5,6 +5,7 @@ import dev.eventchain.uml.Uml;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -24,6 +25,15 @@ final class Namespaces {
 
   private static final String UML2_HINT =
       "It is a UML2 model, which needs the classes of Eclipse UML2: install that.";
+
+  /** The namespaces of CMOF, in which the OMG publishes metamodels. */
+  private static final Pattern CMOF =
+      Pattern.compile("http://(www|schema)\\.omg\\.org/spec/MOF/.*");
+
+  private static final String CMOF_HINT =
+      "It is a metamodel in CMOF, which is not read: name its .ecore file. That of UML is built in, as "
+          + Uml.NAMESPACE
+          + ", and need not be named.";
 
   /** The key of the metamodel of models without namespace. */
   static final String NONE = "";
@@ -77,6 +87,13 @@ final class Namespaces {
   static String hint(String unknown, Collection<String> registered) {
     if (Uml.isNamespace(unknown)) {
       return UML2_HINT;
+    }
+    if (CMOF.matcher(unknown).matches()) {
+      return CMOF_HINT;
+    }
+    Optional<String> older = Uml.conversion(unknown);
+    if (older.isPresent()) {
+      return older.get();
     }
     Stream<String> uml = unknown.contains("/uml2/") ? Stream.of(Uml.NAMESPACE) : Stream.empty();
     List<String> known =

@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.uml.Uml;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -29,6 +30,11 @@ import org.xml.sax.SAXParseException;
 
 /** Converts EMF's problems with one XMI file into findings that point to the text. */
 final class XmiProblems {
+
+  private static final Pattern NAMESPACE = Pattern.compile("xmlns:[\\w.-]+=\"([^\"]*)\"");
+
+  /** The number of namespaces, from the beginning of a file, among which that of UML is. */
+  private static final int NAMESPACES = 50;
 
   private final SourceText text;
   private final EPackage.Registry registry;
@@ -175,7 +181,22 @@ final class XmiProblems {
         XmiRules.FEATURE_UNKNOWN,
         "Class `" + type.getName() + "` has no feature `" + problem.getName() + "`.",
         attributeIn(tag, problem.getName()),
-        NearestName.hint(problem.getName(), known));
+        withConversion(NearestName.hint(problem.getName(), known), type.getEPackage()));
+  }
+
+  /** Returns a hint about a name, and if it is one of UML, what to do with an older model. */
+  private String withConversion(String hint, EPackage owner) {
+    Optional<String> conversion =
+        Uml.isMetamodel(owner)
+            ? NAMESPACE
+                .matcher(text.text())
+                .results()
+                .limit(NAMESPACES)
+                .map(it -> Uml.conversion(it.group(1)))
+                .flatMap(Optional::stream)
+                .findFirst()
+            : Optional.empty();
+    return (hint + " " + conversion.orElse("")).strip();
   }
 
   private void addUnknownClass(ClassNotFoundException problem, int tag) {
@@ -203,7 +224,7 @@ final class XmiProblems {
           XmiRules.CLASS_UNKNOWN,
           "Metamodel `" + ePackage.getName() + "` has no class " + name + ".",
           place,
-          NearestName.hint(problem.getName(), concreteClasses(ePackage)));
+          withConversion(NearestName.hint(problem.getName(), concreteClasses(ePackage)), ePackage));
     }
   }
 

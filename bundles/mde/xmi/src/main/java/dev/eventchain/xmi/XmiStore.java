@@ -151,9 +151,15 @@ public final class XmiStore {
             XmiRules.METAMODEL_UNSOUND,
             "The file contains no EPackage.",
             metamodels.origins().locate(root));
-    return Uml.isProfile(root)
+    if (Uml.isProfile(root)) {
+      return found.withHint(
+          "It is a profile of UML, which is found where a model applies it: leave it out here.");
+    }
+    return Uml.isMetamodel(root.eClass().getEPackage())
         ? found.withHint(
-            "It is a profile of UML, which is found where a model applies it: leave it out here.")
+            "It is a model of UML: name it as a model. The metamodel of UML is built in, as "
+                + Uml.NAMESPACE
+                + "; of another one that is drawn in UML, name its .ecore file.")
         : found;
   }
 
