@@ -68,6 +68,26 @@ class ValidatedInputsTest {
   }
 
   @Test
+  void aLatencyThatCountsInConstraintsOfOneNameIsAmbiguous() throws IOException {
+    ProjectCopy copy = ProjectCopy.of("radar-aeb", folder);
+    String counted = "rate_hz: 50\n    latency_ms: 9\n    latency_counts_in: [radar_to_brake]";
+    copy.replace("bench.yaml", "rate_hz: 50", counted);
+    new Program().run("validate", copy.path()).expect(0);
+    String end = "</eventchain:EventChain>";
+    copy.replace(
+        "model/chain.xmi",
+        end,
+        "<latencyConstraints name=\"radar_to_brake\" first=\"//@software.0\""
+            + " last=\"//@software.2\" maximum=\"100.0\"/>"
+            + end);
+    new Program()
+        .run("validate", copy.path())
+        .expect(1)
+        .says("bench.latency.unknown")
+        .says("several latency constraints have that name");
+  }
+
+  @Test
   void withoutRequirementsNothingIsProvedAndNothingValid() throws IOException {
     ProjectCopy copy = ProjectCopy.of("radar-aeb", folder);
     Files.delete(copy.path().resolve("requirements.md"));

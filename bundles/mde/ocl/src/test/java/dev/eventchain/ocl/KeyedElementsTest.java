@@ -1,6 +1,7 @@
 package dev.eventchain.ocl;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
@@ -10,6 +11,7 @@ import dev.eventchain.ocl.dialect.Dialect;
 import dev.eventchain.ocl.dialect.OperationLibrary;
 import dev.eventchain.ocl.dialect.TypeSystem;
 import dev.eventchain.ocl.evaluation.Evaluation;
+import dev.eventchain.ocl.evaluation.Invalid;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -172,6 +174,24 @@ class KeyedElementsTest {
     assertEquals(THINGS, calls("collect(x | x.code() + 1)->sum() + self.whole", true, false));
     String each = "collect(x | x.code())->includes(self.whole)"; // templates may get each call
     assertEquals(THINGS * THINGS, calls(each, true, false));
+  }
+
+  @Test
+  void whatIsInvalidForAllElementsIsComputedOnceAndExplainedForEach() {
+    // Once to evaluate, and once more to explain.
+    String body = "collect(x | x.code())->asSequence()->at(0)";
+    assertEquals(2 * THINGS, calls(body + " + self.whole", true, false));
+    assertTrue(calls(body + " + self.whole", true, true) >= 2 * THINGS * THINGS);
+    Expression expression =
+        parse(
+            ExpressionLanguage.of(List.of(metamodel)),
+            "Thing.allInstances()->" + body.replace("code()", "whole"));
+    Evaluation run = Evaluations.over(things);
+    for (EObject self : things) {
+      Invalid invalid = assertInstanceOf(Invalid.class, evaluate(expression, self, run));
+      assertEquals(
+          "'at' has no result for a collection of 40 (index: 0, size: 40)", invalid.reason());
+    }
   }
 
   @Test

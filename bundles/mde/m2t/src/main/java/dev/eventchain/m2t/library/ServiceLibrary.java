@@ -34,10 +34,16 @@ public final class ServiceLibrary implements OperationLibrary {
             && argumentTypes.size() == 3
             && isText(argumentTypes.get(0), language)
             && isText(argumentTypes.get(1), language)
-            && language.elementType(argumentTypes.get(2)).isPresent();
+            && isCollection(argumentTypes.get(2), language);
     return suits
         ? Optional.of(new Operation(NAME, language.any(), new Call(services)))
         : Optional.empty();
+  }
+
+  /** Returns whether a type is one of collections, or that of null. */
+  private static boolean isCollection(EClassifier type, TypeSystem language) {
+    return language.elementType(type).isPresent()
+        || language.conforms(type, language.sequenceOf(language.any()));
   }
 
   private static boolean isText(EClassifier type, TypeSystem language) {
@@ -48,8 +54,8 @@ public final class ServiceLibrary implements OperationLibrary {
   public record Call(Services services) implements OperationLibrary.Implementation {
     @Override
     public Object call(Object source, List<Object> arguments, Evaluation run) {
-      if (arguments.contains(null)) {
-        throw new ServiceException("the Java service is named by null, or its arguments are null");
+      if (arguments.get(0) == null || arguments.get(1) == null) {
+        throw new ServiceException("the Java service is named by null");
       }
       return services.call(
           (String) arguments.get(0),

@@ -34,6 +34,7 @@ public final class Services {
    * Calls a method.
    *
    * @param signature the signature {@code name(types)}; packages of the types are optional
+   * @param arguments the arguments; null, as in Acceleo, for a static method without parameters
    * @param instances the instances of classes with non-static methods; created on demand
    * @return the result of the method as an OCL value
    * @throws ServiceException with the reason if there is no such method, it does not take these
@@ -170,6 +171,13 @@ public final class Services {
 
   private static Object[] values(Method method, Collection<?> arguments, String shown) {
     Class<?>[] parameters = method.getParameterTypes();
+    if (arguments == null) {
+      if (parameters.length == 0 && Modifier.isStatic(method.getModifiers())) {
+        return new Object[0];
+      }
+      throw new ServiceException(
+          shown + "is given null in place of its arguments: write Sequence{...}");
+    }
     if (arguments.size() != parameters.length) {
       throw new ServiceException(
           shown

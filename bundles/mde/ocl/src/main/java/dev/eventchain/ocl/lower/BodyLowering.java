@@ -67,8 +67,8 @@ final class BodyLowering {
   private final OperationLowering operations;
   private final LoopLowering loops;
 
-  /** What values depend on; none if all are to be computed. */
-  private final Optional<Purity> purity;
+  /** What values depend on. */
+  private final Purity purity;
 
   /** The visible variables and their slots. */
   private Map<String, Integer> visible = new LinkedHashMap<>();
@@ -91,9 +91,11 @@ final class BodyLowering {
     this.lowering = lowering;
     this.definition = parameters != null;
     this.operations = new OperationLowering(this, lowering);
-    // Tracing must visit all elements.
-    this.purity = lowering.isTracing() ? Optional.empty() : Optional.of(new Purity(lowering));
-    this.loops = new LoopLowering(this, purity.map(known -> new KeyLowering(this, known)));
+    this.purity = new Purity(lowering);
+    // Tracing must visit all elements of a loop.
+    Optional<KeyLowering> keys =
+        lowering.isTracing() ? Optional.empty() : Optional.of(new KeyLowering(this, purity));
+    this.loops = new LoopLowering(this, keys);
     this.traced = lowering.isTracing() ? new IdentityHashMap<>() : null;
     if (definition) {
       parameters.forEach(parameter -> visible.put(parameter, newSlot(null)));
@@ -150,18 +152,22 @@ final class BodyLowering {
     if (known != null) {
       return known;
     }
-    Node node = plain(expression);
-    if (purity.isPresent() && purity.get().isOfModel(expression) && !isCollected(node)) {
-      return new KeptValue(node);
+    Node plain = plain(expression);
+    Node node = traced == null ? plain : traced(expression, plain);
+    if (purity.isOfModel(expression) && !isCollected(plain)) {
+      node = new KeptValue(node);
     }
     if (traced != null) {
-      OCLExpression<EClassifier> subject = subjectOf(expression);
-      if (subject != null || expression instanceof InvalidLiteralExp<?>) {
-        node = new TracedNode(expression, node, traced.get(subject));
-      }
       traced.put(expression, node);
     }
     return node;
+  }
+
+  private Node traced(OCLExpression<EClassifier> expression, Node plain) {
+    OCLExpression<EClassifier> subject = subjectOf(expression);
+    return subject != null || expression instanceof InvalidLiteralExp<?>
+        ? new TracedNode(expression, plain, traced.get(subject))
+        : plain;
   }
 
   /** Returns whether a node collects the results of a library, which a caller may want to get. */

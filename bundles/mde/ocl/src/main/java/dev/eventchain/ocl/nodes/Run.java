@@ -40,6 +40,9 @@ public final class Run implements Evaluation {
   /** Null values have the marker {@link #NULL}. */
   private final Map<KeptValue, Object> kept = new HashMap<>();
 
+  /** The origins of invalid ones among them, as far as they were traced. */
+  private final Map<KeptValue, InvalidOrigin> origins = new HashMap<>();
+
   private boolean modelChanges;
   private Object attachment;
   private TimeBudget budget;
@@ -97,16 +100,21 @@ public final class Run implements Evaluation {
   }
 
   /**
-   * Returns a value that is the same for all elements, computed when first asked for. An invalid
-   * one is computed each time, and so are all if the model may change.
+   * Returns a value that is the same for all elements, computed when first asked for; an invalid
+   * one with its origin. It is computed each time if the model may change.
    */
   Object keptValue(KeptValue node, Supplier<Object> value) {
     Object known = kept.get(node);
     if (known == null) {
       known = value.get();
-      if (!modelChanges && known != Node.INVALID) {
+      if (!modelChanges) {
         kept.put(node, known == null ? NULL : known);
+        if (known == Node.INVALID) {
+          origins.put(node, origin);
+        }
       }
+    } else if (known == Node.INVALID) {
+      origin = origins.get(node);
     }
     return known == NULL ? null : known;
   }

@@ -152,6 +152,8 @@ final class BenchCheck {
     for (String name : provided.transfer().counted()) {
       if (constraints.stream().noneMatch(it -> beginsWith(it, name, provided.topic()))) {
         found.add(uncounted(name, provided));
+      } else if (constraints.stream().filter(it -> name.equals(it.getName())).count() > 1) {
+        found.add(ambiguous(name, provided));
       }
     }
   }
@@ -161,6 +163,15 @@ final class BenchCheck {
         && topics.find(topic).stream()
             .flatMap(each -> each.subscribers().stream())
             .anyMatch(reader -> reader.node() == constraint.getFirst());
+  }
+
+  private static Diagnostic ambiguous(String name, Provided provided) {
+    return Diagnostic.of(
+            BenchRules.BENCH_LATENCY_UNKNOWN,
+            "The latency of %s counts in '%s', but several latency constraints have that name."
+                .formatted(provided.topic(), name),
+            provided.location())
+        .withHint("Give each of them a name of its own.");
   }
 
   private Diagnostic uncounted(String name, Provided provided) {
