@@ -169,22 +169,27 @@ public final class Services {
     return true;
   }
 
-  private static Object[] values(Method method, Collection<?> arguments, String shown) {
-    Class<?>[] parameters = method.getParameterTypes();
-    if (arguments == null) {
-      if (parameters.length == 0 && Modifier.isStatic(method.getModifiers())) {
-        return new Object[0];
-      }
+  /** Returns the arguments if there are as many as the method takes. */
+  private static List<Object> given(Method method, Collection<?> arguments, String shown) {
+    int count = method.getParameterCount();
+    boolean mayBeNull = count == 0 && Modifier.isStatic(method.getModifiers());
+    if (arguments == null && !mayBeNull) {
       throw new ServiceException(
           shown + "is given null in place of its arguments: write Sequence{...}");
     }
-    if (arguments.size() != parameters.length) {
+    List<Object> given = arguments == null ? List.of() : new ArrayList<>(arguments);
+    if (given.size() != count) {
       throw new ServiceException(
           shown
-              + ("takes " + Coverage.counted(parameters.length, "argument"))
-              + (" and is given " + arguments.size()));
+              + ("takes " + Coverage.counted(count, "argument"))
+              + (" and is given " + given.size()));
     }
-    List<Object> given = new ArrayList<>(arguments);
+    return given;
+  }
+
+  private static Object[] values(Method method, Collection<?> arguments, String shown) {
+    Class<?>[] parameters = method.getParameterTypes();
+    List<Object> given = given(method, arguments, shown);
     Object[] values = new Object[parameters.length];
     for (int i = 0; i < values.length; i++) {
       Object argument = given.get(i);
