@@ -210,6 +210,11 @@ public final class Scenario {
     return new ScenarioFolder(folder).allFiles();
   }
 
+  /** Returns a file with scenarios, and those to which it leads, in a fixed order. */
+  public static List<Path> filesOf(Path file) {
+    return ScenarioFolder.withPlayed(List.of(file));
+  }
+
   /** Returns the name, unique in a folder: lower-case letters, digits and hyphens. */
   public String name() {
     return name;

@@ -65,10 +65,15 @@ record ScenarioFolder(Path folder) {
    * What cannot be read is a finding later.
    */
   List<Path> allFiles() {
-    List<Path> all = new ArrayList<>(files());
-    Set<Path> inside = new HashSet<>();
-    all.forEach(file -> inside.add(file.toAbsolutePath().normalize()));
-    played(all).stream().filter(file -> !inside.contains(file)).forEach(all::add);
+    return withPlayed(files());
+  }
+
+  /** Returns some files and then those to which the scenarios among them lead. */
+  static List<Path> withPlayed(List<Path> files) {
+    List<Path> all = new ArrayList<>(files);
+    Set<Path> known = new HashSet<>();
+    files.forEach(file -> known.add(file.toAbsolutePath().normalize()));
+    played(files).stream().filter(file -> !known.contains(file)).forEach(all::add);
     return all;
   }
 

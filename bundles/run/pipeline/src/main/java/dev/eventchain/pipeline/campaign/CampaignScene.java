@@ -44,8 +44,13 @@ final class CampaignScene {
     this.plan = plan;
     this.inputs = inputs;
     this.scenarios = scenarios;
-    this.scenario = ScenarioTemplate.find(scenarios, plan);
-    this.template = new ScenarioTemplate(run, plan, Path.of(scenario.location().file()));
+    Optional<Path> own = plan.scenarioFile();
+    this.scenario =
+        own.map(file -> Scenario.read(file, run.chain().bench()))
+            .orElseGet(() -> ScenarioTemplate.find(scenarios, plan));
+    this.template =
+        new ScenarioTemplate(
+            run, plan, own.orElseGet(() -> Path.of(scenario.location().file())));
   }
 
   /**
@@ -149,6 +154,7 @@ final class CampaignScene {
     new SimulateStage().fingerprint(run, fingerprint);
     fingerprint.addFile(plan.file());
     plan.part().ifPresent(fingerprint::add);
+    plan.scenarioFile().map(Scenario::filesOf).ifPresent(fingerprint::addFiles);
     plan.factors().forEach(factor -> fingerprint.add(factor.levels()));
     return fingerprint;
   }

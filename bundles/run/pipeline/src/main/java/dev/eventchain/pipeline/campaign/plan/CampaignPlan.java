@@ -15,7 +15,7 @@ import java.util.Optional;
  *
  * @param part its name in a file of several campaigns; empty in one of a single campaign
  * @param name that of its results
- * @param scenario the name of the scenario whose cases are simulated
+ * @param scenario the name of the scenario whose cases are simulated, or the path of its file
  * @param computed what follows from the factors, in the order of the file
  * @param conditions keep the combinations for which all are true
  * @param repetitions of each combination, with other seeds
@@ -48,6 +48,13 @@ public record CampaignPlan(
     factors = List.copyOf(factors);
     computed = List.copyOf(computed);
     conditions = List.copyOf(conditions);
+  }
+
+  /** Returns the file of a scenario that is not one of the project's. */
+  public Optional<Path> scenarioFile() {
+    return scenario.matches(".*\\.ya?ml")
+        ? Optional.of(file.resolveSibling(scenario))
+        : Optional.empty();
   }
 
   /** Returns the plan of a search: each combination once, and no grid. */
