@@ -124,6 +124,16 @@ public final class StoryboardRun {
     scene.actor(ego).release(speed, way);
   }
 
+  /** Returns whether the scenario ever activated the ego's controller for its speed. */
+  public boolean isSpeedActivated() {
+    return scene.actor(ego).isSpeedActivated();
+  }
+
+  /** Returns whether the scenario ever activated the ego's controller for its way. */
+  public boolean isWayActivated() {
+    return scene.actor(ego).isWayActivated();
+  }
+
   /** Returns whether the storyboard has a stop trigger. */
   public boolean hasStop() {
     return tree.hasStop();

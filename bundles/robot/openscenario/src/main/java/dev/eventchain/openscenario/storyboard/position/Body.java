@@ -33,7 +33,7 @@ public record Body(Pose pose, Optional<Box> box, Optional<LanePoint> road, doubl
   }
 
   /** Returns it after a short time in which it keeps its velocity. */
-  Body after(double time) {
+  public Body after(double time) {
     Pose moved =
         new Pose(
             pose.x() + vx * time,

@@ -80,19 +80,11 @@ final class LanePositions {
   /** Returns the number of the lane to the left or right. */
   private static int beside(Scene scene, ScenarioElement position, LaneWay from) {
     int lanes = position.integer("dLane");
-    return beside(scene.roads(), from, lanes)
+    return from.beside(scene, lanes)
         .orElseThrow(
             () ->
                 RoadPositions.none(
                     position, "There is no lane " + lanes + " to the left of the entity's."));
-  }
-
-  static Optional<Integer> beside(RoadMap roads, LaneWay from, int lanes) {
-    List<Integer> all = roads.lanes(from.point().road(), from.point().s());
-    int index = all.indexOf(from.point().lane()) + (from.alongS() ? -lanes : lanes);
-    return index >= 0 && index < all.size() && all.contains(from.point().lane())
-        ? Optional.of(all.get(index))
-        : Optional.empty();
   }
 
   private static Placement at(Scene scene, ScenarioElement position, LanePoint point) {

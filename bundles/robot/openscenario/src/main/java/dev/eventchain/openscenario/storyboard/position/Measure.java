@@ -87,6 +87,35 @@ public record Measure(Kind kind, Frame frame, boolean freespace) {
     return OptionalDouble.of(gap(range(axes, from), range(axes, to)));
   }
 
+  /**
+   * Returns the gap in front of the first body, or behind it; negative where they overlap.
+   *
+   * @param trailing whether the first one is to be behind the second
+   */
+  public OptionalDouble gap(Scene scene, Body from, Body to, boolean trailing) {
+    Pose axes = frame == Frame.WORLD ? from.pose().withHeading(0) : from.pose();
+    double forward = 1;
+    double apart = 0;
+    DoubleSummaryStatistics other = range(axes, to);
+    if (frame == Frame.ROAD && from.road().isPresent() && to.road().isPresent()) {
+      RoadPoint first = scene.roads().road(from.road().get());
+      RoadPoint second = scene.roads().road(to.road().get());
+      OptionalDouble along = scene.roads().along(first, second);
+      if (along.isEmpty()) {
+        return along;
+      }
+      axes = scene.roads().pose(first);
+      forward = isAlongS(axes, from) ? 1 : -1;
+      apart = along.getAsDouble();
+      other = range(scene.roads().pose(second), to);
+    }
+    DoubleSummaryStatistics own = range(axes, from);
+    return OptionalDouble.of(
+        trailing == (forward > 0)
+            ? other.getMin() + apart - own.getMax()
+            : own.getMin() - other.getMax() - apart);
+  }
+
   private OptionalDouble onRoad(Scene scene, Body from, Body to) {
     if (from.road().isEmpty() || to.road().isEmpty()) {
       return OptionalDouble.empty();

@@ -27,6 +27,8 @@ public final class Actor {
   private Task lateralTask;
   private boolean ownSpeed;
   private boolean ownWay;
+  private boolean speedActivated;
+  private boolean wayActivated;
   private List<RoadPoint> route = List.of();
 
   Actor(Entity entity) {
@@ -77,6 +79,27 @@ public final class Actor {
   public void release(boolean speed, boolean way) {
     ownSpeed |= speed;
     ownWay |= way;
+  }
+
+  /** Says that its controller is active for its speed, its way, or both. */
+  public void activate(boolean speed, boolean way) {
+    speedActivated |= speed;
+    wayActivated |= way;
+  }
+
+  /** Returns whether its controller was ever active for its speed. */
+  public boolean isSpeedActivated() {
+    return speedActivated;
+  }
+
+  /** Returns whether its controller was ever active for its way. */
+  public boolean isWayActivated() {
+    return wayActivated;
+  }
+
+  /** Lets it go on along a way, which no task decides. */
+  public void follow(Lateral way) {
+    lateral = way;
   }
 
   /** Puts it somewhere at once; it goes on from there as it does of itself. */
@@ -131,7 +154,7 @@ public final class Actor {
     }
     if (lateralTask == task) {
       lateralTask = null;
-      lateral = KeepLane.of(scene, state);
+      lateral = lateral.rest(scene, state);
     }
   }
 

@@ -42,4 +42,21 @@ public record LaneWay(LanePoint point, boolean alongS) {
   public LaneWay withOffset(double offset) {
     return new LaneWay(point.withOffset(offset), alongS);
   }
+
+  /** Returns the number of a lane as many lanes to the left as the way goes; empty without one. */
+  public Optional<Integer> beside(Scene scene, int lanes) {
+    List<Integer> all = scene.roads().lanes(point.road(), point.s());
+    int own = all.indexOf(point.lane());
+    int index = own + (alongS ? -lanes : lanes);
+    return own >= 0 && index >= 0 && index < all.size()
+        ? Optional.of(all.get(index))
+        : Optional.empty();
+  }
+
+  /** Returns the same place as seen from another lane of the road. */
+  public LaneWay onLane(Scene scene, int lane) {
+    double t = scene.roads().road(point).t();
+    double centre = scene.roads().centre(point.road(), point.s(), lane);
+    return new LaneWay(new LanePoint(point.road(), lane, point.s(), t - centre), alongS);
+  }
 }

@@ -37,4 +37,9 @@ public interface Lateral {
 
   /** Returns the same for an entity that is not where the last step would have had it. */
   Lateral from(Scene scene, EntityState seen);
+
+  /** Returns what the entity does when this is over, by default what it does of itself. */
+  default Lateral rest(Scene scene, EntityState state) {
+    return KeepLane.of(scene, state);
+  }
 }

@@ -9,6 +9,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 public final class StoryboardRules {
 
   public static final Rule NO_PLACE = Rule.error("storyboard.place.none");
+  public static final Rule TRAJECTORY = Rule.error("storyboard.trajectory");
   public static final Rule CIRCLE = Rule.error("storyboard.init.circle");
 
   private StoryboardRules() {}

@@ -1,0 +1,33 @@
+package dev.eventchain.openscenario.storyboard.action;
+
+import dev.eventchain.openscenario.document.ScenarioElement;
+import dev.eventchain.openscenario.storyboard.scene.Actor;
+import dev.eventchain.openscenario.storyboard.scene.Scene;
+import dev.eventchain.openscenario.storyboard.scene.Task;
+import java.util.Optional;
+
+/** Controllers that are assigned or activated; what was active once stays so. */
+final class ControllerActions {
+
+  private ControllerActions() {}
+
+  static PrivateAction read(ScenarioElement action) {
+    switch (action.name()) {
+      case "AssignControllerAction":
+        return activation(action, "activateLongitudinal", "activateLateral");
+      case "ActivateControllerAction":
+        return activation(action, "longitudinal", "lateral");
+      default:
+        throw new IllegalArgumentException(action.name() + " is not supported");
+    }
+  }
+
+  private static PrivateAction activation(ScenarioElement action, String speed, String way) {
+    boolean speedActive = action.flag(speed, false);
+    boolean wayActive = action.flag(way, false);
+    return (Scene scene, Actor actor) -> {
+      actor.activate(speedActive, wayActive);
+      return Optional.<Task>empty();
+    };
+  }
+}
