@@ -21,12 +21,12 @@ class ExpressionTest {
 
   private static final Map<String, Operand> PARAMETERS =
       Map.of(
-          "speed", new Operand.Number(13.5),
-          "count", new Operand.Number(3),
-          "zero", new Operand.Number(0),
-          "offset", new Operand.Number(-2.25),
-          "tiny", new Operand.Number(1e-300),
-          "huge", new Operand.Number(1e300),
+          "speed", new Operand.Numeric(13.5),
+          "count", new Operand.Numeric(3),
+          "zero", new Operand.Numeric(0),
+          "offset", new Operand.Numeric(-2.25),
+          "tiny", new Operand.Numeric(1e-300),
+          "huge", new Operand.Numeric(1e300),
           "day", new Operand.Truth(true),
           "wet", new Operand.Truth(false));
 

@@ -146,7 +146,7 @@ final class Scope {
               DataType type =
                   DataType.ofWord(owner.sources.get(name).declared().type()).orElseThrow();
               if (type.isNumber()) {
-                return new Operand.Number(Double.parseDouble(value));
+                return new Operand.Numeric(Double.parseDouble(value));
               }
               return type == DataType.BOOLEAN
                   ? new Operand.Truth(Boolean.parseBoolean(value))

@@ -139,7 +139,7 @@ public final class Expression {
     return switch (word) {
       case "true" -> new Operand.Truth(true);
       case "false" -> new Operand.Truth(false);
-      case "pi" -> new Operand.Number(Math.PI);
+      case "pi" -> new Operand.Numeric(Math.PI);
       default -> call(word);
     };
   }
@@ -175,6 +175,6 @@ public final class Expression {
     } else if (Double.isInfinite(value)) {
       throw new ExpressionException("The value of `" + user + "` is too large.");
     }
-    return new Operand.Number(value + 0.0); // -0 is 0
+    return new Operand.Numeric(value + 0.0); // -0 is 0
   }
 }

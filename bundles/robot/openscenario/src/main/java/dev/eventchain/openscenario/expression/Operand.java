@@ -19,7 +19,7 @@ public sealed interface Operand {
   }
 
   /** A finite number; whole numbers are numbers as well. */
-  record Number(double value) implements Operand {
+  record Numeric(double value) implements Operand {
 
     private static final double LARGEST_WITHOUT_EXPONENT = 1e15;
 
