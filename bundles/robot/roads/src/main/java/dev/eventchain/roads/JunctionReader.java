@@ -12,21 +12,22 @@ final class JunctionReader {
   static Junction read(String id, XmlElement element, PendingLinks links) {
     Junction.Kind kind =
         element.choice("type", List.of(Junction.Kind.values()), Junction.Kind::spelling);
+    boolean meetsEnds = kind == Junction.Kind.COMMON || kind == Junction.Kind.DIRECT;
     List<Junction.Connection> connections = new ArrayList<>();
     for (XmlElement child : element.children("connection")) {
-      Junction.Connection connection = connection(child, kind);
+      // A virtual connection leaves its road between the ends, and may lack a road.
+      boolean atEnds = meetsEnds && child.optional("type").filter("virtual"::equals).isEmpty();
+      String road = kind == Junction.Kind.DIRECT ? "linkedRoad" : "connectingRoad";
+      Junction.Connection connection = connection(child, road, atEnds);
       connections.add(connection);
-      if (kind == Junction.Kind.COMMON || kind == Junction.Kind.DIRECT) {
+      if (atEnds) {
         links.junctions.add(new PendingLinks.OfJunction(id, connection, child.place()));
       }
     }
     return new Junction(id, element.optional("name").orElse(""), kind, connections);
   }
 
-  private static Junction.Connection connection(XmlElement element, Junction.Kind kind) {
-    String road = kind == Junction.Kind.DIRECT ? "linkedRoad" : "connectingRoad";
-    // Up to 1.4, there is nothing but connecting roads; a virtual connection may lack a road.
-    boolean named = kind == Junction.Kind.COMMON || kind == Junction.Kind.DIRECT;
+  private static Junction.Connection connection(XmlElement element, String road, boolean named) {
     return new Junction.Connection(
         element.string("id"),
         named ? element.string("incomingRoad") : element.optional("incomingRoad").orElse(""),

@@ -17,6 +17,17 @@ record LaneEnd(Road road, int section, int lane, boolean atEnd) {
     return road.sections().get(section);
   }
 
+  /** Returns the pose of the lane's middle. */
+  Pose pose() {
+    return road.pose(s(), laneSection().centre(lane, s()));
+  }
+
+  /** Returns the lane for messages. */
+  @Override
+  public String toString() {
+    return lane + " of road `" + road.id() + "`";
+  }
+
   /** Returns s. */
   double s() {
     return atEnd ? laneSection().end() : laneSection().start();

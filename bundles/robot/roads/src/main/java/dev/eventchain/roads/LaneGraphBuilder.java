@@ -12,6 +12,9 @@ import java.util.stream.Collectors;
 /** Check of all links of a file, and what they say about lanes. */
 final class LaneGraphBuilder {
 
+  /** Distance of linked lanes' middles that may come from widths, in m. */
+  private static final double MEETING = 0.5;
+
   private final Map<String, Road> roads;
   private final Map<String, Junction> junctions;
   private final Problems problems;
@@ -107,6 +110,26 @@ final class LaneGraphBuilder {
     boolean toExists = require(to, place);
     if (fromExists && toExists) {
       graph.add(from, to);
+      requireMeeting(from, to, place);
+    }
+  }
+
+  private void requireMeeting(LaneEnd from, LaneEnd to, Place place) {
+    Pose end = from.pose();
+    Pose start = to.pose();
+    double apart = Math.hypot(start.x() - end.x(), start.y() - end.y());
+    if (apart > MEETING) {
+      problems.add(
+          RoadRules.LINK_APART,
+          place.location(),
+          "The linked lanes "
+              + from
+              + " and "
+              + to
+              + " are "
+              + Math.round(apart * 100) / 100.0
+              + " m apart.",
+          "A path along them jumps there. Correct the link, or the roads.");
     }
   }
 

@@ -67,7 +67,7 @@ final class Locator {
   private static double turn(Road road, double from, double to) {
     double most = 0;
     for (int i = 0; i <= 8; i++) {
-      most = Math.max(most, Math.abs(road.plan(from + (to - from) * i / 8).curvature()));
+      most = Math.max(most, Math.abs(road.curvature(from + (to - from) * i / 8)));
     }
     return most * (to - from);
   }
@@ -82,8 +82,8 @@ final class Locator {
     for (int i = 0; i <= 4; i++) {
       double s = part.from + (part.to - part.from) * i / 4;
       LaneSection section = part.road.section(s);
+      PlanPoint line = part.road.plan(s);
       for (double t : new double[] {section.leftEdge(s), section.rightEdge(s), 0}) {
-        PlanPoint line = part.road.plan(s);
         double x = line.x() - t * Math.sin(line.heading());
         double y = line.y() + t * Math.cos(line.heading());
         minX = Math.min(minX, x);

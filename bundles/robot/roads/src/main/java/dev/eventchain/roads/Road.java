@@ -184,7 +184,7 @@ public final class Road {
 
   /** Returns the curvature of the reference line, in 1/m, positive to the left. */
   public double curvature(double s) {
-    return line.at(s).curvature();
+    return line.curvature(s);
   }
 
   /** Returns the heading of the reference line, in rad. */

@@ -156,7 +156,9 @@ public final class RoadNetwork {
   /** Returns t of a position; empty if there is no such position. */
   Optional<Double> t(LanePosition position) {
     Optional<Road> road =
-        road(position.road()).filter(found -> found.inside(position.s()) == position.s());
+        road(position.road())
+            .filter(
+                found -> Math.abs(found.inside(position.s()) - position.s()) < Records.ROUNDING);
     return road.map(found -> found.section(position.s()))
         .filter(section -> section.lane(position.lane()).isPresent())
         .map(section -> section.centre(position.lane(), position.s()) + position.offset());

@@ -80,25 +80,30 @@ final class RoadReader {
     return traffic == Road.Traffic.RIGHT_HAND ? "RHT" : "LHT";
   }
 
+  /** Reads a link; empty also for one to a place between the ends of a road, which none follows. */
   private Optional<RoadLink> link(String id, Optional<XmlElement> element, RoadLink.Contact end) {
-    return element.map(
-        child -> {
-          boolean junction =
-              child.choice("elementType", List.of("road", "junction"), v -> v).equals("junction");
-          Optional<RoadLink.Contact> contact = Optional.empty();
-          if (!junction) {
-            child.string("contactPoint");
-            contact =
-                Optional.of(
-                    child.choice(
-                        "contactPoint",
-                        List.of(RoadLink.Contact.values()),
-                        RoadLink.Contact::spelling));
-          }
-          RoadLink link = new RoadLink(junction, child.string("elementId"), contact);
-          links.roads.add(new PendingLinks.OfRoad(id, end, link, child.place()));
-          return link;
-        });
+    return element
+        .filter(child -> child.optional("elementS").isEmpty())
+        .map(
+            child -> {
+              RoadLink link = link(child);
+              links.roads.add(new PendingLinks.OfRoad(id, end, link, child.place()));
+              return link;
+            });
+  }
+
+  private static RoadLink link(XmlElement element) {
+    List<String> types = List.of("road", "junction");
+    boolean junction = element.choice("elementType", types, v -> v).equals("junction");
+    String id = element.string("elementId");
+    if (junction) {
+      return new RoadLink(true, id, Optional.empty());
+    }
+    element.string("contactPoint");
+    RoadLink.Contact contact =
+        element.choice(
+            "contactPoint", List.of(RoadLink.Contact.values()), RoadLink.Contact::spelling);
+    return new RoadLink(false, id, Optional.of(contact));
   }
 
   private List<Road.RoadType> types(XmlElement road) {

@@ -14,6 +14,7 @@ final class RoadRules {
   static final Rule LENGTH = Rule.error("road.length");
   static final Rule LENGTH_UNEQUAL = Rule.warning("road.length.unequal");
   static final Rule LINK = Rule.error("road.link");
+  static final Rule LINK_APART = Rule.warning("road.link.apart");
   static final Rule ORDER = Rule.error("road.order");
   static final Rule VERSION = Rule.error("road.version");
   static final Rule VERSION_OLD = Rule.warning("road.version.old");

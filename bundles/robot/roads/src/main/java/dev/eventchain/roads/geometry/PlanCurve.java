@@ -6,6 +6,11 @@ public interface PlanCurve {
   /** Returns the point at an arc length; outside of the curve, its continuation. */
   PlanPoint at(double along);
 
+  /** Returns the curvature at an arc length, in 1/m, positive to the left. */
+  default double curvatureAt(double along) {
+    return at(along).curvature();
+  }
+
   /** A straight line. */
   record Line() implements PlanCurve {
     @Override

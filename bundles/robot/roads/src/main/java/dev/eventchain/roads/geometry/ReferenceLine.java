@@ -65,6 +65,12 @@ public final class ReferenceLine {
             0);
   }
 
+  /** Returns the curvature at s, in 1/m, positive to the left; 0 outside of the road. */
+  public double curvature(double s) {
+    int i = Math.max(0, Profile.indexAt(starts, s));
+    return s < 0 || s > end ? 0 : pieces[i].curve.curvatureAt(s - starts[i]);
+  }
+
   private PlanPoint curveAt(double s) {
     int i = Math.max(0, Profile.indexAt(starts, s));
     return pieces[i].at(s - starts[i]);

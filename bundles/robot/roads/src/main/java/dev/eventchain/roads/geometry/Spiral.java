@@ -56,7 +56,12 @@ final class Spiral implements PlanCurve {
         x[i] + dx(i * panel, along),
         y[i] + dy(i * panel, along),
         heading(along),
-        start + sharpness * along,
+        curvatureAt(along),
         sharpness);
+  }
+
+  @Override
+  public double curvatureAt(double along) {
+    return start + sharpness * along;
   }
 }
