@@ -1,5 +1,6 @@
 package dev.eventchain.openscenario.storyboard;
 
+import dev.eventchain.openscenario.document.ResolvedScenario;
 import dev.eventchain.openscenario.document.ScenarioElement;
 import dev.eventchain.openscenario.storyboard.scene.Actor;
 import dev.eventchain.openscenario.storyboard.scene.Scene;
@@ -31,11 +32,13 @@ public final class StoryboardRun {
   private final Tree tree;
   private final String ego;
 
-  private StoryboardRun(ScenarioElement scenario, RoadMap roads, String ego) {
+  private StoryboardRun(
+      ScenarioElement scenario, Map<String, String> parameters, RoadMap roads, String ego) {
     this.ego = ego;
     scene = new Scene(Entities.of(scenario), roads, Signals.of(scenario));
     declare(scenario, "ParameterDeclarations");
     declare(scenario, "VariableDeclarations");
+    parameters.forEach(scene.parameters()::set);
     ScenarioElement storyboard = scenario.required("Storyboard");
     log = new Log(scene);
     tree = new Tree(storyboard, log);
@@ -66,7 +69,12 @@ public final class StoryboardRun {
    * @throws dev.eventchain.diagnostics.DiagnosticException if the scenario cannot be played
    */
   public static StoryboardRun start(ScenarioElement scenario, RoadMap roads, String ego) {
-    return new StoryboardRun(scenario, roads, ego);
+    return new StoryboardRun(scenario, Map.of(), roads, ego);
+  }
+
+  /** Starts the run of a scenario whose parameters have their values likewise. */
+  public static StoryboardRun start(ResolvedScenario scenario, RoadMap roads, String ego) {
+    return new StoryboardRun(scenario.root(), scenario.parameters(), roads, ego);
   }
 
   /** Returns the simulated time in s. */

@@ -107,8 +107,7 @@ class LateralActionTest {
 
   @Test
   void refusesALaneThatIsNotThere() {
-    StoryboardRun run =
-        ego(laneChange("cubic", "time", 2, "<AbsoluteTargetLane value='-3'/>", ""));
+    StoryboardRun run = ego(laneChange("cubic", "time", 2, "<AbsoluteTargetLane value='-3'/>", ""));
     assertEquals(
         "storyboard.place.none",
         assertThrows(DiagnosticException.class, () -> played(run, 2)).diagnostics().get(0).id());

@@ -177,7 +177,8 @@ class LongitudinalActionTest {
     played(run, 10);
     assertEquals(180, state(run, "Other").pose().x(), EXACT);
     assertEquals(16, state(run, "Other").speed(), 1e-4);
-    assertTrue(changes(run).stream().anyMatch(each -> each.matches("(9.99|10.00) S/A/G/M/E END.*")));
+    assertTrue(
+        changes(run).stream().anyMatch(each -> each.matches("(9.99|10.00) S/A/G/M/E END.*")));
   }
 
   @ParameterizedTest

@@ -135,7 +135,10 @@ class RoutingActionTest {
     String start = "<Position><WorldPosition x='0' y='0' h='0'/></Position>";
     double quarter = 10 * Math.PI;
     String arc =
-        "<Clothoid curvature='0.05' curvaturePrime='0' length='" + quarter + "'>" + start
+        "<Clothoid curvature='0.05' curvaturePrime='0' length='"
+            + quarter
+            + "'>"
+            + start
             + "</Clothoid>";
     StoryboardRun run = played(ego(follow(arc, NONE, "")), 3);
     assertAt(20 * Math.sin(1), 20 - 20 * Math.cos(1), state(run, "Ego"));
@@ -267,8 +270,7 @@ class RoutingActionTest {
     played(walker, 4);
     assertTrue(changes(walker).contains("3.50 S/A/G/M/E END COMPLETE"));
     StoryboardRun driver =
-        played(
-            ego(acquire.formatted("<LanePosition roadId='1' laneId='-1' s='140'/>")), 5);
+        played(ego(acquire.formatted("<LanePosition roadId='1' laneId='-1' s='140'/>")), 5);
     assertAt(150, -1.75, state(driver, "Ego"));
     assertTrue(changes(driver).stream().anyMatch(each -> each.matches("4.0[01] S/A/G/M/E END.*")));
   }

@@ -3,6 +3,7 @@ package dev.eventchain.simulation.stage;
 import dev.eventchain.openscenario.storyboard.world.EntityState;
 import dev.eventchain.openscenario.storyboard.world.Pose;
 import dev.eventchain.simulation.world.Road;
+import dev.eventchain.simulation.world.Track;
 
 /**
  * The plane of the world in that of the road map: its origin is a point of the map, with its x axis
@@ -34,8 +35,24 @@ record Frame(double x, double y, double heading) {
         place.heading() + heading);
   }
 
-  /** Returns the middle of a box that is ahead of an entity's reference point, in the world. */
-  Road.Place middle(EntityState state, double ahead, double left) {
-    return toWorld(state.pose().moved(ahead, left));
+  /**
+   * Returns the middle of an entity's box in the world.
+   *
+   * @param ahead of the reference point, in m
+   * @param left of it likewise
+   */
+  Track.Moment moment(EntityState state, double ahead, double left) {
+    double cos = StrictMath.cos(heading);
+    double sin = StrictMath.sin(heading);
+    // The middle also turns around the reference point.
+    double course = state.pose().heading();
+    double vx =
+        state.vx()
+            - state.yawRate() * (ahead * StrictMath.sin(course) + left * StrictMath.cos(course));
+    double vy =
+        state.vy()
+            + state.yawRate() * (ahead * StrictMath.cos(course) - left * StrictMath.sin(course));
+    return new Track.Moment(
+        toWorld(state.pose().moved(ahead, left)), vx * cos + vy * sin, vy * cos - vx * sin);
   }
 }

@@ -16,6 +16,7 @@ import dev.eventchain.simulation.world.Situation;
 import dev.eventchain.simulation.world.World;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -58,8 +59,9 @@ public final class PlayedFile {
   public static List<PlayedFile> read(
       Path file, Map<String, String> parameters, Optional<String> ego, SourceLocation place) {
     ScenarioFile read = ScenarioFile.read(file, file.toAbsolutePath().getRoot());
+    Map<Path, RoadNetwork> networks = new HashMap<>();
     if (read.kind() == ScenarioFile.Kind.SCENARIO) {
-      return List.of(played(read, parameters, ego, place, "", ""));
+      return List.of(played(read, networks, parameters, ego, place, "", ""));
     }
     Variations variations = Variations.of(read);
     Set<String> varied = varied(variations.cases());
@@ -69,20 +71,23 @@ public final class PlayedFile {
       Map<String, String> values = new LinkedHashMap<>(parameters);
       values.putAll(each);
       String number = String.format(Locale.ROOT, "-%0" + digits + "d", cases.size() + 1);
-      cases.add(played(variations.scenario(), values, ego, place, number, words(each, varied)));
+      cases.add(
+          played(variations.scenario(), networks, values, ego, place, number, words(each, varied)));
     }
     return cases;
   }
 
   private static PlayedFile played(
       ScenarioFile file,
+      Map<Path, RoadNetwork> networks,
       Map<String, String> parameters,
       Optional<String> ego,
       SourceLocation place,
       String suffix,
       String words) {
     ResolvedScenario scenario = file.resolve(parameters);
-    Optional<RoadNetwork> network = scenario.roadFile().map(RoadNetwork::read);
+    Optional<RoadNetwork> network =
+        scenario.roadFile().map(road -> networks.computeIfAbsent(road, RoadNetwork::read));
     String name = ego(scenario, ego, place);
     Stage stage =
         new Stage(

@@ -56,7 +56,7 @@ final class Stage {
   Stage(ResolvedScenario scenario, Optional<RoadNetwork> network, RoadMap roads, String ego) {
     this.scenario = scenario;
     this.roads = roads;
-    StoryboardRun run = StoryboardRun.start(scenario.root(), roads, ego);
+    StoryboardRun run = StoryboardRun.start(scenario, roads, ego);
     this.ego = run.entities().find(ego).orElseThrow();
     this.start = run.states().get(ego);
     this.stops = run.hasStop();
@@ -137,11 +137,7 @@ final class Stage {
     Director.Source source =
         () ->
             new StoryboardDirector(
-                StoryboardRun.start(scenario.root(), roads, ego.name()),
-                frame,
-                road,
-                ego.name(),
-                limit);
+                StoryboardRun.start(scenario, roads, ego.name()), frame, road, ego.name(), limit);
     HumanDriver driver =
         new HumanDriver(
             new SpeedProfile(vehicle.speed(), List.of()),

@@ -89,13 +89,13 @@ final class StoryboardDirector implements Director {
     Map<String, EntityState> next = run.next(STEP);
     tracks.forEach(
         (name, track) ->
-            track.put(moment, place(name, states.get(name)), place(name, next.get(name))));
+            track.put(moment, moment(name, states.get(name)), moment(name, next.get(name))));
   }
 
-  /** Returns the middle of an entity in the world; null if it is not there. */
-  private Road.Place place(String name, EntityState state) {
+  /** Returns an entity in the world; null if it is not there. */
+  private Track.Moment moment(String name, EntityState state) {
     Entity entity = run.entities().objects().get(name);
-    return state.exists() ? frame.middle(state, entity.box().x(), entity.box().y()) : null;
+    return state.exists() ? frame.moment(state, entity.box().x(), entity.box().y()) : null;
   }
 
   private EntityState state(Ego seen) {

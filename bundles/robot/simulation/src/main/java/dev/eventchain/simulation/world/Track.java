@@ -15,8 +15,17 @@ public final class Track implements Course {
   /** Speed below which something that a step moves counts as at rest, in m/s. */
   private static final double REST = 1e-6;
 
+  /**
+   * A moment of a track.
+   *
+   * @param place of the middle
+   * @param vx velocity of the middle in the plane, in m/s
+   * @param vy likewise
+   */
+  public record Moment(Road.Place place, double vx, double vy) {}
+
   private final Road road;
-  private final List<Road.Place> places = new ArrayList<>();
+  private final List<Moment> moments = new ArrayList<>();
   private final List<Road.Station> stations = new ArrayList<>();
 
   /** Creates a track without a place. */
@@ -27,24 +36,25 @@ public final class Track implements Course {
   /**
    * Sets where it is at a moment, and where it will be at the next one.
    *
-   * @param moment number of the moment, from 0; at most that of the last known one
-   * @param now the place; null if it is not there
-   * @param next the place at the next moment; null likewise
+   * @param number that of the moment, from 0; at most that of the last known one
+   * @param now null if it is not there
+   * @param next at the next moment; null likewise
    */
-  public void put(int moment, Road.Place now, Road.Place next) {
-    set(moment, now);
-    set(moment + 1, next);
+  public void put(int number, Moment now, Moment next) {
+    set(number, now);
+    set(number + 1, next);
   }
 
-  private void set(int moment, Road.Place place) {
-    double near =
-        moment > 0 && stations.get(moment - 1) != null ? stations.get(moment - 1).along() : 0.0;
-    Road.Station station = place == null ? null : road.station(place.x(), place.y(), near);
-    if (moment < places.size()) {
-      places.set(moment, place);
-      stations.set(moment, station);
+  private void set(int number, Moment moment) {
+    boolean known = number > 0 && stations.get(number - 1) != null;
+    double near = known ? stations.get(number - 1).along() : 0.0;
+    Road.Station station =
+        moment == null ? null : road.station(moment.place().x(), moment.place().y(), near);
+    if (number < moments.size()) {
+      moments.set(number, moment);
+      stations.set(number, station);
     } else {
-      places.add(place);
+      moments.add(moment);
       stations.add(station);
     }
   }
@@ -52,8 +62,8 @@ public final class Track implements Course {
   @Override
   public Road.Place place(Road on, double seconds) {
     int before = before(seconds);
-    Road.Place one = known(before);
-    Road.Place other = known(before + 1);
+    Road.Place one = known(before).place();
+    Road.Place other = known(before + 1).place();
     double share = share(seconds, before);
     double turned = StrictMath.IEEEremainder(other.heading() - one.heading(), 2.0 * Math.PI);
     return new Road.Place(
@@ -65,20 +75,20 @@ public final class Track implements Course {
   /** Returns the last moment that is not after a time and has a next one. */
   private int before(double seconds) {
     int moment = (int) Math.floor(seconds / STEP + 1e-9);
-    return Math.max(0, Math.min(moment, places.size() - 2));
+    return Math.max(0, Math.min(moment, moments.size() - 2));
   }
 
   private static double share(double seconds, int before) {
     return seconds / STEP - before;
   }
 
-  /** Returns a place, or that of the nearest moment at which it is there. */
-  private Road.Place known(int moment) {
-    return places.get(there(moment));
+  /** Returns a moment, or the nearest one at which it is there. */
+  private Moment known(int moment) {
+    return moments.get(there(moment));
   }
 
   private int there(int moment) {
-    for (int distance = 0; distance < places.size(); distance++) {
+    for (int distance = 0; distance < moments.size(); distance++) {
       if (isThere(moment - distance)) {
         return moment - distance;
       } else if (isThere(moment + distance)) {
@@ -89,7 +99,7 @@ public final class Track implements Course {
   }
 
   private boolean isThere(int moment) {
-    return moment >= 0 && moment < places.size() && places.get(moment) != null;
+    return moment >= 0 && moment < moments.size() && moments.get(moment) != null;
   }
 
   @Override
@@ -111,39 +121,41 @@ public final class Track implements Course {
 
   @Override
   public double speedAlong(double seconds) {
-    Road.Place velocity = velocity(seconds);
     double direction = road.heading(station(seconds).along());
-    return velocity.x() * StrictMath.cos(direction) + velocity.y() * StrictMath.sin(direction);
+    return vx(seconds) * StrictMath.cos(direction) + vy(seconds) * StrictMath.sin(direction);
   }
 
   @Override
   public double speedAcross(double seconds) {
-    Road.Place velocity = velocity(seconds);
     double direction = road.heading(station(seconds).along());
-    return velocity.y() * StrictMath.cos(direction) - velocity.x() * StrictMath.sin(direction);
+    return vy(seconds) * StrictMath.cos(direction) - vx(seconds) * StrictMath.sin(direction);
   }
 
-  /** Returns the velocity in the plane, and the yaw rate. */
-  private Road.Place velocity(double seconds) {
+  private double vx(double seconds) {
     int before = before(seconds);
-    Road.Place one = known(before);
-    Road.Place other = known(before + 1);
-    double turned = StrictMath.IEEEremainder(other.heading() - one.heading(), 2.0 * Math.PI);
-    return new Road.Place(
-        (other.x() - one.x()) / STEP, (other.y() - one.y()) / STEP, turned / STEP);
+    double one = known(before).vx();
+    return one + (known(before + 1).vx() - one) * share(seconds, before);
+  }
+
+  private double vy(double seconds) {
+    int before = before(seconds);
+    double one = known(before).vy();
+    return one + (known(before + 1).vy() - one) * share(seconds, before);
   }
 
   @Override
   public boolean restsFrom(double seconds) {
-    Road.Place velocity = velocity(seconds);
-    return StrictMath.hypot(velocity.x(), velocity.y()) < REST;
+    return StrictMath.hypot(vx(seconds), vy(seconds)) < REST;
   }
 
   /** Returns the bound of the last known step. */
   @Override
   public double fastest(double reach) {
-    Road.Place velocity = velocity((places.size() - 2) * STEP);
-    return StrictMath.hypot(velocity.x(), velocity.y()) + Math.abs(velocity.heading()) * reach;
+    Road.Place one = known(moments.size() - 2).place();
+    Road.Place other = known(moments.size() - 1).place();
+    double turned = StrictMath.IEEEremainder(other.heading() - one.heading(), 2.0 * Math.PI);
+    double way = StrictMath.hypot(other.x() - one.x(), other.y() - one.y());
+    return (way + Math.abs(turned) * reach) / STEP;
   }
 
   @Override

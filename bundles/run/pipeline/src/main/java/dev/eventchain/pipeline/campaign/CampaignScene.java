@@ -49,8 +49,7 @@ final class CampaignScene {
         own.map(file -> Scenario.read(file, run.chain().bench()))
             .orElseGet(() -> ScenarioTemplate.find(scenarios, plan));
     this.template =
-        new ScenarioTemplate(
-            run, plan, own.orElseGet(() -> Path.of(scenario.location().file())));
+        new ScenarioTemplate(run, plan, own.orElseGet(() -> Path.of(scenario.location().file())));
   }
 
   /**

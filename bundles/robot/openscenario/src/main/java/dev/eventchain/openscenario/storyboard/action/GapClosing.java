@@ -8,8 +8,7 @@ import dev.eventchain.openscenario.storyboard.scene.Scene;
  * Closes a gap as fast as limits allow: it speeds up, and slows down so that both are equally fast
  * when the gap is what it should be.
  */
-record GapClosing(
-    LongitudinalDistance gap, boolean trailing, Limits limits, boolean continuous)
+record GapClosing(LongitudinalDistance gap, boolean trailing, Limits limits, boolean continuous)
     implements Longitudinal {
 
   /** Rest of a gap that is none, in m. */

@@ -68,8 +68,7 @@ record LaneShift(
         LaneWay.of(scene, seen)
             .filter(each -> each.point().road().equals(way.point().road()))
             .map(each -> each.onLane(scene, way.point().lane()));
-    return new LaneShift(
-        there.orElse(way), shape, from, to, extent, byWay, done, lasts);
+    return new LaneShift(there.orElse(way), shape, from, to, extent, byWay, done, lasts);
   }
 
   @Override

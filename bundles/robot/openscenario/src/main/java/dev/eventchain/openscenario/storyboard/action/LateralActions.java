@@ -92,8 +92,7 @@ final class LateralActions {
   }
 
   /** Returns a target that moves with the entity that it is relative to if it is continuous. */
-  private static LaneShift.Target offset(
-      Scene scene, ScenarioElement target, boolean continuous) {
+  private static LaneShift.Target offset(Scene scene, ScenarioElement target, boolean continuous) {
     double value = target.number("value");
     if (target.name().equals("AbsoluteTargetLaneOffset")) {
       return at -> value;
@@ -132,8 +131,7 @@ final class LateralActions {
           EntityState.along(
                   there.pose(scene),
                   before.speed(),
-                  Optional.of(
-                      scene.roads().lane(scene.roads().road(there.point()))))
+                  Optional.of(scene.roads().lane(scene.roads().road(there.point()))))
               .withVisibility(before.visibility()));
     }
     if (!(shift.extent() > 0) && !shift.lasts()) {

@@ -71,8 +71,7 @@ final class LateralDistance {
   }
 
   /** Returns the distance between reference points of bodies that touch. */
-  private double covered(
-      Scene scene, Actor actor, LaneWay own, LaneWay reference, double side) {
+  private double covered(Scene scene, Actor actor, LaneWay own, LaneWay reference, double side) {
     if (!action.flag("freespace")) {
       return 0;
     }

@@ -28,8 +28,7 @@ final class LongitudinalDistance {
     other = action.text("entityRef");
     continuous = action.flag("continuous");
     measure =
-        new Measure(
-            Measure.Kind.LONGITUDINAL, Measure.frame(action), action.flag("freespace"));
+        new Measure(Measure.Kind.LONGITUDINAL, Measure.frame(action), action.flag("freespace"));
   }
 
   static PrivateAction read(ScenarioElement action) {

@@ -34,9 +34,7 @@ record SpeedProfile(List<Transition> parts, double elapsed) implements Longitudi
             .map(Limits::of)
             .orElse(
                 new Limits(
-                    Double.POSITIVE_INFINITY,
-                    Double.POSITIVE_INFINITY,
-                    Double.POSITIVE_INFINITY))
+                    Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY))
             .within(actor.entity().performance());
     List<Transition> parts = new ArrayList<>();
     double from = actor.state().speed();

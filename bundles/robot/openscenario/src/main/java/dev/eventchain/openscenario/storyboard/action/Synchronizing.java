@@ -32,8 +32,7 @@ record Synchronizing(String master, Arrival masterAim, Arrival aim, FinalSpeed l
           task,
           new Synchronizing(
               action.text("masterEntityRef"),
-              new Arrival(
-                  masterTarget.in(scene), action.number("targetToleranceMaster", 0)),
+              new Arrival(masterTarget.in(scene), action.number("targetToleranceMaster", 0)),
               new Arrival(target.in(scene), action.number("targetTolerance", 0)),
               last));
       return Optional.of(task);

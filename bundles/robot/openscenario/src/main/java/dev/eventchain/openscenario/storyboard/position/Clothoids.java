@@ -64,8 +64,7 @@ final class Clothoids implements Path {
   static Path single(ScenarioElement shape, Pose start) {
     double slope = shape.number("curvaturePrime", shape.number("curvatureDot", 0));
     double time = shape.number("startTime", Double.NaN);
-    Part part =
-        new Part(start, 0, shape.number("length"), shape.number("curvature"), slope, time);
+    Part part = new Part(start, 0, shape.number("length"), shape.number("curvature"), slope, time);
     double end = shape.number("stopTime", Double.NaN);
     if (end < time) {
       throw Trajectory.wrong(shape, "The trajectory ends before it begins.");
