@@ -145,6 +145,21 @@ final class ScenarioOptions {
     return noStrength ? Optional.of(StrengthExtent.OFF) : Optional.ofNullable(strength);
   }
 
+  /** Returns whether none of them is given. */
+  boolean areDefault() {
+    return names.isEmpty()
+        && files.isEmpty()
+        && accept.isEmpty()
+        && driver == Transport.LOCKSTEP
+        && !realTime
+        && !attach
+        && !mcap
+        && faults == null
+        && strength == null
+        && !noStrength
+        && compare == null;
+  }
+
   @Option(
       names = "--compare",
       paramLabel = "FILE",

@@ -1,10 +1,17 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.pipeline.Outcome;
+import dev.eventchain.pipeline.campaign.CampaignOptions;
+import dev.eventchain.pipeline.campaign.CampaignOutcome;
+import dev.eventchain.pipeline.campaign.Campaigns;
+import dev.eventchain.pipeline.campaign.Suites;
+import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Stage;
 import java.nio.file.Path;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** The commands that always run a single stage anew. */
@@ -78,18 +85,49 @@ final class StageCommands {
       description = "The generated nodes in the closed loop: verdicts and a measured model.")
   static final class Simulate extends ProjectCommand {
 
+    private final Console console;
+
     @Parameters(paramLabel = "DIR", description = "The project's folder.")
     private Path folder;
+
+    @Option(
+        names = "--suite",
+        paramLabel = "NAME|FILE",
+        description =
+            "Simulate, instead of the project's scenarios, the cases of a suite: un-r152, or those"
+                + " of a campaign file about scenarios of its own. The nodes are generated first, as"
+                + " far as something has changed. Results are in OUTPUT/campaigns.")
+    private String suite;
 
     @Mixin private ScenarioOptions scenarios;
 
     Simulate(Console console) {
       super(console);
+      this.console = console;
     }
 
     @Override
     Outcome work() {
-      return execute(folder, Stage.SIMULATE, Stage.SIMULATE, true, new LlmOptions(), scenarios);
+      return suite == null
+          ? execute(folder, Stage.SIMULATE, Stage.SIMULATE, true, new LlmOptions(), scenarios)
+          : suite();
+    }
+
+    private Outcome suite() {
+      if (!scenarios.areDefault()) {
+        throw wrongUsage("--suite has scenarios and a driver of its own");
+      }
+      Project project = Project.open(folder);
+      CampaignOutcome result =
+          Campaigns.run(
+              project,
+              upToGeneration(project, new LlmOptions()),
+              CampaignOptions.of(Suites.file(suite, outputOf(project))),
+              new ProgressLines(console.err(), console.terminal()));
+      if (format() == DiagnosticFormat.TEXT) {
+        console.out().print(result.text());
+      }
+      return result.outcome();
     }
   }
 }

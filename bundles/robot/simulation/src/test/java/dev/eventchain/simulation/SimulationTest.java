@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.fixtures.InTurn;
 import dev.eventchain.model.eventchain.ComponentImplementation;
@@ -339,7 +340,7 @@ class SimulationTest {
             request.chain(),
             request.packageFolder(),
             request.manifest(),
-            List.of(folder.resolve("msg")),
+            MessageCatalog.of(List.of(folder.resolve("msg"))),
             request.bench(),
             request.scenarios());
     DiagnosticException failure =

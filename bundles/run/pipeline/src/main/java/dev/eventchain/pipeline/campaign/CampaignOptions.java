@@ -26,6 +26,19 @@ public record CampaignOptions(
     Optional<CampaignEngine> engine,
     Optional<Path> compared) {
 
+  /** Returns the options of all campaigns of a file, simulated here. */
+  public static CampaignOptions of(Path file) {
+    return new CampaignOptions(
+        file,
+        Optional.empty(),
+        false,
+        Shard.ALL,
+        OptionalInt.empty(),
+        List.of(),
+        Optional.empty(),
+        Optional.empty());
+  }
+
   public CampaignOptions {
     merged = List.copyOf(merged);
   }

@@ -1,0 +1,98 @@
+package dev.eventchain.pipeline.campaign;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.output.OutputFolder;
+import dev.eventchain.pipeline.campaign.plan.CampaignRules;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * Suites: campaigns about scenarios of their own, which ask of any project what a protocol asks of
+ * a function. Some come with the program.
+ */
+public final class Suites {
+
+  /** The folder of those that come with the program, in the output folder. */
+  private static final String FOLDER = "suites";
+
+  private static final String RESOURCES = "/dev/eventchain/pipeline/suites/";
+
+  /** The scenarios of each suite, by its name, which is also that of its campaign file. */
+  private static final Map<String, List<String>> KNOWN =
+      new TreeMap<>(
+          Map.of(
+              "un-r152",
+              List.of(
+                  "bend-ahead",
+                  "between-two-cars",
+                  "cut-out",
+                  "moving-target",
+                  "oncoming",
+                  "overhead-sign",
+                  "stationary-target",
+                  "steel-plate")));
+
+  private Suites() {}
+
+  /** Returns the names of those that come with the program. */
+  public static List<String> names() {
+    return List.copyOf(KNOWN.keySet());
+  }
+
+  /**
+   * Returns the campaign file of a suite.
+   *
+   * @param suite its name, or the path of its file
+   * @param output the folder of results, into which the files of a name are written
+   * @throws DiagnosticException (INPUT) if there is neither
+   */
+  public static Path file(String suite, Path output) {
+    if (!KNOWN.containsKey(suite)) {
+      Path file = Path.of(suite);
+      if (Files.exists(file)) {
+        return file;
+      }
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.of(
+                  CampaignRules.NAME,
+                  "There is no suite '" + suite + "', and no file of this name.",
+                  SourceLocation.NONE)
+              .withHint(
+                  NearestName.of(suite, names())
+                      .map(name -> "Did you mean '" + name + "'?")
+                      .orElse("Known suites: " + String.join(", ", names()) + ".")));
+    }
+    Path folder = output.resolve(FOLDER).resolve(suite);
+    try (OutputFolder written = OutputFolder.open(folder)) {
+      write(written, suite, suite);
+      KNOWN.get(suite).forEach(scenario -> write(written, suite, scenario));
+    }
+    return folder.resolve(suite + ".yaml");
+  }
+
+  private static void write(OutputFolder written, String suite, String name) {
+    String file = name + ".yaml";
+    try (InputStream input = Suites.class.getResourceAsStream(RESOURCES + suite + "/" + file)) {
+      written
+          .write(file, input.readAllBytes(), OutputFolder.OnEdit.OVERWRITE)
+          .finding()
+          .filter(finding -> Diagnostic.anyError(List.of(finding)))
+          .ifPresent(
+              finding -> {
+                throw new DiagnosticException(DiagnosticException.Reason.INPUT, List.of(finding));
+              });
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}
