@@ -1,7 +1,11 @@
 package dev.eventchain.openscenario.storyboard;
 
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.openscenario.document.ResolvedScenario;
 import dev.eventchain.openscenario.document.ScenarioElement;
+import dev.eventchain.openscenario.storyboard.check.PlaceCheck;
+import dev.eventchain.openscenario.storyboard.check.StoryboardCheck;
 import dev.eventchain.openscenario.storyboard.scene.Actor;
 import dev.eventchain.openscenario.storyboard.scene.Scene;
 import dev.eventchain.openscenario.storyboard.scene.Signals;
@@ -12,6 +16,7 @@ import dev.eventchain.openscenario.storyboard.world.Collisions;
 import dev.eventchain.openscenario.storyboard.world.Entities;
 import dev.eventchain.openscenario.storyboard.world.EntityState;
 import dev.eventchain.openscenario.storyboard.world.RoadMap;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -32,18 +37,31 @@ public final class StoryboardRun {
   private final Tree tree;
   private final String ego;
 
+  private final List<Diagnostic> findings = new ArrayList<>();
+
   private StoryboardRun(
       ScenarioElement scenario, Map<String, String> parameters, RoadMap roads, String ego) {
     this.ego = ego;
+    report(StoryboardCheck.findings(scenario, ego));
     scene = new Scene(Entities.of(scenario), roads, Signals.of(scenario));
     declare(scenario, "ParameterDeclarations");
     declare(scenario, "VariableDeclarations");
     parameters.forEach(scene.parameters()::set);
     ScenarioElement storyboard = scenario.required("Storyboard");
+    report(PlaceCheck.places(storyboard, scene));
     log = new Log(scene);
     tree = new Tree(storyboard, log);
     new Init(storyboard, scene).run();
     tree.start();
+    report(PlaceCheck.begin(storyboard, scene, ego));
+  }
+
+  /** Keeps warnings, and ends with errors. */
+  private void report(List<Diagnostic> found) {
+    findings.addAll(found);
+    if (Diagnostic.anyError(found)) {
+      throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, findings);
+    }
   }
 
   private void declare(ScenarioElement scenario, String kind) {
@@ -75,6 +93,11 @@ public final class StoryboardRun {
   /** Starts the run of a scenario whose parameters have their values likewise. */
   public static StoryboardRun start(ResolvedScenario scenario, RoadMap roads, String ego) {
     return new StoryboardRun(scenario.root(), scenario.parameters(), roads, ego);
+  }
+
+  /** Returns what was found before the run and does not hinder it. */
+  public List<Diagnostic> findings() {
+    return List.copyOf(findings);
   }
 
   /** Returns the simulated time in s. */

@@ -218,9 +218,10 @@ class RoutingActionTest {
             + " many knots as both together: it has 0 and 0.",
       })
   void refusesWhatIsNoTrajectory(String shape, String message) {
-    StoryboardRun run = ego(follow(shape, NONE, ""));
     Diagnostic finding =
-        assertThrows(DiagnosticException.class, () -> played(run, 2)).diagnostics().get(0);
+        assertThrows(DiagnosticException.class, () -> ego(follow(shape, NONE, "")))
+            .diagnostics()
+            .get(0);
     assertEquals("storyboard.trajectory", finding.id());
     assertEquals(message, finding.message());
   }

@@ -37,7 +37,12 @@ final class Scenarios {
 
   /** Returns the elements of a text in which no parameter or catalog is used. */
   static ScenarioElement tree(String text) {
-    return element(XmlElement.parse(SourceText.of("test.xosc", text), Rule.error("osc.xml")));
+    return tree(SourceText.of("test.xosc", text));
+  }
+
+  /** Returns likewise those of a file. */
+  static ScenarioElement tree(SourceText text) {
+    return element(XmlElement.parse(text, Rule.error("test.xml")));
   }
 
   private static ScenarioElement element(XmlElement written) {

@@ -56,8 +56,12 @@ public final class Paths implements ElementPaths {
     return from >= 0 && names.subList(from, names.size()).equals(last);
   }
 
-  /** Returns the paths of all elements, in the order of the file. */
-  public List<String> all() {
-    return entries.stream().map(Entry::path).toList();
+  /** Returns the names of the elements of a type, in the order of the file. */
+  public List<String> names(String type) {
+    return entries.stream()
+        .filter(each -> each.type().equals(type))
+        .map(each -> each.names().get(each.names().size() - 1))
+        .distinct()
+        .toList();
   }
 }

@@ -1,0 +1,2 @@
+/** Checks of a scenario before its storyboard is played. */
+package dev.eventchain.openscenario.storyboard.check;
