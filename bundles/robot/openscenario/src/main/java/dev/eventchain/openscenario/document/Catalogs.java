@@ -9,11 +9,14 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -23,10 +26,18 @@ final class Catalogs {
 
   /** A catalog, or the reason why a file with the name of one could not be read. */
   private record Catalog(
-      String name,
-      Version version,
-      List<XmlElement> entries,
-      Optional<DiagnosticException> failure) {}
+      String name, Map<String, List<Entry>> entries, Optional<DiagnosticException> failure) {
+
+    static Catalog of(String fileName, XmlElement written, Version version) {
+      Map<String, List<Entry>> entries = new LinkedHashMap<>();
+      for (XmlElement each : written.children()) {
+        entries
+            .computeIfAbsent(each.attribute("name").orElse(""), name -> new ArrayList<>())
+            .add(new Entry(each, version));
+      }
+      return new Catalog(written.attribute("name").orElse(fileName), entries, Optional.empty());
+    }
+  }
 
   /** A folder as it is written, and where. */
   record Location(String path, SourceLocation place) {}
@@ -50,12 +61,14 @@ final class Catalogs {
    * @param folders the folders to look in
    */
   Optional<Entry> find(Reference reference, List<Location> folders, Findings findings) {
-    Set<Catalog> there = new LinkedHashSet<>();
+    // Several kinds of catalogs may be in one folder.
+    Set<List<Catalog>> seen = Collections.newSetFromMap(new IdentityHashMap<>());
+    List<Catalog> there = new ArrayList<>();
     boolean complete = true;
     for (Location location : folders) {
       Optional<List<Catalog>> all = in(location, findings);
       complete &= all.isPresent();
-      there.addAll(all.orElse(List.of()));
+      all.filter(seen::add).ifPresent(there::addAll);
     }
     List<Catalog> named =
         there.stream().filter(each -> each.name().equals(reference.catalog())).toList();
@@ -77,18 +90,13 @@ final class Catalogs {
   private static Optional<Entry> entry(
       Reference reference, List<Catalog> catalogs, Findings findings) {
     List<Entry> found = new ArrayList<>();
-    List<String> names = new ArrayList<>();
     for (Catalog catalog : catalogs) {
-      for (XmlElement each : catalog.entries()) {
-        String name = each.attribute("name").orElse("");
-        names.add(name);
-        if (name.equals(reference.entry())) {
-          found.add(new Entry(each, catalog.version()));
-        }
-      }
+      found.addAll(catalog.entries().getOrDefault(reference.entry(), List.of()));
     }
     boolean unreadable = catalogs.stream().anyMatch(each -> each.failure().isPresent());
-    if (found.isEmpty() && !unreadable) {
+    if (found.isEmpty() && !unreadable && !findings.isFull()) {
+      Set<String> names = new TreeSet<>();
+      catalogs.forEach(each -> names.addAll(each.entries().keySet()));
       findings.add(
           DocumentRules.CATALOG_ENTRY,
           "The catalog `" + reference.catalog() + "` has no `" + reference.entry() + "`.",
@@ -131,16 +139,9 @@ final class Catalogs {
         ScenarioFile each = ScenarioFile.load(file, folder.root());
         each.element()
             .child("Catalog")
-            .ifPresent(
-                catalog ->
-                    catalogs.add(
-                        new Catalog(
-                            catalog.attribute("name").orElse(name),
-                            each.version(),
-                            catalog.children(),
-                            Optional.empty())));
+            .ifPresent(written -> catalogs.add(Catalog.of(name, written, each.version())));
       } catch (DiagnosticException e) {
-        catalogs.add(new Catalog(name, Version.LATEST, List.of(), Optional.of(e)));
+        catalogs.add(new Catalog(name, Map.of(), Optional.of(e)));
       }
     }
     return catalogs;

@@ -8,10 +8,12 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 
 /** All combinations of deterministic distributions, in the order of their file. */
 final class DeterministicCases {
 
+  private static final int MOST_DIGITS = 400;
   private static final BigInteger MOST = BigInteger.valueOf(Variations.MOST);
 
   private final VariedParameters parameters;
@@ -112,7 +114,11 @@ final class DeterministicCases {
     BigDecimal lower = new BigDecimal(range.text("lowerLimit"));
     BigDecimal upper = new BigDecimal(range.text("upperLimit"));
     BigDecimal step = new BigDecimal(distribution.text("stepWidth"));
-    if (step.signum() <= 0 || lower.compareTo(upper) > 0) {
+    if (!Stream.of(lower, upper, step).allMatch(DeterministicCases::isComputable)) {
+      parameters.wrong(
+          "The range has a number with hundreds of digits.", distribution.location(), "Round it.");
+      return;
+    } else if (step.signum() <= 0 || lower.compareTo(upper) > 0) {
       parameters.wrong(
           "No steps of " + step + " lead from " + lower + " to " + upper + ".",
           distribution.location(),
@@ -132,5 +138,10 @@ final class DeterministicCases {
       values.add(Map.of(name, text));
     }
     add(values);
+  }
+
+  /** Returns whether a number has so few digits that sums with it are computed at once. */
+  private static boolean isComputable(BigDecimal number) {
+    return Math.abs(number.scale()) <= MOST_DIGITS && number.precision() <= MOST_DIGITS;
   }
 }

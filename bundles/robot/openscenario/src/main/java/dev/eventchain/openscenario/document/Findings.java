@@ -17,9 +17,14 @@ final class Findings {
   private final Set<Diagnostic> found = new LinkedHashSet<>();
 
   void add(Rule rule, String message, SourceLocation place, String hint) {
-    if (found.size() < MOST) {
+    if (!isFull()) {
       found.add(Diagnostic.of(rule, message, place).withHint(hint));
     }
+  }
+
+  /** Returns whether no more findings are kept, so that hints need not be thought of. */
+  boolean isFull() {
+    return found.size() >= MOST;
   }
 
   void addAll(Iterable<Diagnostic> others) {

@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -24,7 +25,7 @@ import java.util.Optional;
  */
 final class Resolver {
 
-  private static final int MOST_ELEMENTS = 1_000_000;
+  private static final int MOST_ELEMENTS = 300_000;
 
   private static final int DEEPEST_REFERENCES = 30;
 
@@ -33,6 +34,7 @@ final class Resolver {
   private final ScenarioFile file;
   private final Findings findings = new Findings();
   private final Map<String, Catalogs.Location> catalogFolders = new LinkedHashMap<>();
+  private final Map<XmlElement, Boolean> sound = new HashMap<>();
   private final Deque<XmlElement> open = new ArrayDeque<>();
   private final DeclaredNames declared;
   private int elements;
@@ -253,9 +255,13 @@ final class Resolver {
           "Leave that reference out.");
       return false;
     }
+    ElementType type = Vocabulary.standard().element(parent.children().get(kind));
+    return sound.computeIfAbsent(entry.element(), element -> isSound(entry, type));
+  }
+
+  private boolean isSound(Catalogs.Entry entry, ElementType type) {
     Findings wrong = new Findings();
-    new StructureCheck(entry.version(), wrong)
-        .check(entry.element(), Vocabulary.standard().element(parent.children().get(kind)));
+    new StructureCheck(entry.version(), wrong).check(entry.element(), type);
     findings.addAll(wrong.all());
     return !Diagnostic.anyError(wrong.all());
   }

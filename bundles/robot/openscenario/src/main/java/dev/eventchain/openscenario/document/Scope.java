@@ -239,6 +239,6 @@ final class Scope {
         DocumentRules.PARAMETER_UNKNOWN,
         "No parameter `" + name + "` is declared.",
         place,
-        NearestName.hint(name, known));
+        findings.isFull() ? "" : NearestName.hint(name, known));
   }
 }

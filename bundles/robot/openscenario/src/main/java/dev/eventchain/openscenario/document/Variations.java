@@ -55,11 +55,19 @@ public record Variations(
     ScenarioElement values =
         new Resolver(file).tree(findings).required("ParameterValueDistribution");
     findings.endIfWrong();
-    ScenarioElement named = values.required("ScenarioFile");
+    ScenarioFile scenario = scenario(file, values.required("ScenarioFile"));
+    findings.addAll(scenario.warnings());
+    List<Map<String, String>> cases =
+        values.child("Deterministic").isPresent()
+            ? new DeterministicCases(scenario, findings).of(values.required("Deterministic"))
+            : new StochasticCases(scenario, findings).of(values.required("Stochastic"));
+    return new Variations(scenario, cases, findings.endIfWrong());
+  }
+
+  private static ScenarioFile scenario(ScenarioFile file, ScenarioElement named) {
     SourceLocation place = named.location("filepath");
     Path path = file.folder().find(named.text("filepath"), place);
     ScenarioFile scenario = ScenarioFile.read(path, file.root());
-    findings.addAll(scenario.warnings());
     if (scenario.kind() != Kind.SCENARIO) {
       throw Findings.refused(
           DocumentRules.KIND,
@@ -67,10 +75,6 @@ public record Variations(
           place,
           "Name the scenario whose parameters vary.");
     }
-    List<Map<String, String>> cases =
-        values.child("Deterministic").isPresent()
-            ? new DeterministicCases(scenario, findings).of(values.required("Deterministic"))
-            : new StochasticCases(scenario, findings).of(values.required("Stochastic"));
-    return new Variations(scenario, cases, findings.endIfWrong());
+    return scenario;
   }
 }
