@@ -82,7 +82,9 @@ final class Catalogs {
           DocumentRules.CATALOG_MISSING,
           "No catalog `" + reference.catalog() + "` is in " + listed(folders) + ".",
           reference.place(),
-          NearestName.hint(reference.catalog(), there.stream().map(Catalog::name).toList()));
+          NearestName.hint(
+              reference.catalog(),
+              there.stream().filter(each -> each.failure().isEmpty()).map(Catalog::name).toList()));
     }
     return Optional.empty();
   }

@@ -101,13 +101,13 @@ final class Resolver {
   private Optional<Path> road(ScenarioElement root) {
     Optional<ScenarioElement> logic =
         root.child("RoadNetwork").flatMap(network -> network.child("LogicFile"));
-    if (logic.isEmpty() || !logic.get().has("filepath")) {
+    if (logic.isEmpty() || logic.get().optional("filepath").orElse("").isBlank()) {
       return Optional.empty();
     }
     SourceLocation place = logic.get().location("filepath");
     try {
       Path found = file.folder().find(logic.get().text("filepath"), place);
-      if (Files.notExists(found)) {
+      if (!Files.isRegularFile(found)) {
         findings.add(
             DocumentRules.PATH,
             "There is no file `" + logic.get().text("filepath") + "`.",

@@ -106,7 +106,14 @@ final class StructureCheck {
         report(later, DocumentRules.ELEMENT_MISSING, message, element.location(), "");
       }
       case SURPLUS -> {
-        String message = child + " stands too often in " + named(element) + ", or beside another.";
+        String message =
+            there.size() == 1
+                ? "Of "
+                    + child
+                    + " and another element in "
+                    + named(element)
+                    + ", only one may be there."
+                : child + " stands too often in " + named(element) + ".";
         XmlElement last = there.get(there.size() - 1);
         report(later, DocumentRules.ELEMENT_SURPLUS, message, last.location(), "Leave one out.");
       }
