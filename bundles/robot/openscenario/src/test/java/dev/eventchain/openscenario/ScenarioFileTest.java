@@ -118,6 +118,9 @@ class ScenarioFileTest {
     Files.createSymbolicLink(
         inside.resolve("catalogs"), LIBRARY.resolve("catalogs").toAbsolutePath());
     assertEquals("osc.path", firstId(() -> ScenarioFile.read(copy).resolve(Map.of())));
+    Files.delete(inside.resolve("catalogs"));
+    Files.createSymbolicLink(inside.resolve("catalogs"), folder);
+    assertEquals("osc.path", firstId(() -> ScenarioFile.read(copy).resolve(Map.of())));
   }
 
   /** What version 1.0 says is in the form of the latest version. */

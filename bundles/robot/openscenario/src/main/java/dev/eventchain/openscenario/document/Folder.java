@@ -43,7 +43,7 @@ record Folder(Path root, Path folder) {
       existing = existing.getParent();
     }
     return found.toAbsolutePath().normalize().startsWith(root.toAbsolutePath().normalize())
-        && (real(existing).startsWith(top) || top.startsWith(real(existing)));
+        && (real(existing).startsWith(top) || Files.notExists(root));
   }
 
   private static Path real(Path path) {
