@@ -164,7 +164,16 @@ def places_of_clothoids(name, root):
                 start, end = (float(spiral.get(key)) for key in ("curvStart", "curvEnd"))
                 curve = Clothoid.StandardParams(x, y, heading, start, (end - start) / length, length)
                 for along in np.linspace(0, length * 0.9999, 11):
-                    yield name, road.get("id"), s + along, "", "line", curve.X(along), curve.Y(along), curve.Theta(along)
+                    yield (
+                        name,
+                        road.get("id"),
+                        s + along,
+                        "",
+                        "line",
+                        curve.X(along),
+                        curve.Y(along),
+                        curve.Theta(along),
+                    )
 
 
 def places_of_parametric(name, root):
@@ -187,7 +196,8 @@ def places_of_curve(name, road, geometry, curve):
         return quad(lambda q: np.hypot(du(q), dv(q)), 0, p, epsabs=1e-12)[0]
 
     for share in np.linspace(0, 1, 9):
-        p = brentq(lambda q: arc(q) - share * arc(end), 0, end * 1.001) if share > 0 else 0
+        target = share * arc(end)
+        p = brentq(lambda q, to=target: arc(q) - to, 0, end * 1.001) if share > 0 else 0
         at_x = x + u(p) * np.cos(heading) - v(p) * np.sin(heading)
         at_y = y + u(p) * np.sin(heading) + v(p) * np.cos(heading)
         yield name, road.get("id"), s + share * length, "", "line", at_x, at_y, heading + np.arctan2(dv(p), du(p))

@@ -46,6 +46,10 @@ final class NetworkReader {
   }
 
   private Header header(XmlElement element) {
+    if (header != null) {
+      problems.add(
+          RoadRules.DUPLICATE, element, "There is a second `header`.", "Remove one of them.");
+    }
     double major = element.number("revMajor");
     double minor = element.number("revMinor");
     // What is no number is reported where it is read.

@@ -57,7 +57,7 @@ final class ObjectsReader {
         element.number("width", 0),
         element.number("height", 0),
         radius.filter(value -> value > 0),
-        outlines(element, pose));
+        outlines(element, pose, 0, 0));
   }
 
   private Pose pose(XmlElement element, double s, double t, double height) {
@@ -110,7 +110,9 @@ final class ObjectsReader {
         between(repeat, "width", share, element.number("width", 0)),
         between(repeat, "height", share, element.number("height", 0)),
         radius > 0 && part == 0 ? Optional.of(radius) : Optional.empty(),
-        part > 0 ? List.of() : outlines(element, pose));
+        part > 0
+            ? List.of()
+            : outlines(element, pose, s - element.number("s"), t - element.number("t")));
   }
 
   private static double between(XmlElement repeat, String name, double share, double absent) {
@@ -118,7 +120,13 @@ final class ObjectsReader {
     return start + share * (repeat.number(name + "End", start) - start);
   }
 
-  private List<Outline> outlines(XmlElement element, Pose origin) {
+  /**
+   * Returns the outlines of a body.
+   *
+   * @param ds the distance along the road to where the object itself is
+   * @param dt the same across the road
+   */
+  private List<Outline> outlines(XmlElement element, Pose origin, double ds, double dt) {
     Stream<XmlElement> elements =
         Stream.concat(
             element.children("outline").stream(), element.children("outlines", "outline").stream());
@@ -129,14 +137,14 @@ final class ObjectsReader {
                     !outline.optional("closed").orElse("true").equals("false"),
                     outline.children().stream()
                         .filter(child -> child.name().startsWith("corner"))
-                        .map(corner -> corner(corner, origin))
+                        .map(corner -> corner(corner, origin, ds, dt))
                         .toList()))
         .toList();
   }
 
-  private Corner corner(XmlElement corner, Pose origin) {
+  private Corner corner(XmlElement corner, Pose origin, double ds, double dt) {
     if (corner.name().equals("cornerRoad")) {
-      Pose on = road.pose(corner.number("s"), corner.number("t"), corner.number("dz"));
+      Pose on = road.pose(corner.number("s") + ds, corner.number("t") + dt, corner.number("dz"));
       return new Corner(on.x(), on.y(), on.z(), corner.number("height"));
     }
     double u = corner.number("u");

@@ -20,6 +20,9 @@ final class PlanReader {
    */
   private static final double GAP = 0.05;
 
+  /** Difference between a road's length and its geometries' that comes from whole metres, in m. */
+  private static final double ROUNDED_LENGTH = 0.5;
+
   /** Turns of a curve beyond which it is no road: a hundred times around. */
   private static final double MOST_TURNED = 200 * Math.PI;
 
@@ -193,9 +196,10 @@ final class PlanReader {
     }
     ReferenceLine.Piece last = pieces.get(pieces.size() - 1);
     double end = last.start() + last.length();
-    if (length > 0 && Math.abs(end - length) > GAP) {
+    double unequal = Math.abs(end - length);
+    if (length > 0 && unequal > GAP) {
       problems.add(
-          RoadRules.LENGTH,
+          unequal > ROUNDED_LENGTH ? RoadRules.LENGTH : RoadRules.LENGTH_UNEQUAL,
           road.at("length"),
           "The road is " + length + " m long, and its geometries end at " + rounded(end) + " m.",
           "Write the sum of the geometries' lengths.");

@@ -3,6 +3,7 @@ package dev.eventchain.roads;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.diagnostics.FileReads;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.roads.xml.XmlRules;
@@ -56,6 +57,7 @@ public final class RoadNetwork {
   }
 
   private static void requireSize(Path file) {
+    FileReads.note(file);
     try {
       if (Files.isRegularFile(file) && Files.size(file) > LARGEST) {
         throw new DiagnosticException(

@@ -24,6 +24,7 @@ final class RoadReader {
   /** Reads a road; empty if it has problems, which are reported. */
   Optional<Road> read(String id, XmlElement element) {
     int before = problems.errors();
+    requireSingle(element);
     Road.Facts facts = facts(id, element);
     double length = element.number("length");
     if (length <= 0) {
@@ -46,6 +47,20 @@ final class RoadReader {
     return problems.errors() > before
         ? Optional.empty()
         : Optional.of(new Road(facts, line.get(), surface, offset, sections, furniture));
+  }
+
+  /** Reports parts of which a road has only one, as only the first would be read. */
+  private void requireSingle(XmlElement road) {
+    for (String part : List.of("link", "planView", "elevationProfile", "lateralProfile", "lanes")) {
+      List<XmlElement> found = road.children(part);
+      if (found.size() > 1) {
+        problems.add(
+            RoadRules.DUPLICATE,
+            found.get(1),
+            "The road has a second `" + part + "`.",
+            "Remove one of them, or put what is in both into one.");
+      }
+    }
   }
 
   private Road.Furniture furniture(Road bare, XmlElement element) {

@@ -156,6 +156,17 @@ class RoadTest {
   }
 
   @Test
+  void outlinesByTheRoadMoveWithTheirRepetitions() {
+    List<RoadObject.Body> strips = object("strip").bodies();
+    assertEquals(3, strips.size());
+    RoadObject.Outline outline = strips.get(1).outlines().get(0);
+    Pose corner = BANKED.pose(22, -6);
+    assertFalse(outline.closed());
+    assertEquals(
+        new RoadObject.Corner(corner.x(), corner.y(), corner.z(), 1), outline.corners().get(1));
+  }
+
+  @Test
   void signalsFaceTheirTrafficAndReferToEachOther() {
     Signal limit = BANKED.signals().get(0);
     assertEquals(Math.PI, limit.pose().heading(), 1e-9);
