@@ -37,6 +37,7 @@ final class CampaignScene {
   private final Scenario scenario;
   private final ScenarioTemplate template;
   private Optional<CaseSimulation> simulation = Optional.empty();
+  private boolean wasChanged;
 
   private CampaignScene(
       RunContext run, CampaignPlan plan, Fingerprint inputs, List<Scenario> scenarios) {
@@ -178,14 +179,19 @@ final class CampaignScene {
             Confinement.detect().name().toLowerCase(Locale.ROOT).replace('_', '-'));
   }
 
+  /** Returns whether all files that a result depends on have always been as at first. */
+  synchronized boolean isUnchanged() {
+    wasChanged |= !fingerprint(run, plan).value().equals(inputs.value());
+    return !wasChanged;
+  }
+
   /**
    * Drops the results if some of them may be of other files than the others.
    *
-   * @param before the hash of all inputs before the first case
-   * @throws DiagnosticException (INPUT) if it is another one now
+   * @throws DiagnosticException (INPUT) if a file is, or was, another one than at first
    */
-  void requireUnchanged(String before, CampaignStore store) {
-    if (!fingerprint(run, plan).value().equals(before)) {
+  void requireUnchanged(CampaignStore store) {
+    if (!isUnchanged()) {
       store.discard();
       throw changed(plan.file());
     }

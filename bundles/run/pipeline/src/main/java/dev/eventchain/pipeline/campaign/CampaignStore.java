@@ -19,6 +19,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
 
 /**
  * The folder of a campaign's results. Cases are kept in numbered files while it runs, so that one
@@ -69,6 +70,7 @@ final class CampaignStore implements AutoCloseable {
   private final Path folder;
   private final OutputFolder output;
   private final Cases empty;
+  private final BooleanSupplier unchanged;
   private final Map<CampaignCase, CampaignRow> rows = new TreeMap<>(CampaignCase.ORDER);
   private final List<CampaignRow> unsaved = new ArrayList<>();
   private int parts;
@@ -80,11 +82,13 @@ final class CampaignStore implements AutoCloseable {
    * Opens the folder, with the results of an interrupted campaign with the same inputs.
    *
    * @param results the folder with those of all campaigns
+   * @param unchanged returns whether the results so far are of these inputs
    */
-  CampaignStore(Path results, Cases empty) {
+  CampaignStore(Path results, Cases empty, BooleanSupplier unchanged) {
     this.folder = results.resolve(empty.shard().folder(empty.campaign()));
     this.output = OutputFolder.open(folder);
     this.empty = empty;
+    this.unchanged = unchanged;
     output.write(RunContext.IGNORE, new byte[0], OutputFolder.OnEdit.OVERWRITE);
     recall(CASES);
     while (recall(part(parts + 1)) || output.read(part(parts + 1)).isPresent()) {
@@ -161,9 +165,12 @@ final class CampaignStore implements AutoCloseable {
     }
   }
 
-  /** Writes the results that are in no file. */
+  /**
+   * Writes the results that are in no file, unless they may be of other inputs: after a kill,
+   * nobody else would see an edit that was taken back.
+   */
   synchronized void save() {
-    if (!unsaved.isEmpty()) {
+    if (!unsaved.isEmpty() && unchanged.getAsBoolean()) {
       write(part(++parts), ResultJson.bytes(empty.with(unsaved, false)));
       unsaved.clear();
     }

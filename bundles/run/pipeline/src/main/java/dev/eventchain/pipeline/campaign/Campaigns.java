@@ -90,7 +90,8 @@ public final class Campaigns {
     CampaignStore.Cases empty =
         scene.cases(parts.stream().findFirst().map(CampaignStore.Cases::platform), options.shard());
     try (CampaignStore store =
-        new CampaignStore(run.options().output().resolve(CampaignStore.FOLDER), empty)) {
+        new CampaignStore(
+            run.options().output().resolve(CampaignStore.FOLDER), empty, scene::isUnchanged)) {
       List<CampaignCase> own = combinations.of(options.shard());
       if (options.replayed().isPresent()) {
         return new CaseReplay(run, plan, scene.template(), store)
@@ -120,7 +121,7 @@ public final class Campaigns {
         .ifPresent(ray -> ray.simulate(combinations, inputs));
     simulate(combinations.of(options.shard()), store);
     plan.boundary().ifPresent(it -> search(new BoundarySearch(it), list, store));
-    scene.requireUnchanged(empty.inputs(), store);
+    scene.requireUnchanged(store);
   }
 
   private void search(BoundarySearch search, CaseList list, CampaignStore store) {

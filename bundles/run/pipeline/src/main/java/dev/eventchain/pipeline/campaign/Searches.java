@@ -89,11 +89,11 @@ public final class Searches {
     SearchSpace space = new SearchSpace(plan);
     CampaignStore.Cases empty = scene.cases(Optional.empty(), Shard.ALL);
     Path folder = scene.run().options().output().resolve(FOLDER);
-    try (CampaignStore store = new CampaignStore(folder, empty)) {
+    try (CampaignStore store = new CampaignStore(folder, empty, scene::isUnchanged)) {
       int known = store.rows().size();
       store.begin(FoundScenarios.FOLDER);
       Results results = simulate(space, store);
-      scene.requireUnchanged(empty.inputs(), store);
+      scene.requireUnchanged(store);
       boolean isNew = store.rows().size() > known;
       CampaignOutcome outcome = outcome(space, results, store);
       scene
