@@ -11,10 +11,8 @@ import dev.eventchain.fixtures.Thorough;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -88,7 +86,7 @@ class CampaignTest {
     campaign().expect(0);
     assertSame(expected, bytes());
 
-    delete("out/campaigns/approach");
+    copy.delete("out/campaigns/approach");
     campaign("--shard", "2/2").expect(0);
     campaign("--merge", results("approach-2-of-2"))
         .expect(2)
@@ -121,17 +119,9 @@ class CampaignTest {
         failed::toString);
   }
 
-  private void delete(String name) throws IOException {
-    try (Stream<Path> files = Files.walk(copy.path().resolve(name))) {
-      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-        Files.delete(file);
-      }
-    }
-  }
-
   /** Kills the program after it has kept a case; returns false if it had ended already. */
   private boolean killOnce() throws Exception {
-    delete("out/campaigns");
+    copy.delete("out/campaigns");
     Process killed =
         new Program()
             .start(

@@ -15,7 +15,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -146,6 +148,25 @@ final class Program {
   /** Sends a signal to a process. */
   static void signal(Process process, String name) throws IOException, InterruptedException {
     new ProcessBuilder("kill", "-" + name, Long.toString(process.pid())).start().waitFor();
+  }
+
+  /**
+   * Interrupts a process like Ctrl-C where it reaches only that process; returns its exit code.
+   * Fails if a process that it has started is still there a minute later.
+   */
+  static int interrupt(Process process) throws IOException, InterruptedException {
+    List<ProcessHandle> started = process.descendants().toList();
+    signal(process, "INT");
+    int code = process.waitFor();
+    for (ProcessHandle each : started) {
+      try {
+        each.onExit().get(60, TimeUnit.SECONDS);
+      } catch (ExecutionException | TimeoutException e) {
+        started.forEach(ProcessHandle::destroyForcibly);
+        throw new AssertionError("still running: " + each.info(), e);
+      }
+    }
+    return code;
   }
 
   /** Returns a shell script that starts the program with the script's arguments, in its folder. */

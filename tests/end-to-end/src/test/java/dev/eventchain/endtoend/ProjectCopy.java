@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Comparator;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
@@ -32,6 +33,15 @@ record ProjectCopy(Path path) {
   void write(String file, String content) throws IOException {
     Files.createDirectories(path.resolve(file).getParent());
     Files.writeString(path.resolve(file), content);
+  }
+
+  /** Deletes a folder of the project. */
+  void delete(String name) throws IOException {
+    try (Stream<Path> files = Files.walk(path.resolve(name))) {
+      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+        Files.delete(file);
+      }
+    }
   }
 
   /** Keeps one scenario only, if one criterion is enough. */

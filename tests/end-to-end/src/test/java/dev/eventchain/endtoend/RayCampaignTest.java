@@ -16,6 +16,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -97,6 +98,27 @@ class RayCampaignTest {
     }
   }
 
+  /** The driver, the cluster, and the parts on it. */
+  @Test
+  void anInterruptLosesNothingAndLeavesNoProcess() throws Exception {
+    assumeTrue(Thorough.IS_ON, "downloads Ray, and takes a minute");
+    new Program().run("campaign", copy.path(), campaign).expect(1).says("24 cases: ");
+    List<byte[]> expected = results();
+    Files.delete(result("cases.json"));
+    Path err = folder.resolve("err.txt");
+    Path out = folder.resolve("out.txt");
+    Process process =
+        new Program()
+            .by("env", "--default-signal=INT")
+            .start(out, err, "campaign", copy.path(), campaign, "--engine", "ray");
+    while (process.isAlive() && !Files.exists(result("parts/000001.json"))) {
+      Thread.sleep(5);
+    }
+    assertEquals(130, Program.interrupt(process), () -> text(err));
+    new Program().run("campaign", copy.path(), campaign).expect(1).says("24 cases: ");
+    assertArrayEquals(expected.get(1), results().get(1));
+  }
+
   /**
    * A cluster of this machine, a component that only a shipped file tells apart, and no cluster.
    */
@@ -108,15 +130,27 @@ class RayCampaignTest {
         .expect(3)
         .says("[campaign.engine]")
         .says("There is no Ray cluster at '127.0.0.1:9'");
+    copy.write(".venv/secret.txt", "not for others");
     new Program()
         .run("campaign", copy.path(), campaign, "--engine", "ray")
         .expect(1)
         .says("24 cases: ");
+    assertFalse(isShipped(".venv/secret.txt"));
+    assertTrue(isShipped("eventchain.yaml"));
     List<byte[]> found = results();
     assertFalse(Files.exists(result("parts")));
     Files.delete(result("cases.json"));
     new Program().run("campaign", copy.path(), campaign).expect(1);
     assertArrayEquals(results().get(1), found.get(1));
+  }
+
+  /** Returns whether a node has got a file of the project, at its place below a pack's folder. */
+  private boolean isShipped(String name) throws IOException {
+    Path place = Path.of("/").relativize(copy.path().toAbsolutePath().resolve(name));
+    String home = System.getenv().getOrDefault("XDG_CACHE_HOME", System.getenv("HOME") + "/.cache");
+    try (Stream<Path> packs = Files.list(Path.of(home, "eventchain/ray"))) {
+      return packs.anyMatch(pack -> Files.exists(pack.resolve(place)));
+    }
   }
 
   private Process start(String engine, Path err) throws IOException {

@@ -74,6 +74,39 @@ class SearchTest {
     assertSame(expected);
   }
 
+  @InTurn
+  @Test
+  void anInterruptLosesNothingAndLeavesNoProcess() throws Exception {
+    search(new Program()).expect(0);
+    List<byte[]> expected = bytes();
+    Path err = folder.resolve("err.txt");
+    for (int attempt = 1; !interruptedOnce(err); attempt++) {
+      assertTrue(attempt < 10, "the program always ends before it is interrupted");
+    }
+    assertTrue(Files.readString(err).contains("interrupted"), Files.readString(err));
+    search(new Program()).expect(0);
+    assertSame(expected);
+  }
+
+  /** Interrupts the program after it has kept a run; returns false if it had ended already. */
+  private boolean interruptedOnce(Path err) throws Exception {
+    copy.delete("out/searches");
+    // A shell that starts tests in the background makes its children ignore interrupts.
+    Process search =
+        new Program()
+            .by("env", "--default-signal=INT")
+            .start(
+                folder.resolve("out.txt"),
+                err,
+                "search",
+                copy.path(),
+                copy.path().resolve("approach.yaml"));
+    while (search.isAlive() && !Files.exists(results("parts/000001.json"))) {
+      Thread.sleep(5);
+    }
+    return Program.interrupt(search) == 130;
+  }
+
   private void assertSame(List<byte[]> expected) throws IOException {
     List<byte[]> found = bytes();
     for (int i = 0; i < expected.size(); i++) {

@@ -10,6 +10,8 @@ import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.pipeline.stage.SourceName;
 import dev.eventchain.sandbox.PythonEnvironment;
 import java.io.File;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -141,7 +143,7 @@ final class RayCampaign {
     request.put(
         "folders",
         List.of(
-            folder(project, List.of(output, project.resolve("evaluation"))),
+            folder(project, withoutAll(project, output)),
             folder(output, Stream.of(NO_INPUTS).map(output::resolve).toList())));
     return request;
   }
@@ -173,7 +175,26 @@ final class RayCampaign {
     return settings;
   }
 
-  /** Returns the files outside the two folders: constraints that others import, tables. */
+  /** Returns what the program does not need of a project: other results, and what is hidden. */
+  private static List<Path> withoutAll(Path project, Path output) {
+    List<Path> without = new ArrayList<>(List.of(output, project.resolve("evaluation")));
+    try (Stream<Path> entries = Files.list(project)) {
+      entries.filter(entry -> isHidden(entry.getFileName())).sorted().forEach(without::add);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return without;
+  }
+
+  /** Returns whether a name is that of a tool's own file or folder: .git, .venv, .idea. */
+  private static boolean isHidden(Path name) {
+    return name.toString().startsWith(".");
+  }
+
+  /**
+   * Returns the files that are in none of the two folders, or hidden in the project: constraints
+   * that others import, tables.
+   */
   private List<String> files(Fingerprint sources, Path project, Path output) {
     Stream<Path> read =
         sources.sources().keySet().stream().map(source -> SourceName.file(source, run));
@@ -181,7 +202,8 @@ final class RayCampaign {
     return Stream.of(read, tables, Stream.of(plan.file()), engine.files().stream())
         .flatMap(Function.identity())
         .map(RayCampaign::absolute)
-        .filter(file -> !file.startsWith(project) && !file.startsWith(output))
+        .filter(file -> !file.startsWith(output))
+        .filter(file -> !file.startsWith(project) || isHidden(project.relativize(file).getName(0)))
         .filter(Files::isRegularFile)
         .map(Path::toString)
         .distinct()
