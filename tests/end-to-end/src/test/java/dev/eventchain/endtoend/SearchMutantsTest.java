@@ -35,6 +35,7 @@ class SearchMutantsTest {
   @CsvSource({
     "lane-departure, drift-left",
     "lane-departure, along-the-line",
+    "aeb, danger-at-start",
     "aeb, each-component"
   })
   void theDefectsThatAScenarioFailsAreFoundAroundIt(String example, String scenario)
