@@ -24,7 +24,6 @@ from eventchain_ros2 import catalog, context, faults, message_objects, output_fa
 from eventchain_ros2.channel import Channel, Kind
 from eventchain_ros2.clock import NANOSECONDS_PER_SECOND, Duration
 from eventchain_ros2.components import Components, Configuration, Environment
-from eventchain_ros2.dds import DomainParticipant
 from eventchain_ros2.endpoints import Timer
 from eventchain_ros2.failures import HostError, StepTimeout, describe
 from eventchain_ros2.faults import NEVER
@@ -125,6 +124,8 @@ class HostedNodes:
 
     def _start_plain_node(self, node_class: Any, process: Process) -> Any:
         """Create a node that is a class around DDS readers and writers, and execute it periodically."""
+        from eventchain_ros2.dds import DomainParticipant  # nodes of rclpy start without it
+
         node = node_class(DomainParticipant())
         for clock in ("now", "wall_clock"):  # clocks for the age of its inputs, and for the stamps of its messages
             if hasattr(node_class, clock):

@@ -20,7 +20,6 @@ from __future__ import annotations
 import ast
 import faulthandler
 import importlib
-import inspect
 import marshal
 import os
 import random
@@ -123,6 +122,8 @@ class ComponentProcess:
         """Return the arguments of the constructor: a source of random numbers, if it has a parameter for one."""
         if type(made) is type and not any({"__init__", "__new__"} & vars(base).keys() for base in made.__mro__[:-1]):
             return {}  # signature() would parse the text of object's, which takes longer than all the rest
+        import inspect  # few components need it, and it takes a tenth of the time to start a program
+
         try:
             wanted = inspect.signature(made).parameters
         except (TypeError, ValueError):
