@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
 import org.eclipse.emf.ecore.EPackage;
 
 /** The templates of a project: its own, or a set that ships with the program. */
@@ -26,6 +27,11 @@ public final class Templates {
   /** Template sets, and the output folder of each. */
   private static final SortedMap<String, String> FOLDERS =
       new TreeMap<>(Map.of(DEFAULT, "ros2", "cyclonedds-python", "cyclonedds"));
+
+  /** What ships never changes, and compiling it takes longer than generating with it. */
+  private static final Map<Shipped, TemplateModule> COMPILED = new ConcurrentHashMap<>();
+
+  private record Shipped(String set, String module, List<EPackage> packages) {}
 
   private Templates() {}
 
@@ -83,12 +89,18 @@ public final class Templates {
   }
 
   /**
-   * Compiles a shipped template.
+   * Returns a shipped template, which is compiled once for each metamodel.
    *
    * @param module the main module's name in the set
    */
   public static TemplateModule shipped(String set, String module, Collection<EPackage> packages) {
-    SourceText main = ShippedTemplates.module(set, module).orElseThrow();
-    return TemplateModule.compile(main, ShippedTemplates.modules(set), packages);
+    return COMPILED.computeIfAbsent(
+        new Shipped(set, module, List.copyOf(packages)), Templates::compile);
+  }
+
+  private static TemplateModule compile(Shipped template) {
+    SourceText main = ShippedTemplates.module(template.set(), template.module()).orElseThrow();
+    return TemplateModule.compile(
+        main, ShippedTemplates.modules(template.set()), template.packages());
   }
 }
