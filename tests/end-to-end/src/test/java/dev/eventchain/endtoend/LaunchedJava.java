@@ -24,7 +24,7 @@ final class LaunchedJava {
         new ArrayList<>(
             List.of(
                 "-XX:+UseSerialGC",
-                "-XX:MaxNewSize=128m",
+                "-XX:MaxNewSize=64m",
                 "-XX:TieredStopAtLevel=1",
                 "-Xshare:auto",
                 "-Xlog:disable"));

@@ -97,6 +97,11 @@ final class Ends {
     return find((EObject) targets[end], features[end].getEOpposite(), elements[end]) >= 0;
   }
 
+  /** Frees the memory of what {@link #firstOf} and {@link #isNamedBack} find, until asked again. */
+  void forgetLinks() {
+    links = null;
+  }
+
   /** Returns the number of the first end of a link between elements; negative for none. */
   private int find(EObject element, EReference feature, Object target) {
     if (links == null) {

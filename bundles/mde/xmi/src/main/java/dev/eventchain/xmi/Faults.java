@@ -53,6 +53,7 @@ final class Faults {
       DiagnosticException.runAt(file.place(), () -> check(file, ends, first, next));
       from = next;
     }
+    ends.forgetLinks();
     for (XmiResource file : files) {
       DiagnosticException.runAt(file.place(), () -> findDuplicates(file));
     }
@@ -66,7 +67,8 @@ final class Faults {
         continue;
       }
       EReference feature = ends.feature(end);
-      if (feature.isUnique() && ends.firstOf(end) != end) {
+      // That a feature of one value has a second one is found where it is read.
+      if (feature.isMany() && feature.isUnique() && ends.firstOf(end) != end) {
         String target = ModelPath.of((EObject) ends.target(end));
         found.add(duplicate(file, ends.element(end), ends.tag(end), feature, target));
       }
