@@ -10,9 +10,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.fixtures.InTurn;
+import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.eventchain.ComponentImplementation;
 import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.simulation.node.NodeLimits;

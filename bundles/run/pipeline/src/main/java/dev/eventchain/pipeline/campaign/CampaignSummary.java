@@ -167,6 +167,6 @@ final class CampaignSummary {
                         .formatted(
                             Coverage.counted(flips().size(), "flip"),
                             plan.names().get(boundary.factor()))));
-    return text.toString();
+    return text.append(CampaignMatrix.of(plan, rows)).toString();
   }
 }
