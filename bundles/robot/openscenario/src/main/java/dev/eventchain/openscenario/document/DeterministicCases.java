@@ -125,6 +125,12 @@ final class DeterministicCases {
           "The lower limit comes first, and a step is greater than 0.");
       return;
     }
+    steps(name, lower, upper, step, distribution.location());
+  }
+
+  /** Adds the values of a range, unless there would be too many cases. */
+  private void steps(
+      String name, BigDecimal lower, BigDecimal upper, BigDecimal step, SourceLocation place) {
     BigInteger steps = upper.subtract(lower).divide(step, 0, RoundingMode.DOWN).toBigInteger();
     BigInteger all = count.multiply(steps.add(BigInteger.ONE));
     if (all.compareTo(MOST) > 0) {
@@ -134,7 +140,7 @@ final class DeterministicCases {
     List<Map<String, String>> values = new ArrayList<>();
     for (BigDecimal value = lower; value.compareTo(upper) <= 0; value = value.add(step)) {
       String text = value.signum() == 0 ? "0" : value.stripTrailingZeros().toPlainString();
-      parameters.check(name, text, distribution.location());
+      parameters.check(name, text, place);
       values.add(Map.of(name, text));
     }
     add(values);

@@ -94,40 +94,42 @@ final class StructureCheck {
   }
 
   private void mismatch(XmlElement element, ElementType type, Mismatch mismatch, boolean later) {
-    String child = "`" + mismatch.name() + "`";
     List<XmlElement> there = element.children(mismatch.name());
     switch (mismatch.kind()) {
-      case MISSING -> {
-        String what = child.replace(" or ", "` or `");
-        String message =
-            there.isEmpty()
-                ? named(element) + " has no " + what + "."
-                : named(element) + " has too few elements " + what + ".";
-        report(later, DocumentRules.ELEMENT_MISSING, message, element.location(), "");
-      }
-      case SURPLUS -> {
-        String message =
-            there.size() == 1
-                ? "Of "
-                    + child
-                    + " and another element in "
-                    + named(element)
-                    + ", only one may be there."
-                : child + " stands too often in " + named(element) + ".";
-        XmlElement last = there.get(there.size() - 1);
-        report(later, DocumentRules.ELEMENT_SURPLUS, message, last.location(), "Leave one out.");
-      }
-      case UNKNOWN -> {
-        Set<String> known = type.children().keySet();
-        String hint =
-            known.isEmpty()
-                ? "It has no elements in it."
-                : NearestName.hint(mismatch.name(), known);
-        String message = named(element) + " has no element named " + child + " in it.";
-        SourceLocation place = there.get(0).location();
-        report(later, DocumentRules.ELEMENT_UNKNOWN, message, place, hint);
-      }
+      case MISSING -> missing(element, mismatch.name(), there, later);
+      case SURPLUS -> surplus(element, mismatch.name(), there, later);
+      case UNKNOWN -> unknown(element, type, there.get(0), later);
     }
+  }
+
+  /** Reports a missing element; the name may be several ones of which one is missing. */
+  private void missing(XmlElement element, String name, List<XmlElement> there, boolean later) {
+    String what = "`" + name.replace(" or ", "` or `") + "`.";
+    String message = there.isEmpty() ? " has no " + what : " has too few elements " + what;
+    report(later, DocumentRules.ELEMENT_MISSING, named(element) + message, element.location(), "");
+  }
+
+  private void surplus(XmlElement element, String name, List<XmlElement> there, boolean later) {
+    String message =
+        there.size() == 1
+            ? "Of `%s` and another element in %s, only one may be there."
+            : "`%s` stands too often in %s.";
+    report(
+        later,
+        DocumentRules.ELEMENT_SURPLUS,
+        String.format(message, name, named(element)),
+        there.get(there.size() - 1).location(),
+        "Leave one out.");
+  }
+
+  private void unknown(XmlElement element, ElementType type, XmlElement child, boolean later) {
+    Set<String> known = type.children().keySet();
+    report(
+        later,
+        DocumentRules.ELEMENT_UNKNOWN,
+        named(element) + " has no element named " + named(child) + " in it.",
+        child.location(),
+        known.isEmpty() ? "It has no elements in it." : NearestName.hint(child.name(), known));
   }
 
   private void report(boolean later, Rule rule, String message, SourceLocation place, String hint) {
