@@ -7,7 +7,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Comparator;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
@@ -28,8 +27,8 @@ public final class RankingBenchmark {
   private static final List<String> METHODS = List.of("random", "cma_es");
   private static final String COMPONENT = "software-base/components/Brake_Request.py";
 
-  /** Columns of a table before the verdict: the number, four factors, the repetition. */
-  private static final int VERDICT = 6;
+  /** What a table says of a case. */
+  private record Row(String values, boolean failed) {}
 
   private final Path root;
   private final Path folder;
@@ -68,7 +67,7 @@ public final class RankingBenchmark {
       Files.writeString(project.resolve(COMPONENT), resource("release-" + release + ".py"));
       Files.delete(project.resolve("tests/Brake_Request.yaml")); // It would find these defects.
     }
-    List<String> grid = rows(project, "campaign", resource("grid.yaml"));
+    List<Row> grid = rows(project, "campaign", resource("grid.yaml"));
     Set<String> all = failed(grid);
     Set<String> points = failed(rows(project, "campaign", resource("points.yaml")));
     System.out.printf(
@@ -86,10 +85,10 @@ public final class RankingBenchmark {
     }
   }
 
-  private static void print(String method, int seed, List<String> rows, Set<String> all) {
+  private static void print(String method, int seed, List<Row> rows, Set<String> all) {
     Set<String> found = failed(rows);
     int first =
-        IntStream.range(0, rows.size()).filter(i -> isFailed(rows.get(i))).findFirst().orElse(-1);
+        IntStream.range(0, rows.size()).filter(i -> rows.get(i).failed()).findFirst().orElse(-1);
     System.out.printf(
         Locale.ROOT,
         "  %-6s seed %d: first failure in run %s, %3d different ones in %d runs, %d %% of all%s%n",
@@ -103,20 +102,12 @@ public final class RankingBenchmark {
   }
 
   /** Returns the values of the cases that failed. */
-  private static Set<String> failed(List<String> rows) {
-    return rows.stream()
-        .filter(RankingBenchmark::isFailed)
-        .map(row -> row.split(",", VERDICT + 1))
-        .map(cells -> String.join(",", List.of(cells).subList(1, VERDICT - 1)))
-        .collect(Collectors.toCollection(LinkedHashSet::new));
-  }
-
-  private static boolean isFailed(String row) {
-    return row.split(",", VERDICT + 2)[VERDICT].equals("failed");
+  private static Set<String> failed(List<Row> rows) {
+    return rows.stream().filter(Row::failed).map(Row::values).collect(Collectors.toSet());
   }
 
   /** Returns the rows of the table of a command's results. */
-  private List<String> rows(Path project, String command, String text)
+  private List<Row> rows(Path project, String command, String text)
       throws IOException, InterruptedException {
     Path file = Files.writeString(folder.resolve("ranking.yaml"), text);
     int code =
@@ -131,7 +122,18 @@ public final class RankingBenchmark {
     }
     String results = command.equals("search") ? "out/searches" : "out/campaigns";
     List<String> lines = Files.readAllLines(project.resolve(results + "/ranking/cases.csv"));
-    return lines.subList(1, lines.size());
+    List<String> header = cells(lines.get(0));
+    int from = header.indexOf("speed");
+    int to = header.indexOf("repetition");
+    return lines.subList(1, lines.size()).stream()
+        .map(RankingBenchmark::cells)
+        .map(it -> new Row(it.subList(from, to).toString(), it.get(to + 1).equals("failed")))
+        .toList();
+  }
+
+  /** Returns the cells of a line, of which those up to the verdict have no commas. */
+  private static List<String> cells(String line) {
+    return List.of(line.split(",", -1));
   }
 
   private static void copy(Path from, Path to) throws IOException {
