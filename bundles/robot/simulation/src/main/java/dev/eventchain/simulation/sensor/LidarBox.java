@@ -76,7 +76,9 @@ final class LidarBox {
   double distance(double dx, double dy, Span vertical, double nearest) {
     double along = dx * cos + dy * sin;
     double aside = dy * cos - dx * sin;
-    if (along == 0.0 && Math.abs(x) > halfLength || aside == 0.0 && Math.abs(y) > halfWidth) {
+    boolean passesAlong = along == 0.0 && Math.abs(x) > halfLength;
+    boolean passesAside = aside == 0.0 && Math.abs(y) > halfWidth;
+    if (passesAlong || passesAside) {
       return Double.POSITIVE_INFINITY;
     }
     double enter = vertical.enter();
