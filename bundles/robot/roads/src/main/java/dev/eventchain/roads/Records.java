@@ -38,8 +38,10 @@ final class Records {
   void requireOrder(List<XmlElement> elements, String attribute) {
     double last = 0;
     for (XmlElement element : elements) {
-      // What is no number is reported where the element is read.
-      double start = element.isNumber(attribute) ? element.number(attribute) : last;
+      double start = element.numberOrNaN(attribute);
+      if (Double.isNaN(start)) {
+        continue; // Reported where the element is read.
+      }
       if (start < last - ROUNDING) {
         problems.add(
             RoadRules.ORDER,

@@ -75,7 +75,7 @@ public final class Road {
   private final List<LaneSection> sections;
   private final double[] sectionStarts;
   private final Furniture furniture;
-  private final boolean flat;
+  private final boolean raised;
 
   Road(
       Facts facts,
@@ -91,11 +91,8 @@ public final class Road {
     this.sections = List.copyOf(sections);
     this.sectionStarts = sections.stream().mapToDouble(LaneSection::start).toArray();
     this.furniture = furniture;
-    this.flat =
-        surface.isPlane()
-            && sections.stream()
-                .flatMap(section -> section.lanes().stream())
-                .noneMatch(Lane::hasHeight);
+    this.raised =
+        sections.stream().flatMap(section -> section.lanes().stream()).anyMatch(Lane::hasHeight);
   }
 
   /** Returns the id. */
@@ -242,7 +239,8 @@ public final class Road {
     double inside = inside(s);
     LaneSection section = section(inside);
     double level = surface.isPlane() ? Double.POSITIVE_INFINITY : section.level(t > 0, inside);
-    return surface.pose(line.at(s), inside, t, level, height + kerb(section, inside, t));
+    return surface.pose(
+        line.at(s), inside, t, level, height + (raised ? kerb(section, inside, t) : 0));
   }
 
   /** Returns the height of a lane above the road, in m. */
@@ -261,7 +259,7 @@ public final class Road {
 
   /** Returns whether its surface is at z = 0 everywhere. */
   boolean isFlat() {
-    return flat;
+    return surface.isPlane() && !raised;
   }
 
   double inside(double s) {

@@ -14,6 +14,7 @@ public final class Profile {
 
   private final double[] starts;
   private final Cubic[] pieces;
+  private final boolean zero;
 
   /**
    * A polynomial from a place on.
@@ -30,11 +31,12 @@ public final class Profile {
   public Profile(List<Piece> pieces) {
     this.starts = pieces.stream().mapToDouble(Piece::start).toArray();
     this.pieces = pieces.stream().map(Piece::cubic).toArray(Cubic[]::new);
+    this.zero = Arrays.stream(this.pieces).allMatch(Cubic.ZERO::equals);
   }
 
   /** Returns whether it is 0 everywhere. */
   public boolean isZero() {
-    return Arrays.stream(pieces).allMatch(Cubic.ZERO::equals);
+    return zero;
   }
 
   /** Returns the starts of the pieces. */

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
 import java.util.Map;
 import java.util.TreeMap;
 
@@ -35,7 +36,25 @@ public final class ElementTable {
    */
   static final Map<String, Entry> ENTRIES = entries();
 
+  /** The same by parent and then by child, as they are looked up for each element of a file. */
+  private static final Map<String, Map<String, Entry>> BY_PARENT = byParent();
+
   private ElementTable() {}
+
+  private static Map<String, Map<String, Entry>> byParent() {
+    Map<String, Map<String, Entry>> table = new HashMap<>();
+    ENTRIES.forEach(
+        (name, entry) -> {
+          String[] parts = name.split("/", 2);
+          table.computeIfAbsent(parts[0], parent -> new HashMap<>()).put(parts[1], entry);
+        });
+    return table;
+  }
+
+  private static Entry entry(String parent, String child) {
+    Entry entry = BY_PARENT.getOrDefault(parent, Map.of()).get(child);
+    return entry == null ? BY_PARENT.get("*").get(child) : entry;
+  }
 
   private static Map<String, Entry> entries() {
     Map<String, Entry> entries = new TreeMap<>();
@@ -64,10 +83,7 @@ public final class ElementTable {
   }
 
   private static void check(String parent, XmlElement element, Problems problems) {
-    Entry entry = ENTRIES.get(parent + "/" + element.name());
-    if (entry == null) {
-      entry = ENTRIES.get("*/" + element.name());
-    }
+    Entry entry = entry(parent, element.name());
     if (entry == null) {
       problems.add(
           XmlRules.ELEMENT_UNKNOWN,

@@ -5,13 +5,12 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
+import java.util.stream.IntStream;
 
 /**
  * An element with its attributes, children and place. Reads of attributes report what is wrong with
@@ -19,12 +18,18 @@ import java.util.stream.Stream;
  */
 public final class XmlElement {
 
+  /** Attributes that tell elements of a name apart, the first one first. */
+  private static final List<String> IDENTIFYING = List.of("id", "s", "sOffset");
+
   private final SourceText source;
   private final Problems problems;
   private final String name;
   private final int offset;
   private final XmlElement parent;
-  private final Map<String, String> attributes;
+
+  /** Names and values in turn: a table for each of a million elements takes longer to make. */
+  private final String[] attributes;
+
   private final List<XmlElement> children = new ArrayList<>(0);
   private String text = "";
 
@@ -34,7 +39,7 @@ public final class XmlElement {
       String name,
       int offset,
       XmlElement parent,
-      Map<String, String> attributes) {
+      String[] attributes) {
     this.source = source;
     this.problems = problems;
     this.name = name;
@@ -111,14 +116,28 @@ public final class XmlElement {
     return child;
   }
 
+  /** Returns the value of an attribute; null if there is none. */
+  private String value(String attribute) {
+    for (int i = 0; i < attributes.length; i += 2) {
+      if (attributes[i].equals(attribute)) {
+        return attributes[i + 1];
+      }
+    }
+    return null;
+  }
+
+  private List<String> names() {
+    return IntStream.range(0, attributes.length / 2).mapToObj(i -> attributes[2 * i]).toList();
+  }
+
   /** Returns the value of an attribute. */
   public Optional<String> optional(String attribute) {
-    return Optional.ofNullable(attributes.get(attribute));
+    return Optional.ofNullable(value(attribute));
   }
 
   /** Returns the value of an attribute; an empty text, and a problem, if there is none. */
   public String string(String attribute) {
-    String value = attributes.get(attribute);
+    String value = value(attribute);
     if (value == null) {
       missing(attribute);
       return "";
@@ -127,7 +146,7 @@ public final class XmlElement {
   }
 
   private void missing(String attribute) {
-    String question = NearestName.question(attribute, attributes.keySet());
+    String question = NearestName.question(attribute, names());
     problems.add(
         XmlRules.ATTRIBUTE_MISSING,
         this,
@@ -137,7 +156,7 @@ public final class XmlElement {
 
   /** Returns the finite number of an attribute; {@code NaN}, and a problem, if it is none. */
   public double number(String attribute) {
-    String value = attributes.get(attribute);
+    String value = value(attribute);
     if (value == null) {
       missing(attribute);
       return Double.NaN;
@@ -147,14 +166,20 @@ public final class XmlElement {
 
   /** Returns the finite number of an attribute, or a value if there is no such attribute. */
   public double number(String attribute, double absent) {
-    String value = attributes.get(attribute);
+    String value = value(attribute);
     return value == null ? absent : parsed(attribute, value);
+  }
+
+  /** Returns the finite number of an attribute; {@code NaN} if it is none, and no problem. */
+  public double numberOrNaN(String attribute) {
+    String value = value(attribute);
+    double number = value == null ? Double.NaN : decimal(value.strip());
+    return Double.isFinite(number) ? number : Double.NaN;
   }
 
   /** Returns whether an attribute is a finite number; reports nothing. */
   public boolean isNumber(String attribute) {
-    String value = attributes.get(attribute);
-    return value != null && Double.isFinite(decimal(value.strip()));
+    return !Double.isNaN(numberOrNaN(attribute));
   }
 
   private double parsed(String attribute, String value) {
@@ -185,7 +210,7 @@ public final class XmlElement {
 
   /** Returns the integer of an attribute; 0, and a problem, if it is none. */
   public int integer(String attribute) {
-    String value = attributes.get(attribute);
+    String value = value(attribute);
     if (value == null) {
       missing(attribute);
       return 0;
@@ -209,7 +234,7 @@ public final class XmlElement {
    * @param allowed the allowed values in lower case with their meanings
    */
   public <T> T choice(String attribute, List<T> allowed, Function<T, String> spelling) {
-    String value = attributes.get(attribute);
+    String value = value(attribute);
     if (value == null) {
       return allowed.get(0);
     }
@@ -255,12 +280,14 @@ public final class XmlElement {
 
   /** Returns the names of the elements from the root, with what identifies each. */
   private String path() {
-    String own =
-        Stream.of("id", "s", "sOffset")
-            .filter(attributes::containsKey)
-            .findFirst()
-            .map(key -> name + "[" + key + "=" + shortened(attributes.get(key)) + "]")
-            .orElse(name);
+    String own = name;
+    for (String key : IDENTIFYING) {
+      String value = value(key);
+      if (value != null) {
+        own = name + "[" + key + "=" + shortened(value) + "]";
+        break;
+      }
+    }
     return parent == null ? own : parent.path() + "/" + own;
   }
 }

@@ -4,8 +4,6 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.StringReader;
-import java.util.HashMap;
-import java.util.Map;
 import java.util.function.Consumer;
 import javax.xml.stream.XMLInputFactory;
 import javax.xml.stream.XMLStreamConstants;
@@ -105,9 +103,10 @@ public final class XmlStream {
     if (depth > DEEPEST) {
       throw broken(source.at(offset), "Elements are nested more than " + DEEPEST + " deep.");
     }
-    Map<String, String> attributes = new HashMap<>();
-    for (int i = 0; i < reader.getAttributeCount(); i++) {
-      attributes.put(reader.getAttributeLocalName(i), reader.getAttributeValue(i));
+    String[] attributes = new String[2 * reader.getAttributeCount()];
+    for (int i = 0; i < attributes.length; i += 2) {
+      attributes[i] = reader.getAttributeLocalName(i / 2);
+      attributes[i + 1] = reader.getAttributeValue(i / 2);
     }
     String name = reader.getLocalName();
     current = new XmlElement(source, problems, name, offset, current, attributes);
