@@ -52,6 +52,23 @@ final class NetworkReader {
     }
     double major = element.number("revMajor");
     double minor = element.number("revMinor");
+    requireVersion(element, major, minor);
+    Header.Offset offset =
+        element
+            .child("offset")
+            .map(
+                child ->
+                    new Header.Offset(
+                        child.number("x"),
+                        child.number("y"),
+                        child.number("z", 0),
+                        child.number("hdg", 0)))
+            .orElse(new Header.Offset(0, 0, 0, 0));
+    String projection = element.child("geoReference").map(XmlElement::text).orElse("");
+    return new Header((int) minor, element.optional("name").orElse(""), projection, offset);
+  }
+
+  private void requireVersion(XmlElement element, double major, double minor) {
     // What is no number is reported where it is read.
     boolean unknown = major < 1 || major > 1 || minor > NEWEST_MINOR || minor < 0;
     if (unknown) {
@@ -67,19 +84,6 @@ final class NetworkReader {
           "The file is of OpenDRIVE 1." + (int) minor + ", and is read as one of 1.4.",
           "Compare its roads with what made the file, or export it in a newer version.");
     }
-    Header.Offset offset =
-        element
-            .child("offset")
-            .map(
-                child ->
-                    new Header.Offset(
-                        child.number("x"),
-                        child.number("y"),
-                        child.number("z", 0),
-                        child.number("hdg", 0)))
-            .orElse(new Header.Offset(0, 0, 0, 0));
-    String projection = element.child("geoReference").map(XmlElement::text).orElse("");
-    return new Header((int) minor, element.optional("name").orElse(""), projection, offset);
   }
 
   private void road(XmlElement element) {
