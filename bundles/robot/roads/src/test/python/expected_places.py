@@ -78,7 +78,7 @@ def parametric():
 
 
 def crossing():
-    """A crossing of four roads, and one with a road that leads around to it again."""
+    """A crossing of four roads."""
     network = xodr.OpenDrive("crossing")
     arms = [xodr.create_road(xodr.Line(80), i, 1, 1, lane_width=3.5) for i in range(4)]
     junction = xodr.CommonJunctionCreator(100, "crossing", startnum=200)

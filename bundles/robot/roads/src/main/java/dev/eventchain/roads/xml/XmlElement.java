@@ -228,10 +228,10 @@ public final class XmlElement {
   }
 
   /**
-   * Returns the meaning of an attribute's value, or that of the first one if there is no such
-   * attribute or, with a problem, if the value is none of those that are allowed.
+   * Returns what an attribute's value stands for. If there is no such attribute, or with a problem
+   * if the value is not allowed, that is the first of what is allowed.
    *
-   * @param allowed the allowed values in lower case with their meanings
+   * @param spelling of each value that is allowed; letter case does not matter
    */
   public <T> T choice(String attribute, List<T> allowed, Function<T, String> spelling) {
     String value = value(attribute);
