@@ -32,17 +32,7 @@ final class LateralDistance {
     LaneWay own = LateralActions.way(scene, actor, action);
     LaneWay reference = LateralActions.way(scene, scene.actor(other), action);
     double apart = t(scene, own) - t(scene, reference);
-    double side = apart < 0 ? -1 : 1;
-    switch (action.optional("displacement").orElse("any")) {
-      case "leftToReferencedEntity":
-        side = reference.alongS() ? 1 : -1;
-        break;
-      case "rightToReferencedEntity":
-        side = reference.alongS() ? -1 : 1;
-        break;
-      default:
-        break;
-    }
+    double side = side(apart, reference.alongS());
     double covered = covered(scene, actor, own, reference, side);
     double distance =
         action.has("distance")
@@ -64,6 +54,15 @@ final class LateralDistance {
             false,
             0,
             continuous));
+  }
+
+  /** Returns 1 for the left of the other one as one looks along s, and -1 for its right. */
+  private double side(double apart, boolean alongS) {
+    return switch (action.optional("displacement").orElse("any")) {
+      case "leftToReferencedEntity" -> alongS ? 1 : -1;
+      case "rightToReferencedEntity" -> alongS ? -1 : 1;
+      default -> apart < 0 ? -1 : 1;
+    };
   }
 
   private static double t(Scene scene, LaneWay way) {

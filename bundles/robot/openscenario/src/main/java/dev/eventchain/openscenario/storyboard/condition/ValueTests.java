@@ -29,25 +29,25 @@ final class ValueTests {
       case "StoryboardElementStateCondition":
         return state(condition, elements);
       case "TrafficSignalCondition":
-        return scene ->
-            Outcome.of(
-                scene
-                    .signals()
-                    .state(condition.text("name"), scene.time())
-                    .filter(condition.text("state")::equals)
-                    .isPresent());
+        return signal(condition);
       case "TrafficSignalControllerCondition":
-        return scene ->
-            Outcome.of(
-                scene
-                    .signals()
-                    .isIn(
-                        condition.text("trafficSignalControllerRef"),
-                        condition.text("phase"),
-                        scene.time()));
+        return controller(condition);
       default:
         throw new IllegalArgumentException(condition.name() + " is not supported");
     }
+  }
+
+  private static Test signal(ScenarioElement condition) {
+    String name = condition.text("name");
+    String state = condition.text("state");
+    return scene ->
+        Outcome.of(scene.signals().state(name, scene.time()).filter(state::equals).isPresent());
+  }
+
+  private static Test controller(ScenarioElement condition) {
+    String name = condition.text("trafficSignalControllerRef");
+    String phase = condition.text("phase");
+    return scene -> Outcome.of(scene.signals().isIn(name, phase, scene.time()));
   }
 
   private static Test value(
