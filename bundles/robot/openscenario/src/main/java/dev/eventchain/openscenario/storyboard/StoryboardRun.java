@@ -2,7 +2,6 @@ package dev.eventchain.openscenario.storyboard;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.openscenario.document.ResolvedScenario;
 import dev.eventchain.openscenario.document.ScenarioElement;
 import dev.eventchain.openscenario.storyboard.check.PlaceCheck;
 import dev.eventchain.openscenario.storyboard.check.StoryboardCheck;
@@ -42,11 +41,12 @@ public final class StoryboardRun {
   private StoryboardRun(
       ScenarioElement scenario, Map<String, String> parameters, RoadMap roads, String ego) {
     this.ego = ego;
-    report(StoryboardCheck.findings(scenario, ego));
+    report(StoryboardCheck.findings(scenario, parameters.keySet(), ego));
     scene = new Scene(Entities.of(scenario), roads, Signals.of(scenario));
-    declare(scenario, "ParameterDeclarations");
-    declare(scenario, "VariableDeclarations");
     parameters.forEach(scene.parameters()::set);
+    scenario.child("VariableDeclarations").stream()
+        .flatMap(declarations -> declarations.children().stream())
+        .forEach(each -> scene.variables().set(each.text("name"), each.text("value")));
     ScenarioElement storyboard = scenario.required("Storyboard");
     report(PlaceCheck.places(storyboard, scene));
     log = new Log(scene);
@@ -64,35 +64,18 @@ public final class StoryboardRun {
     }
   }
 
-  private void declare(ScenarioElement scenario, String kind) {
-    boolean variables = kind.equals("VariableDeclarations");
-    scenario
-        .child(kind)
-        .ifPresent(
-            declarations ->
-                declarations
-                    .children()
-                    .forEach(
-                        each ->
-                            (variables ? scene.variables() : scene.parameters())
-                                .set(each.text("name"), each.text("value"))));
-  }
-
   /**
    * Starts a run: the actions of {@code Init} are done, and what is triggered at time 0 has
    * happened.
    *
    * @param scenario the root, with all parameters and catalogs replaced
+   * @param parameters the values of its parameters
    * @param ego the entity that {@link #handOver} is about
    * @throws dev.eventchain.diagnostics.DiagnosticException if the scenario cannot be played
    */
-  public static StoryboardRun start(ScenarioElement scenario, RoadMap roads, String ego) {
-    return new StoryboardRun(scenario, Map.of(), roads, ego);
-  }
-
-  /** Starts the run of a scenario whose parameters have their values likewise. */
-  public static StoryboardRun start(ResolvedScenario scenario, RoadMap roads, String ego) {
-    return new StoryboardRun(scenario.root(), scenario.parameters(), roads, ego);
+  public static StoryboardRun start(
+      ScenarioElement scenario, Map<String, String> parameters, RoadMap roads, String ego) {
+    return new StoryboardRun(scenario, parameters, roads, ego);
   }
 
   /** Returns what was found before the run and does not hinder it. */

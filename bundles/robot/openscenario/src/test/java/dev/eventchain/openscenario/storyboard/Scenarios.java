@@ -9,8 +9,10 @@ import dev.eventchain.openscenario.storyboard.world.Collisions;
 import dev.eventchain.openscenario.storyboard.world.EntityState;
 import dev.eventchain.openscenario.storyboard.world.RoadMap;
 import dev.eventchain.openscenario.storyboard.world.StraightRoad;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 
 /** Writes scenarios with two cars, and plays them. */
@@ -178,7 +180,11 @@ final class Scenarios {
   }
 
   static StoryboardRun run(ScenarioElement scenario) {
-    return StoryboardRun.start(scenario, ROAD, "Ego");
+    Map<String, String> parameters = new LinkedHashMap<>();
+    scenario.child("ParameterDeclarations").stream()
+        .flatMap(declarations -> declarations.children().stream())
+        .forEach(each -> parameters.put(each.text("name"), each.text("value")));
+    return StoryboardRun.start(scenario, parameters, ROAD, "Ego");
   }
 
   /** Plays until a time, also beyond the end of the storyboard. */

@@ -19,11 +19,13 @@ final class ReferenceCheck {
 
   private final Findings findings;
   private final ScenarioElement scenario;
+  private final Set<String> parameters;
   private final Entities entities;
   private final Signals signals;
   private final Paths paths;
 
-  ReferenceCheck(Findings findings, ScenarioElement scenario) {
+  ReferenceCheck(Findings findings, ScenarioElement scenario, Set<String> parameters) {
+    this.parameters = parameters;
     this.findings = findings;
     this.scenario = scenario;
     entities = Entities.of(scenario);
@@ -42,8 +44,8 @@ final class ReferenceCheck {
     for (String attribute : List.of("entityRef", "masterEntityRef")) {
       element.optional(attribute).ifPresent(name -> checkEntity(element, attribute, name));
     }
-    checkDeclared(element, "parameterRef", "ParameterDeclarations");
-    checkDeclared(element, "variableRef", "VariableDeclarations");
+    checkDeclared(element, "parameterRef", "parameter", parameters);
+    checkDeclared(element, "variableRef", "variable", variables());
     if (element.has("trafficSignalControllerRef") && element.has("phase")) {
       String controller = element.text("trafficSignalControllerRef");
       if (!signals.knows(controller, element.text("phase"))) {
@@ -76,12 +78,15 @@ final class ReferenceCheck {
     return entities.objects().keySet();
   }
 
-  private void checkDeclared(ScenarioElement element, String attribute, String kind) {
-    List<String> names =
-        scenario.child(kind).stream()
-            .flatMap(each -> each.children().stream())
-            .map(each -> each.text("name"))
-            .toList();
+  private List<String> variables() {
+    return scenario.child("VariableDeclarations").stream()
+        .flatMap(each -> each.children().stream())
+        .map(each -> each.text("name"))
+        .toList();
+  }
+
+  private void checkDeclared(
+      ScenarioElement element, String attribute, String kind, Collection<String> names) {
     element
         .optional(attribute)
         .filter(name -> !names.contains(name))
@@ -90,7 +95,7 @@ final class ReferenceCheck {
                 unknown(
                     element,
                     attribute,
-                    "'" + name + "' is not declared in the scenario's " + kind + ".",
+                    "The scenario declares no " + kind + " '" + name + "'.",
                     name,
                     names));
   }

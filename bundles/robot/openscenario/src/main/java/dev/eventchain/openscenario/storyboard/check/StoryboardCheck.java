@@ -5,6 +5,7 @@ import dev.eventchain.openscenario.document.ScenarioElement;
 import dev.eventchain.openscenario.storyboard.world.StoryboardRules;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /** Checks a scenario before it is played, as far as no road is needed for that. */
 public final class StoryboardCheck {
@@ -15,9 +16,11 @@ public final class StoryboardCheck {
    * Returns the findings about a scenario, in the order of the file.
    *
    * @param scenario the root
+   * @param parameters the names of its parameters
    * @param ego the entity under test
    */
-  public static List<Diagnostic> findings(ScenarioElement scenario, String ego) {
+  public static List<Diagnostic> findings(
+      ScenarioElement scenario, Set<String> parameters, String ego) {
     Findings findings = new Findings();
     ScenarioElement storyboard = scenario.required("Storyboard");
     SupportCheck support = new SupportCheck(findings, ego);
@@ -25,7 +28,7 @@ public final class StoryboardCheck {
     signals(scenario).ifPresent(support::check);
     support.check(storyboard);
     support.checkControllers(storyboard);
-    new ReferenceCheck(findings, scenario).check();
+    new ReferenceCheck(findings, scenario, parameters).check();
     ValueCheck values = new ValueCheck(findings);
     values.check(storyboard);
     signals(scenario).ifPresent(values::check);
