@@ -3,6 +3,7 @@ package dev.eventchain.simulation.formula;
 import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.Body;
 import dev.eventchain.simulation.world.Contact;
+import dev.eventchain.simulation.world.Director;
 import dev.eventchain.simulation.world.Road;
 import dev.eventchain.simulation.world.Trace;
 import dev.eventchain.simulation.world.World;
@@ -20,6 +21,9 @@ import java.util.regex.Matcher;
  * another source. An actor that drove into the ego's rear has no values from then on.
  */
 public final class ActorSignals implements Signal.Source {
+
+  private static final String STARTED = "started";
+  private static final String ENDED = "ended";
 
   /** Hint where no actor can be read. */
   static final String NONE_KNOWN =
@@ -101,16 +105,50 @@ public final class ActorSignals implements Signal.Source {
   private final Signal.Source others;
   private final Map<String, Signal> signals = new LinkedHashMap<>();
 
-  /** Adds the signals of a scenario's actors, by their names, to others. */
-  public ActorSignals(Signal.Source others, Collection<String> actors) {
+  /**
+   * Adds the signals of a scenario's actors and events, by their names, to others.
+   *
+   * @param events those of a storyboard; none of other scenarios
+   */
+  public ActorSignals(Signal.Source others, Collection<String> actors, Collection<String> events) {
     this.others = others;
+    for (String event : events) {
+      add(happening(event, STARTED, "whether it has begun"));
+      add(happening(event, ENDED, "whether it has ended"));
+    }
     WorldSignals world = new WorldSignals();
     for (String actor : actors) {
       for (Part part : Part.values()) {
-        Signal signal = signal(actor, part, world);
-        signals.put(signal.name(), signal);
+        add(signal(actor, part, world));
       }
     }
+  }
+
+  private void add(Signal signal) {
+    signals.put(signal.name(), signal);
+  }
+
+  private static Signal happening(String event, String part, String meaning) {
+    return new Signal(
+        name("event", event, part),
+        "1",
+        true,
+        meaning,
+        trace -> samples(event, part.equals(STARTED), trace),
+        trace -> Optional.empty());
+  }
+
+  /** Returns 1 from the first time on at which an event begins or ends. */
+  private static double[] samples(String event, boolean begins, Trace trace) {
+    long first =
+        trace.happenings().stream()
+            .filter(each -> each.event().equals(event) && each.begins() == begins)
+            .mapToLong(Director.Happening::time)
+            .findFirst()
+            .orElse(Long.MAX_VALUE);
+    return trace.states().stream()
+        .mapToDouble(state -> state.time() >= first ? 1.0 : 0.0)
+        .toArray();
   }
 
   private static Signal signal(String actor, Part part, WorldSignals world) {
@@ -143,8 +181,12 @@ public final class ActorSignals implements Signal.Source {
   }
 
   private static String name(String actor, String part) {
-    String quote = actor.contains("'") ? "\"" : "'";
-    return "actor(" + quote + actor + quote + ")." + part;
+    return name("actor", actor, part);
+  }
+
+  private static String name(String of, String name, String part) {
+    String quote = name.contains("'") ? "\"" : "'";
+    return of + "(" + quote + name + quote + ")." + part;
   }
 
   /** Returns the name of a signal as this source knows it, whatever its blanks and quotes. */
@@ -154,7 +196,7 @@ public final class ActorSignals implements Signal.Source {
       return text;
     }
     String name = actor.group("name") != null ? actor.group("name") : actor.group("other");
-    return name(name, actor.group("part"));
+    return name(actor.group("of"), name, actor.group("part"));
   }
 
   /** Returns whether a signal is one of an actor. */

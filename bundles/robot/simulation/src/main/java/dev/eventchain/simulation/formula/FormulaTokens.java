@@ -29,10 +29,13 @@ public final class FormulaTokens {
   static final Pattern OUTPUT =
       Pattern.compile("output\\s*\\(\\s*(?<id>[^(),\\s]+)\\s*(?:,\\s*(?<kind>[^(),\\s]+)\\s*)?\\)");
 
-  /** A quantity of an actor, such as {@code actor('walker').gap}. */
+  /**
+   * A quantity of an actor, such as {@code actor('walker').gap}, or of an event of a storyboard,
+   * such as {@code event('braking').started}.
+   */
   static final Pattern ACTOR =
       Pattern.compile(
-          "actor\\s*\\(\\s*(?:'(?<name>[^']*)'|\"(?<other>[^\"]*)\")\\s*\\)\\s*\\.\\s*(?<part>\\w+)");
+          "(?<of>actor|event)\\s*\\(\\s*(?:'(?<name>[^']*)'|\"(?<other>[^\"]*)\")\\s*\\)\\s*\\.\\s*(?<part>\\w+)");
 
   /** A unit, without blanks in its division; blanks may separate it from its number. */
   private static final Pattern UNIT =

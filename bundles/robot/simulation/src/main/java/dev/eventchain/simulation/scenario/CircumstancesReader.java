@@ -36,13 +36,18 @@ final class CircumstancesReader {
    * @param source the file, for the locations of problems
    * @param known the signals of the bench
    * @param actors the names of the actors
+   * @param events the names of the events of a storyboard
    * @param read receives the names of the signals that the conditions read
    */
   CircumstancesReader(
-      SourceText source, Signal.Source known, Collection<String> actors, Set<String> read) {
+      SourceText source,
+      Signal.Source known,
+      Collection<String> actors,
+      Collection<String> events,
+      Set<String> read) {
     this.read = read;
     this.source = new YamlText(source);
-    this.signals = new ActorSignals(new WithoutMessages(known), actors);
+    this.signals = new ActorSignals(new WithoutMessages(known), actors, events);
   }
 
   /** Reads the condition at a key; empty if there is none, or if it is wrong. */

@@ -119,7 +119,8 @@ final class ScenarioReader {
     FormulasReader formulas =
         new FormulasReader(
             text,
-            new ActorSignals(bench.signals(), SituationReader.names(situation.actors())),
+            new ActorSignals(
+                bench.signals(), SituationReader.names(situation.actors()), situation.events()),
             longest(section),
             requirements,
             Optional.<Range.Source>of(new SignalRanges(situation, inputs, bench, longest(section)))

@@ -71,7 +71,7 @@ final class SituationReader {
     List<Actor> actors = reader.read(section);
     refuseOverlap(actors, ego, road);
     CircumstancesReader circumstances =
-        new CircumstancesReader(text, bench.signals(), names(actors), awaited);
+        new CircumstancesReader(text, bench.signals(), names(actors), List.of(), awaited);
     return new Situation(
         ego,
         part.map(it -> reader.completed(driver, it, circumstances)).orElse(driver),
@@ -99,7 +99,8 @@ final class SituationReader {
             .orElse(usual);
     Situation situation = played.situation(ego, !section.has("duration_s"));
     CircumstancesReader circumstances =
-        new CircumstancesReader(text, bench.signals(), names(situation.actors()), awaited);
+        new CircumstancesReader(
+            text, bench.signals(), names(situation.actors()), situation.events(), awaited);
     return new Situation(
         ego,
         situation.driver(),

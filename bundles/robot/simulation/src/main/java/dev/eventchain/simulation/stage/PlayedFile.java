@@ -94,6 +94,7 @@ public final class PlayedFile {
             scenario, network, network.<RoadMap>map(NetworkRoads::new).orElse(NO_ROADS), name);
     List<Diagnostic> warnings = new ArrayList<>(scenario.warnings());
     network.ifPresent(roads -> warnings.addAll(roads.findings()));
+    warnings.addAll(stage.findings());
     return new PlayedFile(stage, file.path().getFileName().toString(), suffix, words, warnings);
   }
 

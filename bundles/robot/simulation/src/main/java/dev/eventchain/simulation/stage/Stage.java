@@ -1,6 +1,8 @@
 package dev.eventchain.simulation.stage;
 
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.openscenario.document.ResolvedScenario;
+import dev.eventchain.openscenario.document.ScenarioElement;
 import dev.eventchain.openscenario.storyboard.StoryboardRun;
 import dev.eventchain.openscenario.storyboard.world.Box;
 import dev.eventchain.openscenario.storyboard.world.Entity;
@@ -20,6 +22,7 @@ import dev.eventchain.simulation.world.Road;
 import dev.eventchain.simulation.world.Shape;
 import dev.eventchain.simulation.world.Situation;
 import dev.eventchain.simulation.world.SpeedProfile;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -44,6 +47,7 @@ final class Stage {
   private final Frame frame;
   private final Road.Place front;
   private final boolean stops;
+  private final List<Diagnostic> findings;
   private final double friction;
 
   /**
@@ -56,11 +60,12 @@ final class Stage {
   Stage(ResolvedScenario scenario, Optional<RoadNetwork> network, RoadMap roads, String ego) {
     this.scenario = scenario;
     this.roads = roads;
-    StoryboardRun run = StoryboardRun.start(scenario, roads, ego);
+    StoryboardRun run = StoryboardRun.start(scenario.root(), scenario.parameters(), roads, ego);
     this.ego = run.entities().find(ego).orElseThrow();
     this.start = run.states().get(ego);
     this.stops = run.hasStop();
     this.friction = run.friction();
+    this.findings = run.findings();
     Pose bumper = start.pose().moved(this.ego.box().front(), this.ego.box().y());
     Optional<LanePath> path = network.flatMap(this::path);
     if (path.isPresent()) {
@@ -85,6 +90,11 @@ final class Stage {
               network.road(point.road()).orElseThrow().heading(point.s()) - start.pose().heading();
           return network.path(lane, StrictMath.cos(direction) >= 0.0, BEHIND, AHEAD);
         });
+  }
+
+  /** Returns what was found in the storyboard, which does not keep it from being played. */
+  List<Diagnostic> findings() {
+    return findings;
   }
 
   /** Returns whether a trigger stops the storyboard. */
@@ -134,10 +144,7 @@ final class Stage {
    * @param limit when the storyboard has to be at its end; empty if it need not
    */
   Situation situation(EgoVehicle vehicle, Optional<StoryboardDirector.Limit> limit) {
-    Director.Source source =
-        () ->
-            new StoryboardDirector(
-                StoryboardRun.start(scenario, roads, ego.name()), frame, road, ego.name(), limit);
+    Director.Source source = new Play(this, limit);
     HumanDriver driver =
         new HumanDriver(
             new SpeedProfile(vehicle.speed(), List.of()),
@@ -145,5 +152,33 @@ final class Stage {
             false);
     return new Situation(
         vehicle, driver, road, source.begin().actors(), Optional.empty(), Optional.of(source));
+  }
+
+  /** Plays the storyboard from its begin. */
+  private record Play(Stage stage, Optional<StoryboardDirector.Limit> limit)
+      implements Director.Source {
+
+    @Override
+    public Director begin() {
+      String name = stage.ego.name();
+      StoryboardRun run =
+          StoryboardRun.start(
+              stage.scenario.root(), stage.scenario.parameters(), stage.roads, name);
+      return new StoryboardDirector(run, stage.frame, stage.road, name, limit);
+    }
+
+    @Override
+    public List<String> events() {
+      List<String> names = new ArrayList<>();
+      addEvents(stage.scenario.root().required("Storyboard"), names);
+      return names.stream().distinct().toList();
+    }
+
+    private static void addEvents(ScenarioElement element, List<String> names) {
+      if (element.name().equals("Event")) {
+        names.add(element.text("name"));
+      }
+      element.children().forEach(child -> addEvents(child, names));
+    }
   }
 }

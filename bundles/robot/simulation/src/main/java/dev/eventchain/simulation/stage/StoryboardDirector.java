@@ -1,9 +1,11 @@
 package dev.eventchain.simulation.stage;
 
 import dev.eventchain.openscenario.storyboard.StoryboardRun;
+import dev.eventchain.openscenario.storyboard.tree.Change;
 import dev.eventchain.openscenario.storyboard.world.Entity;
 import dev.eventchain.openscenario.storyboard.world.EntityState;
 import dev.eventchain.openscenario.storyboard.world.Pose;
+import dev.eventchain.openscenario.storyboard.world.Progress;
 import dev.eventchain.openscenario.storyboard.world.Visibility;
 import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.Body;
@@ -21,6 +23,9 @@ import java.util.OptionalDouble;
 /** Plays a storyboard in the world. */
 final class StoryboardDirector implements Director {
 
+  /** The type of storyboard elements that formulas may ask for. */
+  private static final String EVENT = "event";
+
   private static final double STEP = World.seconds(World.TRACE_STEP);
 
   private final StoryboardRun run;
@@ -29,8 +34,10 @@ final class StoryboardDirector implements Director {
   private final Map<String, Track> tracks = new LinkedHashMap<>();
   private final List<Actor> actors = new ArrayList<>();
   private final Optional<Limit> limit;
+  private final List<Happening> happenings = new ArrayList<>();
   private double acceleration;
   private int now;
+  private int known;
 
   /**
    * The time at which a storyboard has to be at its end.
@@ -148,6 +155,20 @@ final class StoryboardDirector implements Director {
   @Override
   public OptionalDouble curvature() {
     return OptionalDouble.empty();
+  }
+
+  @Override
+  public List<Happening> happenings() {
+    List<Change> changes = run.changes();
+    for (Change change : changes.subList(known, changes.size())) {
+      if (change.type().equals(EVENT) && change.transition() != null) {
+        boolean begins = change.transition() == Progress.Transition.START;
+        String name = change.path().substring(change.path().lastIndexOf('/') + 1);
+        happenings.add(new Happening(name, begins, World.nanoseconds(change.time())));
+      }
+    }
+    known = changes.size();
+    return happenings;
   }
 
   @Override

@@ -31,7 +31,19 @@ public interface Director {
   @FunctionalInterface
   interface Source {
     Director begin();
+
+    /** Returns the names of the events that may happen, in the order of the scenario. */
+    default List<String> events() {
+      return List.of();
+    }
   }
+
+  /**
+   * The begin or the end of an event.
+   *
+   * @param time in ns
+   */
+  record Happening(String event, boolean begins, long time) {}
 
   /** Returns all actors, also those that are not there; the same ones at each moment. */
   List<Actor> actors();
@@ -48,6 +60,9 @@ public interface Director {
 
   /** Returns the curvature that the ego drives until then, in 1/m; empty if it keeps its lane. */
   OptionalDouble curvature();
+
+  /** Returns what happened up to now, in its order. */
+  List<Happening> happenings();
 
   /** Returns whether the scenario ended. */
   boolean ended();

@@ -37,6 +37,11 @@ public record Situation(
     actors = List.copyOf(actors);
   }
 
+  /** Returns the names of the events that a director lets happen. */
+  public List<String> events() {
+    return director.map(Director.Source::events).orElse(List.of());
+  }
+
   /** Returns a situation on a straight road, with a driver who keeps the speed. */
   public static Situation straight(EgoVehicle ego, List<Actor> actors) {
     SpeedProfile speed = new SpeedProfile(ego.speed(), List.of());

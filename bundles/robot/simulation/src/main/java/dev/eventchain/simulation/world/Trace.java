@@ -88,6 +88,7 @@ public final class Trace {
   private Shape shape = Shape.USUAL;
   private List<Actor> actors = List.of();
   private List<String> neverBegun = List.of();
+  private List<Director.Happening> happenings = List.of();
   private final List<State> states = new ArrayList<>();
   private final Map<String, List<Sample>> samples = new HashMap<>();
   private final List<Command> commands = new ArrayList<>();
@@ -158,11 +159,22 @@ public final class Trace {
     return neverBegun;
   }
 
+  /** Records what a director has let happen up to now. */
+  void happened(List<Director.Happening> all) {
+    happenings = List.copyOf(all);
+  }
+
+  /** Returns what a director has let happen, in its order. */
+  public List<Director.Happening> happenings() {
+    return happenings;
+  }
+
   /** Returns a trace of a single moment, with the last command before it. */
   Trace moment(State state) {
     Trace moment = new Trace(inputs, road);
     moment.shape = shape;
     moment.actors = actors;
+    moment.happenings = happenings;
     moment.fromBehind.addAll(fromBehind);
     moment.state(state);
     if (!commands.isEmpty()) {
@@ -199,6 +211,7 @@ public final class Trace {
     other.shape = shape;
     other.actors = actors;
     other.neverBegun = neverBegun;
+    other.happenings = happenings;
     other.hidden.addAll(hidden);
     other.hidden.addAll(signals);
     other.impactSpeed = impactSpeed;

@@ -287,6 +287,7 @@ public final class World {
             !ego.held(),
             !ego.steered()));
     trace.neverBegun(other.neverBegun());
+    trace.happened(other.happenings());
     ended |= other.ended();
   }
 

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.fail;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.scenario.Expectation;
 import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.EgoVehicle;
@@ -147,6 +148,41 @@ class PlayedScenarioTest {
             .findFirst()
             .orElseThrow();
     assertEquals(stopped + 1.1, World.seconds(world.now()), 0.0101);
+  }
+
+  @Test
+  void eventsAreQuantitiesOfFormulas() {
+    String parameters = "  parameters: {speed_kph: 36, target_kph: 36, headway: 4, brakes_at: 1}";
+    String accept =
+        """
+          formulas:
+            - {formula: "eventually[0, 3] event('target brakes').started"}
+            - {formula: "always[0, 0.98] not event('target brakes').started"}
+            - {formula: "eventually[0, 4] event('target brakes').ended"}
+            - {formula: "always[0, 3] not event('target brakes').ended"}
+        """;
+    Scenario scenario =
+        Scenario.parse(
+            SourceText.of(
+                FOLDER.resolve("scenario.yaml").toString(),
+                scenario("rear-end.xosc", parameters) + accept),
+            Bench.carla());
+    World world = world(scenario);
+    drive(world, 5);
+    // 10 m/s, less 4 m/s each second from 1 s on.
+    Actor target = world.actors().get(0);
+    assertEquals(10, target.speedAlong(1), 1e-9);
+    assertEquals(2, target.speedAlong(3), 1e-9);
+    assertEquals(0, target.speedAlong(3.6), 1e-9);
+    double gap = 40 - FRONT + REAR - (2.5 * 10 - 10 * 10 / (2 * 4.0)) - 10 * (4 - 3.5);
+    assertEquals(gap, world.trace().stateAt(World.nanoseconds(4)).gap(), 1e-6);
+    List<String> wrong =
+        scenario.criteria().stream()
+            .filter(criterion -> criterion.text().contains("event("))
+            .filter(criterion -> !criterion.judge(world.trace()).passed())
+            .map(Expectation::text)
+            .toList();
+    assertEquals(List.of(), wrong);
   }
 
   @Test
