@@ -1,6 +1,7 @@
 package dev.eventchain.benchmarks;
 
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.sandbox.PythonEnvironment;
@@ -121,7 +122,7 @@ public final class LockstepBenchmark {
                 .get(0),
         generated,
         NodeManifest.read(SourceText.read(generated.resolve(NodeManifest.FILE))),
-        List.of(project.resolve("software-base/msg")),
+        MessageCatalog.of(List.of(project.resolve("software-base/msg"))),
         Bench.carla(),
         List.of(scenario));
   }

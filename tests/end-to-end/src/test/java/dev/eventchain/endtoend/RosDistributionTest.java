@@ -90,6 +90,11 @@ class RosDistributionTest {
         .says("geometry_msgs/msg/VelocityStamped")
         .says("demo_msgs/msg/RadarTarget");
     new Program()
+        .run("messages", "--ros-distro", "jazzy")
+        .expect(0)
+        .says("geometry_msgs/msg/VelocityStamped");
+    new Program().run("messages").expect(2).says("name a folder, or --ros-distro");
+    new Program()
         .run("messages", "--ros-distro", "kilted", messages)
         .expect(2)
         .says("--ros-distro is humble or jazzy, not 'kilted'");

@@ -29,11 +29,11 @@ import picocli.CommandLine.Spec;
 final class MessagesCommand implements Callable<Integer> {
 
   @Parameters(
-      arity = "1..*",
+      arity = "0..*",
       paramLabel = "FOLDER",
       description =
           "Holds PACKAGE/msg/NAME.msg or NAME.idl, as software-base/msg of a project does; a later one "
-              + "hides an earlier one.")
+              + "hides an earlier one. None for standard messages alone, with --ros-distro.")
   private List<Path> folders = new ArrayList<>();
 
   @Option(
@@ -63,6 +63,9 @@ final class MessagesCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
+    if (folders.isEmpty() && distribution == null) {
+      throw new ParameterException(spec.commandLine(), "name a folder, or --ros-distro");
+    }
     if (distribution != null && !MessageDefinitions.distributions().contains(distribution)) {
       String known = String.join(" or ", MessageDefinitions.distributions());
       throw new ParameterException(

@@ -134,11 +134,6 @@ public final class MessageCatalog {
             SourceLocation.of(folder)));
   }
 
-  /** Returns the release that defines the standard types. */
-  public RosDistribution distribution() {
-    return distribution;
-  }
-
   /** Returns the folders of the user, as they were given. */
   public List<Path> folders() {
     return folders;
