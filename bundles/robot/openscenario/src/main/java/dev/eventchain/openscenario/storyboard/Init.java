@@ -88,7 +88,7 @@ final class Init {
         .filter(
             each ->
                 places.stream()
-                    .anyMatch(other -> other != action && other.actors().contains(each)));
+                    .anyMatch(other -> !other.equals(action) && other.actors().contains(each)));
   }
 
   private static DiagnosticException circle(Given action, List<Given> places) {
