@@ -191,12 +191,32 @@ public final class ActorSignals implements Signal.Source {
 
   /** Returns the name of a signal as this source knows it, whatever its blanks and quotes. */
   static String named(String text) {
-    Matcher actor = FormulaTokens.ACTOR.matcher(text);
+    return reading(text).map(it -> name(it.of(), it.name(), it.quantity())).orElse(text);
+  }
+
+  /**
+   * A quantity of one actor or event.
+   *
+   * @param of {@code actor} or {@code event}
+   * @param name its name
+   * @param quantity such as {@code gap}
+   */
+  public record Reading(String of, String name, String quantity) {
+
+    /** Returns whether it is one of an actor. */
+    public boolean isOfActor() {
+      return of.equals("actor");
+    }
+  }
+
+  /** Returns what a signal reads of an actor or an event; empty if it is no signal of one. */
+  public static Optional<Reading> reading(String signal) {
+    Matcher actor = FormulaTokens.ACTOR.matcher(signal);
     if (!actor.matches()) {
-      return text;
+      return Optional.empty();
     }
     String name = actor.group("name") != null ? actor.group("name") : actor.group("other");
-    return name(actor.group("of"), name, actor.group("part"));
+    return Optional.of(new Reading(actor.group("of"), name, actor.group("part")));
   }
 
   /** Returns whether a signal is one of an actor. */

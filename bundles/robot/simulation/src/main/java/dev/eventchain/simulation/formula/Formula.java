@@ -101,6 +101,15 @@ public final class Formula {
     return FormulaEvaluation.of(condition, run).verdict() < 0.0;
   }
 
+  /**
+   * Returns the comparisons of a condition of one moment: it is true if all of one list hold.
+   *
+   * @return empty if there are more than 64 lists
+   */
+  public Optional<List<List<Inequality>>> alternatives() {
+    return Inequality.alternatives(condition);
+  }
+
   /** Returns the formula on one line. */
   public String text() {
     return text;

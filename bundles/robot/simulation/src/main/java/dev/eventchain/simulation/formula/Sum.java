@@ -2,6 +2,7 @@ package dev.eventchain.simulation.formula;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * A quantity as a sum of parts with factors, so that what is subtracted from itself disappears.
@@ -52,6 +53,18 @@ final class Sum {
   /** Returns that number. */
   double number() {
     return constant;
+  }
+
+  /** Returns the factors by the names of signals; empty if there is another part than a signal. */
+  Optional<Map<String, Double>> ofSignals() {
+    Map<String, Double> named = new LinkedHashMap<>();
+    for (Map.Entry<Object, Double> each : factors.entrySet()) {
+      if (!(each.getKey() instanceof String signal)) {
+        return Optional.empty();
+      }
+      named.put(signal, each.getValue());
+    }
+    return Optional.of(named);
   }
 
   Range range(Range.Source signals) {

@@ -8,23 +8,17 @@ import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.simulation.bench.YamlText;
 import dev.eventchain.simulation.formula.ActorSignals;
 import dev.eventchain.simulation.formula.Formula;
-import dev.eventchain.simulation.formula.SampledRun;
 import dev.eventchain.simulation.formula.Signal;
-import dev.eventchain.simulation.world.Trace;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Predicate;
 
 /**
  * Reads what a scenario waits for: conditions of the road, the vehicle, the actors and the inputs,
  * but not of messages, so that other software does not change when it comes.
  */
 final class CircumstancesReader {
-
-  /** A condition of the trace of a moment. */
-  record Circumstance(String text, Predicate<Trace> condition) {}
 
   private final YamlText source;
   private final Signal.Source signals;
@@ -62,8 +56,7 @@ final class CircumstancesReader {
       formula.signals().stream()
           .flatMap(Signal::origins)
           .forEach(signal -> read.add(signal.name()));
-      return Optional.of(
-          new Circumstance(formula.text(), moment -> formula.holds(new SampledRun(moment))));
+      return Optional.of(new Circumstance(formula));
     } catch (DiagnosticException e) {
       for (Diagnostic problem : e.diagnostics()) {
         SourceLocation place = problem.location().withElement(section.pointerTo(key));

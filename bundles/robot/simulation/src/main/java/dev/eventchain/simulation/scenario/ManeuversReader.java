@@ -185,7 +185,7 @@ final class ManeuversReader {
       each.find(RANGE_FINDING, "It begins by one of " + both + ".", each.atKey(given.get(1)));
     }
     if (each.has(WHEN)) {
-      return circumstances.read(each, WHEN).map(it -> new Maneuver.When(it.text(), it.condition()));
+      return circumstances.read(each, WHEN).map(it -> new Maneuver.When(it.formula().text(), it));
     }
     double seconds = each.requiredNumber(AFTER, NumberRange.of(0, duration));
     return Optional.of(new Maneuver.After(World.nanoseconds(seconds)));

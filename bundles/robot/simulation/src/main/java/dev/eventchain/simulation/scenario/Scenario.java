@@ -19,6 +19,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -28,17 +29,13 @@ import java.util.stream.Stream;
  */
 public final class Scenario {
 
-  private final String name;
-  private final String title;
-  private final List<String> requirements;
   private final long seed;
   private final double duration;
   private final Situation situation;
   private final Map<String, Script> inputs;
   private final NodePhases phases;
   private final Asked asked;
-  private final NamedRequirements.Places places;
-  private final SourceLocation location;
+  private final Heading heading;
 
   Scenario(
       Heading heading,
@@ -48,11 +45,7 @@ public final class Scenario {
       Map<String, Script> inputs,
       NodePhases phases,
       Asked asked) {
-    this.name = heading.name();
-    this.title = heading.title();
-    this.requirements = List.copyOf(heading.requirements());
-    this.places = heading.places();
-    this.location = heading.location();
+    this.heading = heading;
     this.seed = seed;
     this.duration = duration;
     this.situation = situation;
@@ -61,13 +54,24 @@ public final class Scenario {
     this.asked = asked;
   }
 
-  /** Names and requirements of a scenario. */
+  /**
+   * Names and requirements of a scenario.
+   *
+   * @param parts returns the locations of its parts by their pointers
+   */
   record Heading(
       String name,
       String title,
+      String description,
       List<String> requirements,
       NamedRequirements.Places places,
-      SourceLocation location) {}
+      Function<String, SourceLocation> parts) {
+
+    /** Copies the list. */
+    Heading {
+      requirements = List.copyOf(requirements);
+    }
+  }
 
   /**
    * What is asked of the software in a scenario.
@@ -92,7 +96,6 @@ public final class Scenario {
 
   /** Returns a copy with other criteria. */
   public Scenario with(List<Expectation> others) {
-    Heading heading = new Heading(name, title, requirements, places, location);
     Asked other = new Asked(others, asked.observed, asked.judged, asked.optional);
     return new Scenario(heading, seed, duration, situation, inputs, phases, other);
   }
@@ -217,32 +220,47 @@ public final class Scenario {
 
   /** Returns the name, unique in a folder: lower-case letters, digits and hyphens. */
   public String name() {
-    return name;
+    return heading.name();
   }
 
   /** Returns the title for users. */
   public String title() {
-    return title;
+    return heading.title();
+  }
+
+  /** Returns what it says about itself for users, on one line; may be empty. */
+  public String description() {
+    return heading.description();
   }
 
   /** Returns the ids of all requirements that it or one of its criteria names. */
   public List<String> requirements() {
-    return requirements;
+    return heading.requirements();
   }
 
   /** Returns the location of the requirements; the whole scenario if there are none. */
   public SourceLocation requirementsLocation() {
-    return places.list();
+    return heading.places().list();
   }
 
   /** Returns the location where a requirement is named first. */
   public SourceLocation locationOf(String requirement) {
+    NamedRequirements.Places places = heading.places();
     return places.of().getOrDefault(requirement, places.list());
   }
 
   /** Returns the location of the scenario. */
   public SourceLocation location() {
-    return location;
+    return locationOfPart("");
+  }
+
+  /**
+   * Returns the location of a part.
+   *
+   * @param pointer such as {@code /actors/0}
+   */
+  public SourceLocation locationOfPart(String pointer) {
+    return heading.parts().apply(pointer);
   }
 
   /** Returns the maximum simulated time, in s. */

@@ -3,6 +3,7 @@ package dev.eventchain.simulation.scenario;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
@@ -22,6 +23,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.Function;
 
 /** Reads scenario files, with units in the names of the keys, into SI units. */
 final class ScenarioReader {
@@ -80,7 +82,7 @@ final class ScenarioReader {
       if (problems.isEmpty() || scenarios.isEmpty()) {
         document
             .object("", problems::add)
-            .ifPresent(it -> scenarios.add(reader.scenario(it, each)));
+            .ifPresent(it -> scenarios.add(reader.scenario(it, document::at, each)));
       }
     }
     if (!problems.isEmpty()) {
@@ -102,11 +104,15 @@ final class ScenarioReader {
   /**
    * Reads a scenario.
    *
+   * @param parts returns the locations of its parts
    * @param played what has its situation; empty if the file itself has it
    */
-  private Scenario scenario(ObjectReader section, Optional<PlayedFile> played) {
+  private Scenario scenario(
+      ObjectReader section,
+      Function<String, SourceLocation> parts,
+      Optional<PlayedFile> played) {
     String name = name(section) + played.map(PlayedFile::suffix).orElse("");
-    section.text("description"); // for people
+    String description = section.text("description").orElse("").strip().replaceAll("\\s+", " ");
     String title = section.requiredText("title") + played.map(PlayedFile::words).orElse("");
     NamedRequirements requirements = NamedRequirements.ofScenario(section);
     long seed = section.wholeNumber("seed", SEED).orElse(1);
@@ -133,7 +139,7 @@ final class ScenarioReader {
     section.refuseOthers();
     Scenario.Heading heading =
         new Scenario.Heading(
-            name, title, requirements.all(), requirements.places(), section.location());
+            name, title, description, requirements.all(), requirements.places(), parts);
     return new Scenario(heading, seed, duration, situation, inputs, phases, asked);
   }
 

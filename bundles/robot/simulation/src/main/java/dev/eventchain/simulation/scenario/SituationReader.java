@@ -77,7 +77,7 @@ final class SituationReader {
         part.map(it -> reader.completed(driver, it, circumstances)).orElse(driver),
         road,
         reader.completed(actors, circumstances),
-        circumstances.read(section, "end_when").map(CircumstancesReader.Circumstance::condition));
+        circumstances.read(section, "end_when").map(it -> it));
   }
 
   /**

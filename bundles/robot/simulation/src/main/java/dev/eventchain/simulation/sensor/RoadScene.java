@@ -14,16 +14,24 @@ import java.util.List;
  */
 public record RoadScene(Road road, Road.Place ego, List<Body> bodies) {
 
-  private static final double POST_DISTANCE = 6.0;
-  private static final double POST_SPACING = 25.0;
-  private static final double POST_WIDTH = 0.3;
-  private static final double POST_HEIGHT = 3.0;
+  /** Distance of the posts from the centre line of the ego's lane, in m. */
+  public static final double POST_DISTANCE = 6.0;
+
+  /** Distance of the rear sides of two posts along that line, in m; one is at its start. */
+  public static final double POST_SPACING = 25.0;
+
+  /** Length and width of a post, in m. */
+  public static final double POST_WIDTH = 0.3;
+
+  /** Height of a post, in m. */
+  public static final double POST_HEIGHT = 3.0;
+
   private static final double VIEW = 110.0;
 
   private static final float POST_INTENSITY = 0.5f;
 
   /** Height of the walls, in m. */
-  static final double WALL_HEIGHT = 2.0;
+  public static final double WALL_HEIGHT = 2.0;
 
   /**
    * Returns what is around a sensor in all directions.

@@ -82,7 +82,8 @@ public final class Actor {
     return new Actor(name, kind, size, other);
   }
 
-  private Optional<Motion> script() {
+  /** Returns its script; empty if something else moves it. */
+  public Optional<Motion> script() {
     return course instanceof ScriptedCourse scripted
         ? Optional.of(scripted.motion())
         : Optional.empty();
@@ -143,6 +144,16 @@ public final class Actor {
   /** Returns the position of its middle left of the centre line of the ego's lane, in m. */
   public double across(double seconds) {
     return course.station(seconds).across();
+  }
+
+  /** Returns whether it turns while it moves sideways, as a vehicle does. */
+  public boolean turns() {
+    return course instanceof ScriptedCourse scripted && scripted.turns();
+  }
+
+  /** Returns its direction relative to that of the road while it does not move sideways, in rad. */
+  public double direction() {
+    return course instanceof ScriptedCourse scripted ? scripted.heading() : heading(0.0);
   }
 
   /**

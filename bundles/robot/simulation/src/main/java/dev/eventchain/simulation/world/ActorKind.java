@@ -55,6 +55,11 @@ public enum ActorKind {
     return name().toLowerCase(Locale.ROOT);
   }
 
+  /** Returns whether it is furniture, which stands. */
+  public boolean isFurniture() {
+    return !moves;
+  }
+
   /** Returns the names of the moving kinds, or of the others. */
   public static List<String> ids(boolean moving) {
     return Arrays.stream(values()).filter(kind -> kind.moves == moving).map(ActorKind::id).toList();

@@ -85,7 +85,7 @@ public record EgoVehicle(
   }
 
   /** Returns the distance from the rear axle, the reference of the motion, to the bumper, in m. */
-  double axleToBumper() {
+  public double axleToBumper() {
     return chassis.wheelbase() + shape.frontOverhang();
   }
 

@@ -36,12 +36,17 @@ public final class LateralProfile {
   /**
    * A change on its way.
    *
+   * @param time when it begins, in s
+   * @param from the offset before, in m
+   * @param to the offset after it, in m
+   * @param duration in s
    * @param ramp how long the speed of a linear one grows, and how long it falls, in s
    */
-  private record Move(
+  public record Move(
       double time, double from, double to, double duration, boolean linear, double ramp) {
 
-    static Move of(Change change, double from) {
+    /** Returns the move of a change from an offset. */
+    public static Move of(Change change, double from) {
       double way = Math.abs(change.offset() - from);
       if (!change.linear()) {
         double duration = Math.PI / 2.0 * way / change.speed();
@@ -53,7 +58,7 @@ public final class LateralProfile {
       return new Move(change.time(), from, change.offset(), way / speed + ramp, true, ramp);
     }
 
-    double end() {
+    public double end() {
       return time + duration;
     }
 
@@ -117,6 +122,16 @@ public final class LateralProfile {
     fastest = changes.stream().mapToDouble(Change::speed).max().orElse(0.0);
   }
 
+  /** Returns the changes, in the order of time, also those to the offset that is there. */
+  public List<Change> changes() {
+    return changes;
+  }
+
+  /** Returns the changes that move something, in the order of time. */
+  public List<Move> moves() {
+    return List.copyOf(moves);
+  }
+
   /** Returns this profile with a further change, which begins after the end of the others. */
   LateralProfile then(Change change) {
     List<Change> all = new ArrayList<>(changes);
@@ -140,13 +155,13 @@ public final class LateralProfile {
   }
 
   /** Returns the offset after some seconds, in m. */
-  double offset(double seconds) {
+  public double offset(double seconds) {
     Move current = current(seconds);
     return current == null ? start : current.at(seconds);
   }
 
   /** Returns the lateral speed after some seconds, in m/s. */
-  double rate(double seconds) {
+  public double rate(double seconds) {
     Move current = current(seconds);
     return current == null ? 0.0 : current.rate(seconds);
   }

@@ -29,7 +29,7 @@ public record Motion(SpeedProfile speed, LateralProfile line, long latest, List<
   }
 
   /** Returns whether a maneuver has not begun. */
-  boolean waits() {
+  public boolean waits() {
     return !waiting.isEmpty();
   }
 
@@ -71,7 +71,7 @@ public record Motion(SpeedProfile speed, LateralProfile line, long latest, List<
   }
 
   /** Returns an upper bound of the speed, in m/s, also in the maneuvers that have not begun. */
-  double fastest() {
+  public double fastest() {
     double fastest = Math.max(speed.fastest(), 0.0);
     for (Maneuver each : waiting) {
       if (each.change() instanceof SpeedProfile.Change change) {

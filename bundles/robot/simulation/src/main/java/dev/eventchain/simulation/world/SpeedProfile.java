@@ -60,6 +60,16 @@ public final class SpeedProfile {
     fastest = pieces.stream().mapToDouble(Piece::speed).max().orElseThrow();
   }
 
+  /** Returns the speed at the start, in m/s. */
+  public double start() {
+    return start;
+  }
+
+  /** Returns the changes, in the order of time. */
+  public List<Change> changes() {
+    return changes;
+  }
+
   /** Returns this profile with a further change, which begins after the others. */
   SpeedProfile then(Change change) {
     List<Change> all = new ArrayList<>(changes);
@@ -98,7 +108,7 @@ public final class SpeedProfile {
   }
 
   /** Returns the distance since the start, in m. */
-  double way(double seconds) {
+  public double way(double seconds) {
     return at(seconds).wayAt(seconds);
   }
 
