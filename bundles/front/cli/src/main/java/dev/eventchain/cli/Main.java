@@ -52,6 +52,7 @@ public final class Main {
           BenchCommand.class,
           MessagesCommand.class,
           DiagramCommand.class,
+          ExportCommand.class,
           DescribeCommand.class,
           ExplainCommand.class,
           DoctorCommand.class);

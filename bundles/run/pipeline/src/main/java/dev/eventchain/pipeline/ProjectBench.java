@@ -38,15 +38,8 @@ public record ProjectBench(String text, List<Diagnostic> diagnostics) {
    * @throws DiagnosticException INPUT if the bench, the software base or the model cannot be read
    */
   public static ProjectBench of(Project project, Path output) {
-    SoftwareBase base = SoftwareBase.read(project.softwareBase());
-    if (Diagnostic.anyError(base.diagnostics())) {
-      throw new DiagnosticException(DiagnosticException.Reason.INPUT, base.diagnostics());
-    }
-    Bench bench =
-        Bench.read(
-            project.bench(),
-            base.signals().orElse(List.of()),
-            MessageCatalog.of(project.distribution(), project.messageFolders()));
+    SoftwareBase base = soundBase(project);
+    Bench bench = read(project, base);
     List<Diagnostic> found = new ArrayList<>(base.diagnostics());
     Optional<Path> file = project.model(output);
     if (file.isEmpty()) {
@@ -56,6 +49,30 @@ public record ProjectBench(String text, List<Diagnostic> diagnostics) {
     EventChain chain = ChainModel.chainOf(model, file.get());
     found.addAll(bench.check(chain, model.origins()::locate));
     return new ProjectBench(bench.listing(Optional.of(chain)), found);
+  }
+
+  /**
+   * Reads the bench of a project by itself, whatever its chain is.
+   *
+   * @throws DiagnosticException INPUT if the bench or the software base cannot be read
+   */
+  public static Bench read(Project project) {
+    return read(project, soundBase(project));
+  }
+
+  private static Bench read(Project project, SoftwareBase base) {
+    return Bench.read(
+        project.bench(),
+        base.signals().orElse(List.of()),
+        MessageCatalog.of(project.distribution(), project.messageFolders()));
+  }
+
+  private static SoftwareBase soundBase(Project project) {
+    SoftwareBase base = SoftwareBase.read(project.softwareBase());
+    if (Diagnostic.anyError(base.diagnostics())) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, base.diagnostics());
+    }
+    return base;
   }
 
   /**

@@ -6,13 +6,15 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.pipeline.run.ScenarioSelection;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.scenario.Scenario;
+import java.nio.file.Path;
+import java.util.Collection;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 
-/** Scenarios of a project that a run simulates. */
-final class ProjectScenarios {
+/** Scenarios of a project that a command is about. */
+public final class ProjectScenarios {
 
   private ProjectScenarios() {}
 
@@ -25,7 +27,17 @@ final class ProjectScenarios {
     }
     List<Scenario> all =
         Scenario.readFolder(run.project().scenarios(), run.chain().bench(), run::find);
-    Set<String> wanted = new TreeSet<>(selection.names());
+    return named(all, selection.names(), run.project().scenarios());
+  }
+
+  /**
+   * Returns the scenarios of some names, or all if there are none.
+   *
+   * @param folder that of all scenarios
+   * @throws DiagnosticException (INPUT) {@code project.scenario.unknown}
+   */
+  public static List<Scenario> named(List<Scenario> all, Collection<String> chosen, Path folder) {
+    Set<String> wanted = new TreeSet<>(chosen);
     if (wanted.isEmpty()) {
       return all;
     }
@@ -38,7 +50,7 @@ final class ProjectScenarios {
             Diagnostic.of(
                     SimulateRules.PROJECT_SCENARIO_UNKNOWN,
                     "There is no scenario '" + name + "'.",
-                    SourceLocation.of(run.project().scenarios()))
+                    SourceLocation.of(folder))
                 .withHint("The scenarios are " + String.join(", ", names) + "."));
       }
     }
