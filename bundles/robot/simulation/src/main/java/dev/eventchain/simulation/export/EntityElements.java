@@ -71,9 +71,12 @@ final class EntityElements {
 
   /** Returns a property of ours. */
   static Markup property(String name, String value) {
-    // A value that begins so would be read as the name of a parameter.
-    String text = value.startsWith("$") ? "\\" + value : value;
-    return new Markup("Property").with("name", PREFIX + name).with("value", text);
+    return new Markup("Property").with("name", PREFIX + name).with("value", text(value));
+  }
+
+  /** Returns a text that is not read as the name of a parameter. */
+  static String text(String value) {
+    return value.startsWith("$") ? "\\" + value : value;
   }
 
   private static String category(ActorKind kind) {

@@ -44,15 +44,6 @@ final class Markup {
     return this;
   }
 
-  /** Returns this element around a new child. */
-  Markup around(Markup child) {
-    return add(child);
-  }
-
-  boolean isEmpty() {
-    return children.isEmpty();
-  }
-
   /** Returns a number to a millionth, without an exponent. */
   static String number(double value) {
     BigDecimal rounded = BigDecimal.valueOf(value).setScale(DECIMALS, RoundingMode.HALF_EVEN);

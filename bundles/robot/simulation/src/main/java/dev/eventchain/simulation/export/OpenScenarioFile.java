@@ -73,7 +73,7 @@ final class OpenScenarioFile {
         .with("revMajor", "1")
         .with("revMinor", "3")
         .with("date", DATE)
-        .with("description", scenario.title())
+        .with("description", EntityElements.text(scenario.title()))
         .with("author", "Eventchain")
         .add(properties());
   }

@@ -39,11 +39,17 @@ final class WaitingEvents {
 
   private double offset;
 
+  /** The speed before the last change of it. */
+  private double former;
+
   /** The time before which the next maneuver does not begin, in s. */
   private double earliest;
 
   /** The time at which the last move to the side has ended if it began as early as it can, in s. */
   private double settled;
+
+  /** The time at which the last change of the speed has ended likewise, in s. */
+  private double steady;
 
   WaitingEvents(
       Scenario scenario,
@@ -59,11 +65,27 @@ final class WaitingEvents {
     this.isStraight = scenario.situation().road().isStraight();
     Motion motion = mover.motion();
     List<SpeedProfile.Change> changes = motion.speed().changes();
-    this.speed =
-        changes.isEmpty() ? motion.speed().start() : changes.get(changes.size() - 1).speed();
+    this.speed = motion.speed().start();
+    for (SpeedProfile.Change change : changes) {
+      double before = motion.speed().speed(change.time());
+      steady = change.time() + Math.abs(change.speed() - before) / change.acceleration();
+      former = before;
+      speed = change.speed();
+    }
     this.settled = motion.line().end();
     this.offset = motion.line().offset(settled);
     this.earliest = World.seconds(motion.latest());
+  }
+
+  /** Notes a change of the speed, which may begin while the one before it is on its way. */
+  private void accelerate(SpeedProfile.Change change, double begin) {
+    double most = Math.abs(change.speed() - speed);
+    if (begin < steady) {
+      most = Math.max(most, Math.abs(change.speed() - former));
+    }
+    steady = begin + most / change.acceleration();
+    former = speed;
+    speed = change.speed();
   }
 
   /** Returns the events, in their order; of no use if there was a finding. */
@@ -88,7 +110,7 @@ final class WaitingEvents {
     }
     if (maneuver.change() instanceof SpeedProfile.Change change) {
       add(maneuver, number, place, ScriptedEvents.speed(change, pace()), 0.0);
-      speed = change.speed();
+      accelerate(change, begin);
     } else {
       side(maneuver, number, place, begin);
     }
@@ -106,9 +128,10 @@ final class WaitingEvents {
     if (moves && !Timeline.isHalfWaveAhead(mover, move, speed, isStraight)) {
       refuse(
           place,
-          "A move to the side that does not begin at a fixed time is half a wave of a vehicle that"
-              + " drives along a straight road, and faster than three times what it does to the"
-              + " side.");
+          "Without a fixed time, only half a wave can be written, on a straight road, of a vehicle that"
+              + " turns and is fast beside what it does to the side.");
+    } else if (moves && begin < steady) {
+      refuse(place, "It may begin while the speed changes.");
     } else if (moves && begin < settled) {
       refuse(place, "It may begin before the one to the side before it has ended.");
     } else {

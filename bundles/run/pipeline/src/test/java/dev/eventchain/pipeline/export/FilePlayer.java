@@ -70,7 +70,7 @@ final class FilePlayer {
     if (!value.startsWith("$")) {
       return Double.parseDouble(value);
     }
-    String[] words = value.replaceAll("[${}]", "").split(" ");
+    String[] words = value.replaceAll("[${}]", "").split(" ", -1);
     double result = parameters.get(words[0]);
     for (int i = 1; i < words.length; i += 2) {
       double operand = Double.parseDouble(words[i + 1]);
@@ -136,7 +136,7 @@ final class FilePlayer {
       if (i % 10 == 0) {
         poses.add(state.pose(now));
       }
-      state.advance(now);
+      state.advance();
     }
     return poses;
   }
@@ -285,7 +285,7 @@ final class FilePlayer {
           one.heading() + (other.heading() - one.heading()) * part);
     }
 
-    void advance(double now) {
+    void advance() {
       double before = speed;
       double most = rate * STEP;
       speed += Math.max(-most, Math.min(most, target - speed));
