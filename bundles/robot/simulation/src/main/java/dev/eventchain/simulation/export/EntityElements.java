@@ -89,6 +89,7 @@ final class EntityElements {
       case GUARD_RAIL -> "railing";
       case STEEL_PLATE -> "patch";
       case BRIDGE -> "building";
+      case OBSTACLE -> "obstacle";
       case PEDESTRIAN -> "none";
     };
   }

@@ -48,7 +48,7 @@ record Mover(
   static boolean isVehicle(ActorKind kind) {
     return switch (kind) {
       case CAR, LORRY, MOTORCYCLE, BICYCLE, PARKED_CAR -> true;
-      case PEDESTRIAN, OVERHEAD_SIGN, BRIDGE, GUARD_RAIL, STEEL_PLATE -> false;
+      case PEDESTRIAN, OVERHEAD_SIGN, BRIDGE, GUARD_RAIL, STEEL_PLATE, OBSTACLE -> false;
     };
   }
 

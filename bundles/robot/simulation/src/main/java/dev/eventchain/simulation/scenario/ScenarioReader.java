@@ -108,9 +108,7 @@ final class ScenarioReader {
    * @param played what has its situation; empty if the file itself has it
    */
   private Scenario scenario(
-      ObjectReader section,
-      Function<String, SourceLocation> parts,
-      Optional<PlayedFile> played) {
+      ObjectReader section, Function<String, SourceLocation> parts, Optional<PlayedFile> played) {
     String name = name(section) + played.map(PlayedFile::suffix).orElse("");
     String description = section.text("description").orElse("").strip().replaceAll("\\s+", " ");
     String title = section.requiredText("title") + played.map(PlayedFile::words).orElse("");

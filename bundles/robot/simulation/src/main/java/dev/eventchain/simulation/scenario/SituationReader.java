@@ -106,7 +106,7 @@ final class SituationReader {
         situation.driver(),
         situation.road(),
         situation.actors(),
-        circumstances.read(section, "end_when").map(Circumstance::condition),
+        circumstances.read(section, "end_when").map(it -> it),
         situation.director());
   }
 

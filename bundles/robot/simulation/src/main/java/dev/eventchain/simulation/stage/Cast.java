@@ -20,7 +20,11 @@ final class Cast {
           Map.entry("tram", ActorKind.LORRY),
           Map.entry("motorbike", ActorKind.MOTORCYCLE),
           Map.entry("bicycle", ActorKind.BICYCLE),
-          Map.entry("barrier", ActorKind.GUARD_RAIL));
+          Map.entry("barrier", ActorKind.GUARD_RAIL),
+          Map.entry("railing", ActorKind.GUARD_RAIL),
+          Map.entry("gantry", ActorKind.OVERHEAD_SIGN),
+          Map.entry("patch", ActorKind.STEEL_PLATE),
+          Map.entry("building", ActorKind.BRIDGE));
 
   private Cast() {}
 
