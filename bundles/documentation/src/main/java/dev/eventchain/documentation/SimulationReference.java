@@ -48,6 +48,7 @@ final class SimulationReference {
       case "scenario" -> SchemaTable.of(Scenario.schema(), "", "accept");
       case "criteria" -> SchemaTable.of(Scenario.schema(), "accept", "");
       case "campaign" -> SchemaTable.of(Campaigns.schema(), "", "");
+      case "openscenario" -> features();
       case "faults" -> SchemaTable.of(FaultPlan.schema(), "", "");
       default -> throw new IllegalArgumentException("There is no table '" + name + "'.");
     };
@@ -58,6 +59,15 @@ final class SimulationReference {
     for (WorldReference.Entry entry : entries) {
       String unit = entry.unit().isEmpty() ? "true or false" : entry.unit();
       text.append("| `%s` | %s | %s |\n".formatted(entry.name(), unit, entry.meaning()));
+    }
+    return text.toString();
+  }
+
+  /** Returns what is not supported of OpenSCENARIO XML, by the elements of the standard. */
+  private static String features() {
+    StringBuilder text = new StringBuilder("| what | | why |\n|---|---|---|\n");
+    for (WorldReference.FeatureEntry each : WorldReference.unsupportedFeatures()) {
+      text.append("| %s | %s | %s |\n".formatted(each.names(), each.support(), each.reason()));
     }
     return text.toString();
   }

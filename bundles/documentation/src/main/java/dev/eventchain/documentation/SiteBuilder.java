@@ -28,6 +28,7 @@ public final class SiteBuilder {
           Map.entry("simulation", "Simulation"),
           Map.entry("scenarios", "Bench, scenarios, formulas"),
           Map.entry("campaigns", "Campaigns"),
+          Map.entry("openscenario", "OpenSCENARIO and suites"),
           Map.entry("language-models", "Language models"),
           Map.entry("comparing-models", "Comparing models"),
           Map.entry("ros2-carla", "ROS 2 and CARLA"),
@@ -94,7 +95,7 @@ public final class SiteBuilder {
     String acceleo = Files.readString(root.resolve("bundles/mde/m2t/ACCELEO.md"));
     pages.put("acceleo", acceleo.replace("(OPERATIONS.md)", "(operations.md)"));
     pages.put("operations", Files.readString(root.resolve("bundles/mde/m2t/OPERATIONS.md")));
-    for (String name : List.of("scenarios", "campaigns")) {
+    for (String name : List.of("scenarios", "campaigns", "openscenario")) {
       String page = Files.readString(root.resolve(PAGES).resolve(name + ".md"));
       pages.put(name, SimulationReference.inserted(page, root));
     }

@@ -1,12 +1,16 @@
 package dev.eventchain.simulation.bench;
 
+import dev.eventchain.openscenario.storyboard.check.Feature;
 import dev.eventchain.simulation.formula.ActorSignals;
 import dev.eventchain.simulation.formula.Operator;
 import dev.eventchain.simulation.formula.WorldSignals;
 import dev.eventchain.simulation.sensor.ObjectSensor;
 import dev.eventchain.simulation.world.Actuator;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /** What benches and scenarios can name of the world, for the documentation. */
 public final class WorldReference {
@@ -60,6 +64,34 @@ public final class WorldReference {
   public static List<OperatorEntry> operators() {
     return Arrays.stream(Operator.values())
         .map(it -> new OperatorEntry(it.written(), it.meaning(), it.example()))
+        .toList();
+  }
+
+  /**
+   * Elements, attributes and values of OpenSCENARIO XML of which the same is true.
+   *
+   * @param names {@code Element}, {@code Element@attribute} or {@code Element@attribute=value}, in
+   *     code style
+   * @param support {@code refused} or {@code no effect}
+   */
+  public record FeatureEntry(String names, String support, String reason) {}
+
+  /** Returns what a storyboard may have by the standard, and is refused or has no effect. */
+  public static List<FeatureEntry> unsupportedFeatures() {
+    Map<List<String>, List<String>> names = new LinkedHashMap<>();
+    for (Feature each : Feature.all().values()) {
+      if (each.support() != Feature.Support.SUPPORTED) {
+        String support = each.support() == Feature.Support.REFUSED ? "refused" : "no effect";
+        names
+            .computeIfAbsent(List.of(support, each.reason()), key -> new ArrayList<>())
+            .add("`" + each.name() + "`");
+      }
+    }
+    return names.entrySet().stream()
+        .map(
+            each ->
+                new FeatureEntry(
+                    String.join(", ", each.getValue()), each.getKey().get(0), each.getKey().get(1)))
         .toList();
   }
 }
