@@ -13,6 +13,7 @@ import dev.eventchain.openscenario.storyboard.world.RoadMap;
 import dev.eventchain.roads.LanePath;
 import dev.eventchain.roads.LanePosition;
 import dev.eventchain.roads.RoadNetwork;
+import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.Chassis;
 import dev.eventchain.simulation.world.Director;
 import dev.eventchain.simulation.world.EgoVehicle;
@@ -46,6 +47,7 @@ final class Stage {
   private final Road road;
   private final Frame frame;
   private final Road.Place front;
+  private final List<Actor> standing;
   private final boolean stops;
   private final List<Diagnostic> findings;
   private final double friction;
@@ -79,6 +81,11 @@ final class Stage {
       this.road = new OpenPlane();
     }
     this.front = frame.toWorld(bumper);
+    this.standing =
+        network
+            .map(it -> new RoadFurniture(it, frame, road, run.entities().objects().keySet()))
+            .map(RoadFurniture::actors)
+            .orElse(List.of());
   }
 
   private Optional<LanePath> path(RoadNetwork network) {
@@ -164,7 +171,7 @@ final class Stage {
       StoryboardRun run =
           StoryboardRun.start(
               stage.scenario.root(), stage.scenario.parameters(), stage.roads, name);
-      return new StoryboardDirector(run, stage.frame, stage.road, name, limit);
+      return new StoryboardDirector(run, stage.frame, stage.road, name, stage.standing, limit);
     }
 
     @Override

@@ -33,6 +33,7 @@ final class StoryboardDirector implements Director {
   private final Entity ego;
   private final Map<String, Track> tracks = new LinkedHashMap<>();
   private final List<Actor> actors = new ArrayList<>();
+  private final List<Actor> all;
   private final Optional<Limit> limit;
   private final List<Happening> happenings = new ArrayList<>();
   private double acceleration;
@@ -51,9 +52,16 @@ final class StoryboardDirector implements Director {
    * Begins a run.
    *
    * @param run at time 0
+   * @param standing what stands at the road
    * @param limit empty if the run may end at any time
    */
-  StoryboardDirector(StoryboardRun run, Frame frame, Road road, String ego, Optional<Limit> limit) {
+  StoryboardDirector(
+      StoryboardRun run,
+      Frame frame,
+      Road road,
+      String ego,
+      List<Actor> standing,
+      Optional<Limit> limit) {
     this.run = run;
     this.frame = frame;
     this.limit = limit;
@@ -67,11 +75,13 @@ final class StoryboardDirector implements Director {
       }
     }
     move(0);
+    all = new ArrayList<>(actors);
+    all.addAll(standing);
   }
 
   @Override
   public List<Actor> actors() {
-    return List.copyOf(actors);
+    return List.copyOf(all);
   }
 
   @Override
