@@ -2,6 +2,7 @@ package dev.eventchain.openscenario.storyboard.action;
 
 import dev.eventchain.openscenario.document.ScenarioElement;
 import java.util.List;
+import java.util.Optional;
 
 /** Reads actions. */
 public final class Actions {
@@ -14,75 +15,53 @@ public final class Actions {
    * @throws IllegalArgumentException for one that is not supported, which a check has refused
    */
   public static Action read(ScenarioElement action) {
-    switch (action.name()) {
-      case "GlobalAction":
-        return GlobalActions.read(action.choice());
-      case "PrivateAction":
-        return ofEntity(action.choice());
-      case "UserDefinedAction":
-        return Action.NONE;
-      default:
-        throw new IllegalArgumentException(action.name() + " is no action");
-    }
+    return switch (action.name()) {
+      case "GlobalAction" -> GlobalActions.read(action.choice());
+      case "PrivateAction" -> ofEntity(action.choice()).ofEach();
+      case "UserDefinedAction" -> Action.NONE;
+      default -> throw new IllegalArgumentException(action.name() + " is no action");
+    };
   }
 
-  private static Action ofEntity(ScenarioElement action) {
-    switch (action.name()) {
-      case "LongitudinalAction":
-        return longitudinal(action.choice());
-      case "LateralAction":
-        return lateral(action.choice());
-      case "RoutingAction":
-        return RoutingActions.read(action.choice());
-      case "SynchronizeAction":
-        return Synchronizing.read(action);
-      case "ControllerAction":
-        return controllers(action);
-      case "ActivateControllerAction":
-        return ControllerActions.read(action);
-      case "TeleportAction":
-        return TeleportActions.read(action);
-      case "VisibilityAction":
-        return TeleportActions.visibility(action);
-      case "AppearanceAction":
-        return Action.NONE;
-      default:
-        throw new IllegalArgumentException(action.name() + " is not supported");
-    }
+  private static PrivateAction ofEntity(ScenarioElement action) {
+    return switch (action.name()) {
+      case "LongitudinalAction" -> longitudinal(action.choice());
+      case "LateralAction" -> lateral(action.choice());
+      case "RoutingAction" -> RoutingActions.read(action.choice());
+      case "SynchronizeAction" -> Synchronizing.read(action);
+      case "ControllerAction" -> controllers(action);
+      case "ActivateControllerAction" -> ControllerActions.read(action);
+      case "TeleportAction" -> TeleportActions.read(action);
+      case "VisibilityAction" -> TeleportActions.visibility(action);
+      case "AppearanceAction" -> PrivateAction.NONE;
+      default -> throw new IllegalArgumentException(action.name() + " is not supported");
+    };
   }
 
-  private static Action longitudinal(ScenarioElement action) {
-    switch (action.name()) {
-      case "SpeedAction":
-        return SpeedActions.read(action);
-      case "SpeedProfileAction":
-        return SpeedProfile.read(action);
-      case "LongitudinalDistanceAction":
-        return LongitudinalDistance.read(action);
-      default:
-        throw new IllegalArgumentException(action.name() + " is not supported");
-    }
+  private static PrivateAction longitudinal(ScenarioElement action) {
+    return switch (action.name()) {
+      case "SpeedAction" -> SpeedActions.read(action);
+      case "SpeedProfileAction" -> SpeedProfile.read(action);
+      case "LongitudinalDistanceAction" -> LongitudinalDistance.read(action);
+      default -> throw new IllegalArgumentException(action.name() + " is not supported");
+    };
   }
 
-  private static Action lateral(ScenarioElement action) {
-    switch (action.name()) {
-      case "LaneChangeAction":
-        return LateralActions.laneChange(action);
-      case "LaneOffsetAction":
-        return LateralActions.laneOffset(action);
-      case "LateralDistanceAction":
-        return LateralDistance.read(action);
-      default:
-        throw new IllegalArgumentException(action.name() + " is not supported");
-    }
+  private static PrivateAction lateral(ScenarioElement action) {
+    return switch (action.name()) {
+      case "LaneChangeAction" -> LateralActions.laneChange(action);
+      case "LaneOffsetAction" -> LateralActions.laneOffset(action);
+      case "LateralDistanceAction" -> LateralDistance.read(action);
+      default -> throw new IllegalArgumentException(action.name() + " is not supported");
+    };
   }
 
   /** Returns all actions of an element, which before 1.1 may have more than one. */
-  private static Action controllers(ScenarioElement action) {
+  private static PrivateAction controllers(ScenarioElement action) {
     List<PrivateAction> all = action.children().stream().map(ControllerActions::read).toList();
-    return (scene, actors) -> {
-      all.forEach(each -> each.start(scene, actors));
-      return List.of();
+    return (scene, actor) -> {
+      all.forEach(each -> each.start(scene, actor));
+      return Optional.empty();
     };
   }
 }

@@ -12,14 +12,12 @@ final class ControllerActions {
   private ControllerActions() {}
 
   static PrivateAction read(ScenarioElement action) {
-    switch (action.name()) {
-      case "AssignControllerAction":
-        return activation(action, "activateLongitudinal", "activateLateral");
-      case "ActivateControllerAction":
-        return activation(action, "longitudinal", "lateral");
-      default:
-        throw new IllegalArgumentException(action.name() + " is not supported");
-    }
+    return switch (action.name()) {
+      case "AssignControllerAction" ->
+          activation(action, "activateLongitudinal", "activateLateral");
+      case "ActivateControllerAction" -> activation(action, "longitudinal", "lateral");
+      default -> throw new IllegalArgumentException(action.name() + " is not supported");
+    };
   }
 
   private static PrivateAction activation(ScenarioElement action, String speed, String way) {

@@ -19,22 +19,15 @@ final class GlobalActions {
   private GlobalActions() {}
 
   static Action read(ScenarioElement action) {
-    switch (action.name()) {
-      case "EnvironmentAction":
-        return environment(action);
-      case "EntityAction":
-        return entity(action);
-      case "ParameterAction":
-        return value(action, "parameterRef", Scene::parameters);
-      case "VariableAction":
-        return value(action, "variableRef", Scene::variables);
-      case "InfrastructureAction":
-        return signal(action.required("TrafficSignalAction").choice());
-      case "SetMonitorAction":
-        return Action.NONE;
-      default:
-        throw new IllegalArgumentException(action.name() + " is not supported");
-    }
+    return switch (action.name()) {
+      case "EnvironmentAction" -> environment(action);
+      case "EntityAction" -> entity(action);
+      case "ParameterAction" -> value(action, "parameterRef", Scene::parameters);
+      case "VariableAction" -> value(action, "variableRef", Scene::variables);
+      case "InfrastructureAction" -> signal(action.required("TrafficSignalAction").choice());
+      case "SetMonitorAction" -> Action.NONE;
+      default -> throw new IllegalArgumentException(action.name() + " is not supported");
+    };
   }
 
   private static Action atOnce(Consumer<Scene> effect) {

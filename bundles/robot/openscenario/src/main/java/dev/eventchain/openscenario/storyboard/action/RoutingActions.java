@@ -30,16 +30,12 @@ final class RoutingActions {
   private RoutingActions() {}
 
   static PrivateAction read(ScenarioElement action) {
-    switch (action.name()) {
-      case "FollowTrajectoryAction":
-        return trajectory(action);
-      case "AssignRouteAction":
-        return route(action);
-      case "AcquirePositionAction":
-        return acquire(action);
-      default:
-        throw new IllegalArgumentException(action.name() + " is not supported");
-    }
+    return switch (action.name()) {
+      case "FollowTrajectoryAction" -> trajectory(action);
+      case "AssignRouteAction" -> route(action);
+      case "AcquirePositionAction" -> acquire(action);
+      default -> throw new IllegalArgumentException(action.name() + " is not supported");
+    };
   }
 
   private static PrivateAction trajectory(ScenarioElement action) {

@@ -57,17 +57,10 @@ final class ValueCheck {
       }
     }
     switch (element.name()) {
-      case "SpeedActionDynamics", "LaneChangeActionDynamics":
-        checkDynamics(element);
-        break;
-      case "LongitudinalDistanceAction":
-        checkGap(element);
-        break;
-      case "FollowTrajectoryAction":
-        checkTiming(element);
-        break;
-      default:
-        break;
+      case "SpeedActionDynamics", "LaneChangeActionDynamics" -> checkDynamics(element);
+      case "LongitudinalDistanceAction" -> checkGap(element);
+      case "FollowTrajectoryAction" -> checkTiming(element);
+      default -> {}
     }
   }
 

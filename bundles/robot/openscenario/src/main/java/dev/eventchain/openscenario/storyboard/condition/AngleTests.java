@@ -15,16 +15,12 @@ final class AngleTests {
   private AngleTests() {}
 
   static OfOne read(ScenarioElement condition) {
-    switch (condition.name()) {
-      case "AngleCondition":
-        return angle(condition);
-      case "RelativeAngleCondition":
-        return relative(condition);
-      case "RelativeClearanceCondition":
-        return Clearance.read(condition);
-      default:
-        throw new IllegalArgumentException(condition.name() + " is not supported");
-    }
+    return switch (condition.name()) {
+      case "AngleCondition" -> angle(condition);
+      case "RelativeAngleCondition" -> relative(condition);
+      case "RelativeClearanceCondition" -> Clearance.read(condition);
+      default -> throw new IllegalArgumentException(condition.name() + " is not supported");
+    };
   }
 
   private static OfOne angle(ScenarioElement condition) {

@@ -23,20 +23,14 @@ final class DistanceTests {
   private DistanceTests() {}
 
   static OfOne read(ScenarioElement condition) {
-    switch (condition.name()) {
-      case "ReachPositionCondition":
-        return reach(condition);
-      case "DistanceCondition":
-        return distance(condition, position(condition));
-      case "RelativeDistanceCondition":
-        return distance(condition, entity(condition));
-      case "TimeHeadwayCondition":
-        return headway(condition);
-      case "TimeToCollisionCondition":
-        return collision(condition);
-      default:
-        return AngleTests.read(condition);
-    }
+    return switch (condition.name()) {
+      case "ReachPositionCondition" -> reach(condition);
+      case "DistanceCondition" -> distance(condition, position(condition));
+      case "RelativeDistanceCondition" -> distance(condition, entity(condition));
+      case "TimeHeadwayCondition" -> headway(condition);
+      case "TimeToCollisionCondition" -> collision(condition);
+      default -> AngleTests.read(condition);
+    };
   }
 
   private static Target position(ScenarioElement element) {

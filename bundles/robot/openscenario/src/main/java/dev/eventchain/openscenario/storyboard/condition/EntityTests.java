@@ -2,9 +2,11 @@ package dev.eventchain.openscenario.storyboard.condition;
 
 import dev.eventchain.openscenario.document.ScenarioElement;
 import dev.eventchain.openscenario.storyboard.scene.Actor;
+import dev.eventchain.openscenario.storyboard.scene.Odometer;
 import dev.eventchain.openscenario.storyboard.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 
 /** Expressions on entities. */
 final class EntityTests {
@@ -44,26 +46,26 @@ final class EntityTests {
   }
 
   private static OfOne one(ScenarioElement condition) {
-    switch (condition.name()) {
-      case "EndOfRoadCondition":
-        double end = condition.number("duration");
-        return (scene, actor) -> lasts(actor.odometer().atEnd(), end);
-      case "OffroadCondition":
-        double off = condition.number("duration");
-        return (scene, actor) -> lasts(actor.odometer().offRoad(), off);
-      case "StandStillCondition":
-        double still = condition.number("duration");
-        return (scene, actor) -> lasts(actor.odometer().standing(), still);
-      case "TraveledDistanceCondition":
-        double way = condition.number("value");
-        return (scene, actor) ->
-            Comparison.GREATER_OR_EQUAL.holds(actor.odometer().travelled(), way);
-      default:
-        return MotionTests.read(condition);
-    }
+    return switch (condition.name()) {
+      case "EndOfRoadCondition" -> lasting(condition, Odometer::atEnd);
+      case "OffroadCondition" -> lasting(condition, Odometer::offRoad);
+      case "StandStillCondition" -> lasting(condition, Odometer::standing);
+      case "TraveledDistanceCondition" -> travelled(condition);
+      default -> MotionTests.read(condition);
+    };
   }
 
-  private static boolean lasts(double duration, double least) {
-    return duration >= 0 && Comparison.GREATER_OR_EQUAL.holds(duration, least);
+  /** A duration that is negative has not begun. */
+  private static OfOne lasting(ScenarioElement condition, ToDoubleFunction<Odometer> duration) {
+    double least = condition.number("duration");
+    return (scene, actor) -> {
+      double now = duration.applyAsDouble(actor.odometer());
+      return now >= 0 && Comparison.GREATER_OR_EQUAL.holds(now, least);
+    };
+  }
+
+  private static OfOne travelled(ScenarioElement condition) {
+    double way = condition.number("value");
+    return (scene, actor) -> Comparison.GREATER_OR_EQUAL.holds(actor.odometer().travelled(), way);
   }
 }

@@ -11,18 +11,13 @@ final class MotionTests {
   private MotionTests() {}
 
   static OfOne read(ScenarioElement condition) {
-    switch (condition.name()) {
-      case "SpeedCondition":
-        return speed(condition);
-      case "RelativeSpeedCondition":
-        return relativeSpeed(condition);
-      case "AccelerationCondition":
-        return acceleration(condition);
-      case "CollisionCondition":
-        return collision(condition);
-      default:
-        return DistanceTests.read(condition);
-    }
+    return switch (condition.name()) {
+      case "SpeedCondition" -> speed(condition);
+      case "RelativeSpeedCondition" -> relativeSpeed(condition);
+      case "AccelerationCondition" -> acceleration(condition);
+      case "CollisionCondition" -> collision(condition);
+      default -> DistanceTests.read(condition);
+    };
   }
 
   /** Without a direction, the speed has no sign. */

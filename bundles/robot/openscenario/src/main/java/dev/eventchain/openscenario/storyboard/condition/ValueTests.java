@@ -17,24 +17,16 @@ final class ValueTests {
   private ValueTests() {}
 
   static Test read(ScenarioElement condition, ElementPaths elements) {
-    switch (condition.name()) {
-      case "ParameterCondition":
-        return value(condition, "parameterRef", Scene::parameters);
-      case "VariableCondition":
-        return value(condition, "variableRef", Scene::variables);
-      case "SimulationTimeCondition":
-        return time(condition);
-      case "TimeOfDayCondition":
-        return timeOfDay(condition);
-      case "StoryboardElementStateCondition":
-        return state(condition, elements);
-      case "TrafficSignalCondition":
-        return signal(condition);
-      case "TrafficSignalControllerCondition":
-        return controller(condition);
-      default:
-        throw new IllegalArgumentException(condition.name() + " is not supported");
-    }
+    return switch (condition.name()) {
+      case "ParameterCondition" -> value(condition, "parameterRef", Scene::parameters);
+      case "VariableCondition" -> value(condition, "variableRef", Scene::variables);
+      case "SimulationTimeCondition" -> time(condition);
+      case "TimeOfDayCondition" -> timeOfDay(condition);
+      case "StoryboardElementStateCondition" -> state(condition, elements);
+      case "TrafficSignalCondition" -> signal(condition);
+      case "TrafficSignalControllerCondition" -> controller(condition);
+      default -> throw new IllegalArgumentException(condition.name() + " is not supported");
+    };
   }
 
   private static Test signal(ScenarioElement condition) {

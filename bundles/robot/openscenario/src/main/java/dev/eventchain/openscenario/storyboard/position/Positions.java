@@ -14,25 +14,16 @@ public final class Positions {
    */
   public static Position read(ScenarioElement element) {
     ScenarioElement position = element.choice();
-    switch (position.name()) {
-      case "WorldPosition":
-        return WorldPositions.absolute(position);
-      case "RelativeWorldPosition":
-        return WorldPositions.relative(position);
-      case "RelativeObjectPosition":
-        return WorldPositions.ofObject(position);
-      case "GeoPosition":
-        return WorldPositions.geo(position);
-      case "RoadPosition":
-        return RoadPositions.absolute(position);
-      case "RelativeRoadPosition":
-        return RoadPositions.relative(position);
-      case "LanePosition":
-        return LanePositions.absolute(position);
-      case "RelativeLanePosition":
-        return LanePositions.relative(position);
-      default:
-        throw new IllegalArgumentException(position.name() + " is no position");
-    }
+    return switch (position.name()) {
+      case "WorldPosition" -> WorldPositions.absolute(position);
+      case "RelativeWorldPosition" -> WorldPositions.relative(position);
+      case "RelativeObjectPosition" -> WorldPositions.ofObject(position);
+      case "GeoPosition" -> WorldPositions.geo(position);
+      case "RoadPosition" -> RoadPositions.absolute(position);
+      case "RelativeRoadPosition" -> RoadPositions.relative(position);
+      case "LanePosition" -> LanePositions.absolute(position);
+      case "RelativeLanePosition" -> LanePositions.relative(position);
+      default -> throw new IllegalArgumentException(position.name() + " is no position");
+    };
   }
 }

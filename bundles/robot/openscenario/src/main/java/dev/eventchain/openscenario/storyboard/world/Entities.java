@@ -41,28 +41,31 @@ public final class Entities {
   }
 
   private static Entity entity(ScenarioElement object) {
-    for (ScenarioElement each : object.children()) {
-      switch (each.name()) {
-        case "Vehicle":
-          return entity(object, each, "vehicle", each.text("vehicleCategory"));
-        case "Pedestrian":
-          return entity(object, each, "pedestrian", each.text("pedestrianCategory"));
-        case "MiscObject":
-          return entity(object, each, "miscellaneous", each.text("miscObjectCategory"));
-        default:
-          break;
-      }
-    }
-    return new Entity(
-        object.text("name"), "external", "", NO_BOX, Performance.UNLIMITED, 0, object);
+    return object.children().stream()
+        .flatMap(each -> shown(object, each).stream())
+        .findFirst()
+        .orElseGet(
+            () ->
+                new Entity(
+                    object.text("name"), "external", "", NO_BOX, Performance.UNLIMITED, 0, object));
+  }
+
+  private static Optional<Entity> shown(ScenarioElement object, ScenarioElement child) {
+    return switch (child.name()) {
+      case "Vehicle" -> Optional.of(entity(object, child, "vehicle", "vehicleCategory"));
+      case "Pedestrian" -> Optional.of(entity(object, child, "pedestrian", "pedestrianCategory"));
+      case "MiscObject" ->
+          Optional.of(entity(object, child, "miscellaneous", "miscObjectCategory"));
+      default -> Optional.empty();
+    };
   }
 
   private static Entity entity(
-      ScenarioElement object, ScenarioElement shown, String kind, String category) {
+      ScenarioElement object, ScenarioElement shown, String kind, String attribute) {
     return new Entity(
         object.text("name"),
         kind,
-        category,
+        shown.text(attribute),
         shown.child("BoundingBox").map(Entities::box).orElse(NO_BOX),
         shown.child("Performance").map(Entities::performance).orElse(Performance.UNLIMITED),
         shown.number("mass", 0),
