@@ -4,11 +4,9 @@ import dev.eventchain.openscenario.document.ScenarioElement;
 import dev.eventchain.openscenario.storyboard.position.Position;
 import dev.eventchain.openscenario.storyboard.position.Positions;
 import dev.eventchain.openscenario.storyboard.scene.Scene;
+import dev.eventchain.openscenario.storyboard.scene.Surroundings;
 import dev.eventchain.openscenario.storyboard.scene.Values;
 import dev.eventchain.openscenario.storyboard.world.EntityState;
-import java.time.LocalDateTime;
-import java.time.OffsetDateTime;
-import java.time.format.DateTimeParseException;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -50,16 +48,9 @@ final class GlobalActions {
                   time ->
                       scene
                           .surroundings()
-                          .timeOfDay(date(time.text("dateTime")), time.flag("animation")));
+                          .timeOfDay(
+                              Surroundings.date(time.text("dateTime")), time.flag("animation")));
         });
-  }
-
-  private static LocalDateTime date(String text) {
-    try {
-      return OffsetDateTime.parse(text).toLocalDateTime();
-    } catch (DateTimeParseException e) {
-      return LocalDateTime.parse(text);
-    }
   }
 
   private static Action entity(ScenarioElement action) {

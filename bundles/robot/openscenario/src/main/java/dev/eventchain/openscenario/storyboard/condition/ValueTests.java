@@ -2,10 +2,10 @@ package dev.eventchain.openscenario.storyboard.condition;
 
 import dev.eventchain.openscenario.document.ScenarioElement;
 import dev.eventchain.openscenario.storyboard.scene.Scene;
+import dev.eventchain.openscenario.storyboard.scene.Surroundings;
 import dev.eventchain.openscenario.storyboard.scene.Values;
 import dev.eventchain.openscenario.storyboard.world.Progress;
 import java.time.LocalDateTime;
-import java.time.OffsetDateTime;
 import java.time.format.DateTimeParseException;
 import java.util.List;
 import java.util.Optional;
@@ -58,7 +58,7 @@ final class ValueTests {
       return rule.holds(first.get(), second.get());
     }
     try {
-      return rule.holds(date(actual).compareTo(date(value)));
+      return rule.holds(Surroundings.date(actual).compareTo(Surroundings.date(value)));
     } catch (DateTimeParseException e) {
       return rule.holds(actual.compareTo(value));
     }
@@ -72,7 +72,7 @@ final class ValueTests {
 
   private static Test timeOfDay(ScenarioElement condition) {
     Comparison rule = Comparison.of(condition);
-    LocalDateTime value = date(condition.text("dateTime"));
+    LocalDateTime value = Surroundings.date(condition.text("dateTime"));
     return scene ->
         Outcome.of(
             scene
@@ -80,15 +80,6 @@ final class ValueTests {
                 .timeOfDay()
                 .filter(now -> rule.holds(now.compareTo(value)))
                 .isPresent());
-  }
-
-  /** Reads a date with or without a time zone, which is dropped: all are taken as of one place. */
-  static LocalDateTime date(String text) {
-    try {
-      return OffsetDateTime.parse(text).toLocalDateTime();
-    } catch (DateTimeParseException e) {
-      return LocalDateTime.parse(text);
-    }
   }
 
   private static Test state(ScenarioElement condition, ElementPaths elements) {

@@ -1,6 +1,8 @@
 package dev.eventchain.openscenario.storyboard.scene;
 
 import java.time.LocalDateTime;
+import java.time.OffsetDateTime;
+import java.time.format.DateTimeParseException;
 import java.util.Optional;
 
 /** The environment, as far as something depends on it. */
@@ -30,6 +32,15 @@ public final class Surroundings {
   public void timeOfDay(LocalDateTime now, boolean runs) {
     timeOfDay = Optional.of(now);
     clockRuns = runs;
+  }
+
+  /** Reads a date with or without a time zone, which is dropped: all are taken as of one place. */
+  public static LocalDateTime date(String text) {
+    try {
+      return OffsetDateTime.parse(text).toLocalDateTime();
+    } catch (DateTimeParseException e) {
+      return LocalDateTime.parse(text);
+    }
   }
 
   void advance(double dt) {
