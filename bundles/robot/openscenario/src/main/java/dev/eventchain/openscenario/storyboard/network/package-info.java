@@ -1,0 +1,2 @@
+/** The roads of OpenDRIVE as a storyboard asks for them. */
+package dev.eventchain.openscenario.storyboard.network;

@@ -1,0 +1,121 @@
+package dev.eventchain.openscenario.storyboard;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.openscenario.storyboard.network.NetworkRoads;
+import dev.eventchain.openscenario.storyboard.world.LanePoint;
+import dev.eventchain.openscenario.storyboard.world.Pose;
+import dev.eventchain.openscenario.storyboard.world.RoadMap;
+import dev.eventchain.openscenario.storyboard.world.RoadPoint;
+import dev.eventchain.roads.RoadNetwork;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Tests roads of OpenDRIVE as a storyboard sees them: a straight one of 100 m along the x axis, and
+ * one with a radius of 100 m to the left that follows it, with a lane in each direction.
+ */
+class NetworkRoadsTest {
+
+  private static final RoadMap ROADS =
+      new NetworkRoads(
+          RoadNetwork.parse(
+              SourceText.of(
+                  "test.xodr",
+                  "<OpenDRIVE><header revMajor='1' revMinor='7'/>"
+                      + road("1", 100, "x='0' y='0'", "<line/>", "successor", "2", "start")
+                      + road(
+                          "2",
+                          50,
+                          "x='100' y='0'",
+                          "<arc curvature='0.01'/>",
+                          "predecessor",
+                          "1",
+                          "end")
+                      + "</OpenDRIVE>")));
+
+  private static String road(
+      String id,
+      double length,
+      String at,
+      String shape,
+      String link,
+      String other,
+      String contact) {
+    String lanes =
+        "<lane id='%d' type='driving' level='false'><link><%s id='%d'/></link>"
+            + "<width sOffset='0' a='3.5' b='0' c='0' d='0'/></lane>";
+    return "<road name='' length='"
+        + length
+        + "' id='"
+        + id
+        + "' junction='-1'><link><"
+        + link
+        + " elementType='road' elementId='"
+        + other
+        + "' contactPoint='"
+        + contact
+        + "'/></link><planView><geometry s='0' "
+        + at
+        + " hdg='0' length='"
+        + length
+        + "'>"
+        + shape
+        + "</geometry></planView><lanes><laneSection s='0'><left>"
+        + String.format(lanes, 1, link, 1)
+        + "</left><center><lane id='0' type='none' level='false'/></center><right>"
+        + String.format(lanes, -1, link, -1)
+        + "</right></laneSection></lanes></road>";
+  }
+
+  @Test
+  void knowsItsRoadsAndLanes() {
+    assertTrue(ROADS.hasRoad("2"));
+    assertFalse(ROADS.hasRoad("3"));
+    assertEquals(50, ROADS.length("2"));
+    assertEquals(List.of(1, -1), ROADS.lanes("1", 10));
+    assertEquals(-1.75, ROADS.centre("1", 10, -1), 1e-9);
+    assertTrue(ROADS.goesAlongS("1", 10, -1));
+    assertFalse(ROADS.goesAlongS("1", 10, 1));
+    Pose bent = ROADS.pose(new RoadPoint("2", 50, 0));
+    assertEquals(100 + 100 * Math.sin(0.5), bent.x(), 1e-6);
+    assertEquals(0.5, bent.heading(), 1e-9);
+    assertEquals(
+        new LanePoint("1", -1, 20, 0.25), ROADS.find(Pose.flat(20, -1.5, 0)).orElseThrow());
+    assertTrue(ROADS.find(Pose.flat(20, -9, 0)).isEmpty());
+  }
+
+  /** In the right lane, the bend has a radius of 101.75 m. */
+  @Test
+  void leadsFromRoadToRoad() {
+    Optional<RoadMap.Moved> at =
+        Optional.of(new RoadMap.Moved(new LanePoint("1", -1, 90, 0), true));
+    for (int i = 0; i < 200; i++) {
+      at = ROADS.move(at.orElseThrow().point(), true, 0.1, List.of());
+    }
+    LanePoint there = at.orElseThrow().point();
+    assertEquals("2", there.road());
+    assertEquals(-1, there.lane());
+    assertEquals(10 / 1.0175, there.s(), 2e-3);
+    assertTrue(ROADS.move(there, true, 60, List.of()).isEmpty());
+    Optional<RoadMap.Moved> back =
+        ROADS.move(new LanePoint("2", 1, 0.05, 0), false, 0.1, List.of(new RoadPoint("1", 5, 0)));
+    assertEquals("1", back.orElseThrow().point().road());
+    assertEquals(99.95, back.orElseThrow().point().s(), 1e-2);
+    assertFalse(back.orElseThrow().alongS());
+  }
+
+  @Test
+  void measuresAlongTheRoads() {
+    RoadPoint first = new RoadPoint("1", 80, -1);
+    RoadPoint second = new RoadPoint("2", 10, -1);
+    assertEquals(30, ROADS.along(first, second).orElseThrow(), 1e-9);
+    assertEquals(-30, ROADS.along(second, first).orElseThrow(), 1e-9);
+    RoadPoint oncoming = new RoadPoint("2", 10, 1);
+    assertEquals(30, ROADS.along(new RoadPoint("1", 80, 1), oncoming).orElseThrow(), 1e-9);
+  }
+}
