@@ -7,6 +7,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.openscenario.document.ResolvedScenario;
 import dev.eventchain.openscenario.document.ScenarioFile;
 import dev.eventchain.openscenario.document.Variations;
+import dev.eventchain.openscenario.storyboard.network.NetworkRoads;
 import dev.eventchain.openscenario.storyboard.world.Entities;
 import dev.eventchain.openscenario.storyboard.world.RoadMap;
 import dev.eventchain.openscenario.storyboard.world.StraightRoad;
