@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 
@@ -36,8 +37,8 @@ final class CampaignMatrix {
     if (factors > 2 || plan.repetitions() > 1 || plan.boundary().isPresent() || rows.isEmpty()) {
       return "";
     }
-    TreeSet<BigDecimal> lines = new TreeSet<>();
-    TreeSet<BigDecimal> columns = new TreeSet<>();
+    Set<BigDecimal> lines = new TreeSet<>();
+    Set<BigDecimal> columns = new TreeSet<>();
     Map<List<BigDecimal>, String> words = new TreeMap<>((a, b) -> compared(a, b));
     for (CampaignRow row : rows) {
       List<BigDecimal> values = row.id().values();
@@ -59,8 +60,8 @@ final class CampaignMatrix {
 
   private static String table(
       List<String> names,
-      TreeSet<BigDecimal> lines,
-      TreeSet<BigDecimal> columns,
+      Set<BigDecimal> lines,
+      Set<BigDecimal> columns,
       Map<List<BigDecimal>, String> words) {
     List<List<String>> cells = new ArrayList<>();
     List<String> heading = new ArrayList<>();
