@@ -6,7 +6,9 @@ import dev.eventchain.simulation.formula.ActorSignals;
 import dev.eventchain.simulation.formula.Inequality;
 import dev.eventchain.simulation.scenario.Circumstance;
 import dev.eventchain.simulation.world.Actor;
+import dev.eventchain.simulation.world.Motion;
 import dev.eventchain.simulation.world.Situation;
+import dev.eventchain.simulation.world.SpeedProfile;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -205,31 +207,34 @@ final class Triggers {
     };
   }
 
-  private static Answer speed(Actor actor, String entity, Limit limit) {
+  private Answer speed(Actor actor, String entity, Limit limit) {
     if (sign(actor) == 0.0) {
       return Answer.none("the actor does not drive along the road");
+    }
+    if (!isMeasuredAlike(actor)) {
+      return Answer.none("beside the ego's lane, a speed in a bend is another one there");
     }
     return Answer.of(entity, speed(sign(actor) > 0.0 ? limit : limit.mirrored()));
   }
 
-  private static Markup distance(String entity, String type, Limit limit) {
+  private Markup distance(String entity, String type, Limit limit) {
     Markup distance =
         new Markup("RelativeDistanceCondition")
             .with("entityRef", entity)
             .with("relativeDistanceType", type)
-            .with("coordinateSystem", type.equals("longitudinal") ? "road" : "entity")
+            .with("coordinateSystem", type.equals("longitudinal") ? along() : "entity")
             .with("freespace", "true");
     return limit.of(distance);
   }
 
-  private static Markup timeToCollision(String entity, Limit limit) {
+  private Markup timeToCollision(String entity, Limit limit) {
     Markup target = new Markup("EntityRef").with("entityRef", entity);
     Markup condition =
         limit
             .of(new Markup("TimeToCollisionCondition"))
             .with("freespace", "true")
             .with("relativeDistanceType", "longitudinal")
-            .with("coordinateSystem", "road");
+            .with("coordinateSystem", along());
     return condition.add(new Markup("TimeToCollisionConditionTarget").add(target));
   }
 
@@ -241,7 +246,7 @@ final class Triggers {
       boolean isSpeed = actor.filter(it -> it.quantity().equals("speed")).isPresent();
       if (own != null && isSpeed && own + other.getValue() == 0.0) {
         Actor driven = actor(actor.get().name());
-        if (sign(driven) <= 0.0) {
+        if (sign(driven) <= 0.0 || !isMeasuredAlike(driven)) {
           return Optional.empty();
         }
         Limit limit = new Limit(own > 0.0, each.strict(), -each.constant() / own);
@@ -259,6 +264,21 @@ final class Triggers {
         .filter(it -> it.name().equals(name))
         .findFirst()
         .orElseThrow();
+  }
+
+  /** Returns along what distances are measured: that of the ego's lane, as in the scenario. */
+  private String along() {
+    return situation.road().isStraight() ? "road" : "lane";
+  }
+
+  /** Returns whether the speed along the ego's lane is the speed. */
+  private boolean isMeasuredAlike(Actor actor) {
+    Motion motion = actor.script().orElseThrow();
+    boolean inLane =
+        actor.across(0.0) == 0.0
+            && motion.line().changes().isEmpty()
+            && motion.waiting().stream().allMatch(it -> it.change() instanceof SpeedProfile.Change);
+    return situation.road().isStraight() || inLane;
   }
 
   /** Returns 1 for an actor that drives along the road, -1 for one against it, else 0. */
