@@ -74,9 +74,10 @@ def test_every_kind_of_field_is_encoded_as_rosbags_encodes_it() -> None:
 
 
 def test_the_packaged_definitions_are_those_of_rosbags() -> None:
-    from extract_standard_messages import TARGET, definitions
+    from extract_standard_messages import FOLDER, files
 
-    assert TARGET.read_text(encoding="utf-8") == definitions()
+    for name, content in files().items():
+        assert (FOLDER / name).read_text(encoding="utf-8") == content
 
 
 @pytest.mark.parametrize("little_endian", [True, False])

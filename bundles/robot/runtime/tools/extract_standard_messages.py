@@ -32,17 +32,22 @@ def definitions(name: Stores, defaults: dict[str, dict[str, str]]) -> dict[str, 
     return texts
 
 
-def write(file: str, texts: dict[str, str]) -> None:
-    """Write definitions, sorted by name, each under a `MSG: package/msg/Name` line."""
-    parts = [f"MSG: {name}\n{text}".strip() + "\n" for name, text in texts.items()]
-    (FOLDER / file).write_text(f"{SEPARATOR}\n".join(parts), encoding="utf-8", newline="\n")
+def joined(texts: dict[str, str]) -> str:
+    """Return definitions as one text, sorted by name, each under a `MSG: package/msg/Name` line."""
+    return f"{SEPARATOR}\n".join(f"MSG: {name}\n{text}".strip() + "\n" for name, text in texts.items())
 
 
-if __name__ == "__main__":
+def files() -> dict[str, str]:
+    """Return the content of both files by their names."""
     humble = definitions(Stores.ROS2_HUMBLE, HUMBLE_DEFAULTS)
     jazzy = definitions(Stores.ROS2_JAZZY, JAZZY_DEFAULTS)
     gone = humble.keys() - jazzy.keys()
     if gone:
         raise SystemExit(f"{gone} cannot be taken away by jazzy.msgs")
-    write("humble.msgs", humble)
-    write("jazzy.msgs", {name: text for name, text in jazzy.items() if humble.get(name) != text})
+    other = {name: text for name, text in jazzy.items() if humble.get(name) != text}
+    return {"humble.msgs": joined(humble), "jazzy.msgs": joined(other)}
+
+
+if __name__ == "__main__":
+    for file, content in files().items():
+        (FOLDER / file).write_text(content, encoding="utf-8", newline="\n")
