@@ -255,7 +255,7 @@ public final class Scenario {
   }
 
   /**
-   * Returns the location of a part.
+   * Returns the location of a part; of a case, that of the scenario.
    *
    * @param pointer such as {@code /actors/0}
    */

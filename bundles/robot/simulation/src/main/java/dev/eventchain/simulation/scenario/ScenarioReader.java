@@ -66,19 +66,14 @@ final class ScenarioReader {
       SourceText text, Bench bench, boolean varying, Consumer<Diagnostic> warnings) {
     List<Diagnostic> problems = new ArrayList<>();
     Document document = Document.parse(text, DocumentFormat.YAML, RULES, problems::add);
-    Optional<ObjectReader> whole = document.object("", problems::add);
-    List<PlayedFile> cases =
-        whole
-            .filter(section -> section.has(OpenScenarioReader.KEY))
-            .map(section -> OpenScenarioReader.read(section, Path.of(text.name())))
+    List<Optional<PlayedFile>> cases =
+        document
+            .object("", problems::add)
+            .map(whole -> cases(whole, Path.of(text.name())))
             .orElse(List.of());
-    boolean written = whole.filter(section -> !section.has(OpenScenarioReader.KEY)).isPresent();
     List<Scenario> scenarios = new ArrayList<>();
     ScenarioReader reader = new ScenarioReader(text, bench, varying, problems::isEmpty);
-    for (Optional<PlayedFile> each :
-        written
-            ? List.of(Optional.<PlayedFile>empty())
-            : cases.stream().map(Optional::of).toList()) {
+    for (Optional<PlayedFile> each : cases) {
       if (problems.isEmpty() || scenarios.isEmpty()) {
         document
             .object("", problems::add)
@@ -88,8 +83,19 @@ final class ScenarioReader {
     if (!problems.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
     }
-    cases.stream().flatMap(each -> each.warnings().stream()).distinct().forEach(warnings);
+    cases.stream()
+        .flatMap(Optional::stream)
+        .flatMap(each -> each.warnings().stream())
+        .distinct()
+        .forEach(warnings);
     return scenarios;
+  }
+
+  /** Returns what is played in each case; nothing in the only one of a file that plays nothing. */
+  private static List<Optional<PlayedFile>> cases(ObjectReader whole, Path file) {
+    return whole.has(OpenScenarioReader.KEY)
+        ? OpenScenarioReader.read(whole, file).stream().map(Optional::of).toList()
+        : List.of(Optional.empty());
   }
 
   /** Reads the files to which a scenario leads, if it leads to any. */
@@ -135,9 +141,16 @@ final class ScenarioReader {
       InputsReader.requireUse(section, reader.notAwaited(inputs.keySet()), asked, bench);
     }
     section.refuseOthers();
+    SourceLocation place = section.location();
     Scenario.Heading heading =
         new Scenario.Heading(
-            name, title, description, requirements.all(), requirements.places(), parts);
+            name,
+            title,
+            description,
+            requirements.all(),
+            requirements.places(),
+            // Of a case, of which there are many, nobody asks where its parts are.
+            varying ? parts : part -> place);
     return new Scenario(heading, seed, duration, situation, inputs, phases, asked);
   }
 

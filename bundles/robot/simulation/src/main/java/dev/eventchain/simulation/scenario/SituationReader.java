@@ -77,7 +77,7 @@ final class SituationReader {
         part.map(it -> reader.completed(driver, it, circumstances)).orElse(driver),
         road,
         reader.completed(actors, circumstances),
-        circumstances.read(section, "end_when").map(it -> it));
+        circumstances.read(section, "end_when").map(it -> it)); // as a predicate
   }
 
   /**
