@@ -15,6 +15,9 @@ final class Timeline {
   /** Angle by which the direction of a vehicle may differ for a moment, in rad. */
   private static final double MOST_TURNED = 0.02;
 
+  /** How far trajectories lead beyond the end, at which nothing is to change, in s. */
+  private static final double BEYOND = 1.0;
+
   /** A time from which to which a trajectory leads, in s. */
   record Span(double from, double to) {
 
@@ -24,7 +27,7 @@ final class Timeline {
   }
 
   private final Mover mover;
-  private final double duration;
+  private final double end;
   private final boolean isStraight;
   private final List<Span> trajectories = new ArrayList<>();
   private final List<LateralProfile.Move> laneChanges = new ArrayList<>();
@@ -32,20 +35,20 @@ final class Timeline {
 
   Timeline(Mover mover, double duration, boolean isStraight) {
     this.mover = mover;
-    this.duration = duration;
+    this.end = duration + BEYOND;
     this.isStraight = isStraight;
     List<Span> spans = new ArrayList<>();
     for (LateralProfile.Move move : mover.motion().line().moves()) {
       if (isLaneChange(move)) {
         laneChanges.add(move);
-      } else if (move.time() < duration) {
-        spans.add(new Span(move.time(), Math.min(duration, move.end())));
+      } else if (move.time() < end) {
+        spans.add(new Span(move.time(), Math.min(end, move.end())));
       }
     }
     if (isWayOfItsOwn()) {
       spans.clear();
       laneChanges.clear();
-      spans.add(new Span(0.0, duration));
+      spans.add(new Span(0.0, end));
     }
     merge(spans);
     for (SpeedProfile.Change change : mover.motion().speed().changes()) {
@@ -88,7 +91,7 @@ final class Timeline {
           wide =
               new Span(
                   Math.min(wide.from(), change.time()),
-                  Math.min(duration, Math.max(wide.to(), end(change))));
+                  Math.min(end, Math.max(wide.to(), end(change))));
         }
       }
     }
@@ -106,10 +109,9 @@ final class Timeline {
     if (!isHalfWaveAhead(mover, move, driven, isStraight)) {
       return false;
     }
-    double end = move.end() + lag(move);
-    return end <= duration
-        && speed.changes().stream()
-            .noneMatch(change -> change.time() < end && end(change) > move.time());
+    double settled = move.end() + lag(move);
+    return speed.changes().stream()
+        .noneMatch(change -> change.time() < settled && end(change) > move.time());
   }
 
   /**

@@ -7,19 +7,23 @@ import java.util.List;
 /** Trajectories as lines from vertex to vertex on the map. */
 final class Trajectory {
 
-  /** Largest time between two vertices, in s: straight lines are within 1 cm of an arc then. */
-  private static final double STEP = 0.1;
+  /** Largest time between two vertices, in s. */
+  private static final double LONGEST = 0.1;
+
+  /** How often such a time is halved at most, where a straight line is not near enough. */
+  private static final int HALVES = 4;
+
+  /** Distance and angle within which a straight line is near enough, in m and rad. */
+  private static final double NEAR = 0.005;
 
   private Trajectory() {}
 
   /** Returns the action that leads through the places of a time, at their times. */
   static Markup timed(Mover mover, String name, Timeline.Span span) {
-    int steps = (int) Math.max(1, Math.ceil((span.to() - span.from()) / STEP - 1e-9));
     List<Markup> vertices = new ArrayList<>();
-    for (int i = 0; i <= steps; i++) {
-      double since = i == steps ? span.to() - span.from() : i * STEP;
-      Road.Place place = mover.place().apply(span.from() + since);
-      vertices.add(vertex(place).with("time", since));
+    for (double seconds : times(mover, span)) {
+      Road.Place place = mover.place().apply(seconds);
+      vertices.add(vertex(place).with("time", seconds - span.from()));
     }
     Markup timing =
         new Markup("Timing")
@@ -27,6 +31,35 @@ final class Trajectory {
             .with("scale", 1.0)
             .with("offset", 0.0);
     return action(name, vertices, timing);
+  }
+
+  private static List<Double> times(Mover mover, Timeline.Span span) {
+    double whole = span.to() - span.from();
+    int steps = (int) Math.max(1, Math.ceil(whole / LONGEST - 1e-9));
+    List<Double> times = new ArrayList<>(List.of(span.from()));
+    for (int i = 0; i < steps; i++) {
+      double begin = span.from() + whole * i / steps;
+      halve(mover, begin, span.from() + whole * (i + 1) / steps, HALVES, times);
+    }
+    return times;
+  }
+
+  /** Adds the end of a time, and before it what lies between. */
+  private static void halve(Mover mover, double begin, double end, int halves, List<Double> times) {
+    double middle = (begin + end) / 2;
+    Road.Place one = mover.place().apply(begin);
+    Road.Place other = mover.place().apply(end);
+    Road.Place between = mover.place().apply(middle);
+    double away =
+        StrictMath.hypot(
+            between.x() - (one.x() + other.x()) / 2, between.y() - (one.y() + other.y()) / 2);
+    double turned = Math.abs(between.heading() - (one.heading() + other.heading()) / 2);
+    if (halves > 0 && Math.max(away, turned) > NEAR) {
+      halve(mover, begin, middle, halves - 1, times);
+      halve(mover, middle, end, halves - 1, times);
+    } else {
+      times.add(end);
+    }
   }
 
   /** Returns the action that leads along a straight line from the start, at any speed. */

@@ -3,6 +3,8 @@ package dev.eventchain.pipeline.export;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.Repository;
 import dev.eventchain.pipeline.ProjectBench;
 import dev.eventchain.pipeline.project.Project;
@@ -13,8 +15,11 @@ import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.Body;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
 import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -51,6 +56,70 @@ class ExportedExamplesTest {
     compare(scenario, ScenarioExport.of(scenario, "software"));
   }
 
+  /** Scripts of vehicles that never stand, whose changes of speed and lane overlap in all ways. */
+  @Test
+  void soAreTheyWithAnyScript() {
+    Random random = new Random(36);
+    int compared = 0;
+    for (int i = 0; i < 150; i++) {
+      String text = anyScenario(random).replace("%d", Integer.toString(i));
+      Scenario scenario;
+      try {
+        scenario = Scenario.parse(SourceText.of("any.yaml", text), Bench.carla());
+      } catch (DiagnosticException e) {
+        continue; // It moves to the side while it stands, or before the last one has ended.
+      }
+      ScenarioExport export = ScenarioExport.of(scenario, "software");
+      assertEquals(List.of(), export.diagnostics(), text);
+      compare(scenario, export);
+      compared++;
+    }
+    assertTrue(compared > 50, "compared " + compared);
+  }
+
+  private static String anyScenario(Random random) {
+    StringBuilder text =
+        new StringBuilder("name: any\ntitle: Any %d\nduration_s: 12\naccept: {no_impact: true}\n");
+    text.append("ego: {speed_kmh: 50}\n");
+    if (random.nextBoolean()) {
+      int radius = (random.nextBoolean() ? 1 : -1) * (100 + random.nextInt(400));
+      text.append("road: {curve_radius_m: ").append(radius).append("}\n");
+    }
+    text.append("actors:\n");
+    for (int i = 0; i < 2; i++) {
+      text.append("  - {gap_m: ").append(40 + 60 * i);
+      text.append(", speed_kmh: ").append(5 + random.nextInt(95));
+      text.append(", lateral_offset_m: ").append(random.nextInt(9) - 4);
+      int angle = List.of(0, 0, 0, 180, 90, -30).get(random.nextInt(6));
+      text.append(", heading_deg: ").append(angle);
+      text.append(random.nextInt(4) == 0 ? ", keeps_heading: true" : "");
+      text.append(", maneuvers: [").append(anyManeuvers(random)).append("]}\n");
+    }
+    return text.toString();
+  }
+
+  private static String anyManeuvers(Random random) {
+    List<String> maneuvers = new ArrayList<>();
+    double speedAt = 0;
+    double sideAt = 0;
+    for (int i = random.nextInt(4); i > 0; i--) {
+      if (random.nextBoolean()) {
+        speedAt += random.nextInt(400) / 100.0;
+        maneuvers.add(
+            "{at_s: %s, speed_kmh: %s, acceleration_mps2: %s}"
+                .formatted(speedAt, 5 + random.nextInt(105), 1 + random.nextInt(5)));
+      } else {
+        sideAt += random.nextInt(600) / 100.0;
+        String shape =
+            random.nextInt(3) == 0 ? ", shape: linear, lateral_acceleration_mps2: 2" : "";
+        maneuvers.add(
+            "{at_s: %s, lateral_offset_m: %s, lateral_speed_mps: %s%s}"
+                .formatted(sideAt, random.nextInt(9) - 4, 0.5 + random.nextInt(3) / 2.0, shape));
+      }
+    }
+    return String.join(", ", maneuvers);
+  }
+
   private static void compare(Scenario scenario, ScenarioExport export) {
     FilePlayer player =
         new FilePlayer(
@@ -66,7 +135,7 @@ class ExportedExamplesTest {
       for (int i = 0; i < poses.size(); i++) {
         Body body = actor.body(scenario.situation().road(), i / 100.0);
         FilePlayer.Pose played = poses.get(i).ahead(middle);
-        String where = scenario.name() + ", " + actor.name() + " after " + i / 100.0 + " s";
+        String where = scenario.title() + ", " + actor.name() + " after " + i / 100.0 + " s";
         assertEquals(body.place().x(), played.x(), NEAR, where);
         assertEquals(body.place().y(), played.y(), NEAR, where);
         double turned = Math.IEEEremainder(body.place().heading() - played.heading(), 2 * Math.PI);
