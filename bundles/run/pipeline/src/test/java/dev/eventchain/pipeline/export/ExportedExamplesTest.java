@@ -62,7 +62,7 @@ class ExportedExamplesTest {
     Random random = new Random(36);
     int compared = 0;
     for (int i = 0; i < 150; i++) {
-      String text = anyScenario(random).replace("%d", Integer.toString(i));
+      String text = anyScenario(i, random);
       Scenario scenario;
       try {
         scenario = Scenario.parse(SourceText.of("any.yaml", text), Bench.carla());
@@ -77,9 +77,9 @@ class ExportedExamplesTest {
     assertTrue(compared > 50, "compared " + compared);
   }
 
-  private static String anyScenario(Random random) {
-    StringBuilder text =
-        new StringBuilder("name: any\ntitle: Any %d\nduration_s: 12\naccept: {no_impact: true}\n");
+  private static String anyScenario(int number, Random random) {
+    StringBuilder text = new StringBuilder("name: any\ntitle: Any ").append(number);
+    text.append("\nduration_s: 12\naccept: {no_impact: true}\n");
     text.append("ego: {speed_kmh: 50}\n");
     if (random.nextBoolean()) {
       int radius = (random.nextBoolean() ? 1 : -1) * (100 + random.nextInt(400));
