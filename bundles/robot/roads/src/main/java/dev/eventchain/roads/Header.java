@@ -5,10 +5,12 @@ package dev.eventchain.roads;
  *
  * @param minorVersion of OpenDRIVE 1, such as 8
  * @param name of the network; often empty
+ * @param vendor of the program that wrote the file; often empty
  * @param geoReference the projection as a PROJ string; empty if the network has none
  * @param offset from the coordinates of the file to those of the projection
  */
-public record Header(int minorVersion, String name, String geoReference, Offset offset) {
+public record Header(
+    int minorVersion, String name, String vendor, String geoReference, Offset offset) {
 
   /**
    * A translation, after a rotation about z.

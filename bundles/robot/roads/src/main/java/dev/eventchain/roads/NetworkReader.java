@@ -65,7 +65,12 @@ final class NetworkReader {
                         child.number("hdg", 0)))
             .orElse(new Header.Offset(0, 0, 0, 0));
     String projection = element.child("geoReference").map(XmlElement::text).orElse("");
-    return new Header((int) minor, element.optional("name").orElse(""), projection, offset);
+    return new Header(
+        (int) minor,
+        element.optional("name").orElse(""),
+        element.optional("vendor").orElse(""),
+        projection,
+        offset);
   }
 
   private void requireVersion(XmlElement element, double major, double minor) {

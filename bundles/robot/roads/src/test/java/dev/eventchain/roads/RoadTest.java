@@ -29,7 +29,11 @@ class RoadTest {
   void headerIsRead() {
     assertEquals(
         new Header(
-            8, "tilted", "+proj=utm +zone=32 +datum=WGS84", new Header.Offset(1000, 2000, 3, 0.5)),
+            8,
+            "tilted",
+            "",
+            "+proj=utm +zone=32 +datum=WGS84",
+            new Header.Offset(1000, 2000, 3, 0.5)),
         NETWORK.header());
   }
 

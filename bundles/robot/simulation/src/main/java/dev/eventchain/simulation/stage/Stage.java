@@ -75,7 +75,9 @@ final class Stage {
       double along = lane.station(bumper.x(), bumper.y(), lane.origin()).along();
       dev.eventchain.roads.Pose origin = lane.pose(along, 0.0);
       this.frame = new Frame(origin.x(), origin.y(), origin.heading());
-      this.road = new EgoLane(network.get(), lane, along, frame);
+      this.road =
+          FurnishedRoad.of(network.get(), lane, along)
+              .orElseGet(() -> new EgoLane(network.get(), lane, along, frame));
     } else {
       this.frame = new Frame(bumper.x(), bumper.y(), bumper.heading());
       this.road = new OpenPlane();
@@ -83,6 +85,7 @@ final class Stage {
     this.front = frame.toWorld(bumper);
     this.standing =
         network
+            .filter(it -> !road.isFurnished())
             .map(it -> new RoadFurniture(it, frame, road, run.entities().objects().keySet()))
             .map(RoadFurniture::actors)
             .orElse(List.of());

@@ -1,5 +1,7 @@
 package dev.eventchain.simulation.stage;
 
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.openscenario.storyboard.StoryboardRun;
 import dev.eventchain.openscenario.storyboard.tree.Change;
 import dev.eventchain.openscenario.storyboard.world.Entity;
@@ -7,6 +9,7 @@ import dev.eventchain.openscenario.storyboard.world.EntityState;
 import dev.eventchain.openscenario.storyboard.world.Pose;
 import dev.eventchain.openscenario.storyboard.world.Progress;
 import dev.eventchain.openscenario.storyboard.world.Visibility;
+import dev.eventchain.simulation.formula.RootLocale;
 import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.Body;
 import dev.eventchain.simulation.world.Director;
@@ -18,7 +21,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 
 /** Plays a storyboard in the world. */
 final class StoryboardDirector implements Director {
@@ -26,17 +28,23 @@ final class StoryboardDirector implements Director {
   /** The type of storyboard elements that formulas may ask for. */
   private static final String EVENT = "event";
 
+  /** Distance from which on the ego is at another place, in m. */
+  private static final double JUMP = 0.5;
+
   private static final double STEP = World.seconds(World.TRACE_STEP);
 
   private final StoryboardRun run;
   private final Frame frame;
   private final Entity ego;
+  private final ScenarioDriver driver;
   private final Map<String, Track> tracks = new LinkedHashMap<>();
   private final List<Actor> actors = new ArrayList<>();
   private final List<Actor> all;
   private final Optional<Limit> limit;
   private final List<Happening> happenings = new ArrayList<>();
   private double acceleration;
+  private double curvature;
+  private Pose planned;
   private int now;
   private int known;
 
@@ -67,6 +75,7 @@ final class StoryboardDirector implements Director {
     this.limit = limit;
     Map<String, Entity> entities = run.entities().objects();
     this.ego = entities.get(ego);
+    this.driver = new ScenarioDriver(frame, road, this.ego.box().front());
     for (Entity entity : entities.values()) {
       if (!entity.name().equals(ego) && entity.box().length() > 0.0) {
         Track track = new Track(road);
@@ -93,12 +102,34 @@ final class StoryboardDirector implements Director {
       Map<String, Body> bodies = bodies(seen);
       run.advance(
           STEP,
-          Optional.of(state(seen)),
+          Optional.of(state(seen)).filter(it -> seen.pedals() || seen.wheel()),
           (one, other) -> touch(bodies.get(one), bodies.get(other)));
     }
     now = moment;
     move(moment);
-    acceleration = (run.next(STEP).get(ego.name()).speed() - seen.velocity()) / STEP;
+    EntityState known = run.states().get(ego.name());
+    if (moment > 0) {
+      requireNoJump(known, seen.pedals() || seen.wheel() ? state(seen).pose() : planned);
+    }
+    EntityState wanted = run.next(STEP).get(ego.name());
+    planned = wanted.pose();
+    acceleration = (wanted.speed() - seen.velocity()) / STEP;
+    curvature = driver.curvature(seen, known, wanted);
+  }
+
+  /** Refuses what moves the ego to another place at once, which no vehicle can follow. */
+  private void requireNoJump(EntityState known, Pose expected) {
+    if (StrictMath.hypot(known.pose().x() - expected.x(), known.pose().y() - expected.y()) > JUMP) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.of(
+                  StageRules.EGO_MOVED,
+                  RootLocale.format(
+                      "After %.2f s, the storyboard puts %s at another place.",
+                      run.time(), ego.name()),
+                  ego.written().location())
+              .withHint("Place it in Init: a vehicle under test moves as it can."));
+    }
   }
 
   private void move(int moment) {
@@ -163,8 +194,8 @@ final class StoryboardDirector implements Director {
   }
 
   @Override
-  public OptionalDouble curvature() {
-    return OptionalDouble.empty();
+  public double curvature() {
+    return curvature;
   }
 
   @Override

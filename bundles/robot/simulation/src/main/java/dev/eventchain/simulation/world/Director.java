@@ -1,7 +1,6 @@
 package dev.eventchain.simulation.world;
 
 import java.util.List;
-import java.util.OptionalDouble;
 
 /**
  * Moves the actors of one run and drives the ego until the software does: what a scenario of
@@ -58,8 +57,8 @@ public interface Director {
   /** Returns the acceleration at which the ego drives until the next moment, in m/s2. */
   double acceleration();
 
-  /** Returns the curvature that the ego drives until then, in 1/m; empty if it keeps its lane. */
-  OptionalDouble curvature();
+  /** Returns the curvature that the ego drives until then, in 1/m, positive to the left. */
+  double curvature();
 
   /** Returns what happened up to now, in its order. */
   List<Happening> happenings();

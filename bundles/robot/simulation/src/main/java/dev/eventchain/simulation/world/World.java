@@ -7,7 +7,6 @@ import java.util.Deque;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.Set;
 
@@ -239,10 +238,7 @@ public final class World {
           () -> ego.drive(driver.acceleration(seconds(now), ego.speed())));
     }
     if (ego.steered()) {
-      director
-          .map(Director::curvature)
-          .orElse(OptionalDouble.empty())
-          .ifPresentOrElse(ego::steer, this::keepLane);
+      director.ifPresentOrElse(it -> ego.steer(it.curvature()), this::keepLane);
     }
   }
 

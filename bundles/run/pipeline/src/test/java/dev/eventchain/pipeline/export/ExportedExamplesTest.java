@@ -13,13 +13,22 @@ import dev.eventchain.simulation.export.ScenarioExport;
 import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.Body;
+import dev.eventchain.simulation.world.Road;
+import dev.eventchain.simulation.world.Situation;
+import dev.eventchain.simulation.world.Trace;
+import dev.eventchain.simulation.world.World;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -29,6 +38,11 @@ class ExportedExamplesTest {
 
   /** What straight lines between the vertices of a trajectory leave open, in m and rad. */
   private static final double NEAR = 0.03;
+
+  /** How far apart the ways of two controllers that steer the ego are, in m. */
+  private static final double STEERED = 0.6;
+
+  @TempDir Path folder;
 
   @ParameterizedTest
   @CsvSource({"aeb, 33", "acc, 19", "lane-departure, 15", "cut-in, 8", "radar-aeb, 2"})
@@ -41,6 +55,7 @@ class ExportedExamplesTest {
       ScenarioExport export = ScenarioExport.of(scenario, example);
       if (!export.files().isEmpty()) {
         compare(scenario, export);
+        readBack(scenario, export);
         compared++;
       }
     }
@@ -51,9 +66,10 @@ class ExportedExamplesTest {
   @ParameterizedTest
   @ValueSource(strings = {"bend", "names"})
   void soAreTheyInOtherScenarios(String name) {
-    Path folder = Repository.ROOT.resolve("bundles/robot/simulation/src/test/resources/export");
-    Scenario scenario = Scenario.read(folder.resolve(name + ".yaml"), Bench.carla());
+    Path exported = Repository.ROOT.resolve("bundles/robot/simulation/src/test/resources/export");
+    Scenario scenario = Scenario.read(exported.resolve(name + ".yaml"), Bench.carla());
     compare(scenario, ScenarioExport.of(scenario, "software"));
+    readBack(scenario, ScenarioExport.of(scenario, "software"));
   }
 
   /** Scripts of vehicles that never stand, whose changes of speed and lane overlap in all ways. */
@@ -141,6 +157,66 @@ class ExportedExamplesTest {
         double turned = Math.IEEEremainder(body.place().heading() - played.heading(), 2 * Math.PI);
         assertEquals(0.0, turned, NEAR, where);
       }
+    }
+  }
+
+  /** Reads the files and lets both worlds run side by side, without software. */
+  private void readBack(Scenario scenario, ScenarioExport export) {
+    for (Map.Entry<String, byte[]> file : export.files().entrySet()) {
+      written(file.getKey(), file.getValue());
+    }
+    String text =
+        """
+        name: back
+        title: Read back
+        duration_s: %s
+        openscenario: {file: %s.xosc}
+        accept: {no_impact: true}
+        """
+            .formatted(scenario.duration(), scenario.name());
+    Path file = folder.resolve("back.yaml");
+    Scenario back = Scenario.parse(SourceText.of(file.toString(), text), Bench.carla());
+    World one = world(scenario);
+    World other = world(back);
+    long end = World.nanoseconds(scenario.duration());
+    while (one.now() < end && !one.isOver() && !other.isOver()) {
+      requireNear(scenario, one, other);
+      one.advanceTo(one.now() + World.TRACE_STEP);
+      other.advanceTo(other.now() + World.TRACE_STEP);
+    }
+    assertEquals(one.now(), other.now(), World.TRACE_STEP, scenario.title());
+  }
+
+  private static void requireNear(Scenario scenario, World one, World other) {
+    double seconds = World.seconds(one.now());
+    String where = scenario.title() + " after " + seconds + " s: ";
+    requireNear(where + "ego", one.ego().front(), other.ego().front(), STEERED);
+    assertEquals(one.allActors().size(), other.allActors().size());
+    for (int i = 0; i < one.allActors().size(); i++) {
+      Actor actor = one.allActors().get(i);
+      requireNear(
+          where + actor.name(),
+          actor.body(one.road(), seconds).place(),
+          other.allActors().get(i).body(other.road(), seconds).place(),
+          NEAR);
+    }
+  }
+
+  private static void requireNear(
+      String where, Road.Place one, Road.Place other, double tolerance) {
+    assertEquals(0.0, Math.hypot(one.x() - other.x(), one.y() - other.y()), tolerance, where);
+  }
+
+  private static World world(Scenario scenario) {
+    Situation situation = scenario.situation();
+    return new World(situation, new Trace(scenario.inputs(), situation.road()));
+  }
+
+  private void written(String name, byte[] content) {
+    try {
+      Files.write(folder.resolve(name), content);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
   }
 

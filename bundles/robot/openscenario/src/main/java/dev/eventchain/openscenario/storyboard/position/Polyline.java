@@ -1,5 +1,6 @@
 package dev.eventchain.openscenario.storyboard.position;
 
+import dev.eventchain.openscenario.storyboard.world.Angles;
 import dev.eventchain.openscenario.storyboard.world.Pose;
 import java.util.Arrays;
 import java.util.List;
@@ -17,16 +18,27 @@ final class Polyline implements Path {
   private final List<Pose> points;
   private final double[] ways;
   private final double[] times;
+  private final boolean oriented;
 
   /**
-   * Creates a path.
+   * Creates a path along which the heading is that of its lines.
    *
    * @param points at least two
    * @param times as many as points; empty for none
    */
   Polyline(List<Pose> points, double[] times) {
+    this(points, times, false);
+  }
+
+  /**
+   * Creates a path.
+   *
+   * @param oriented whether the heading goes evenly from that of a point to that of the next one
+   */
+  Polyline(List<Pose> points, double[] times, boolean oriented) {
     this.points = List.copyOf(points);
     this.times = times.clone();
+    this.oriented = oriented;
     ways = new double[points.size()];
     for (int i = 1; i < ways.length; i++) {
       ways[i] = ways[i - 1] + points.get(i - 1).distance(points.get(i));
@@ -52,7 +64,11 @@ final class Polyline implements Path {
             0,
             from.pitch() + part * (to.pitch() - from.pitch()),
             from.roll() + part * (to.roll() - from.roll()))
-        .withHeading(direction(i));
+        .withHeading(oriented ? turned(from, to, part) : direction(i));
+  }
+
+  private static double turned(Pose from, Pose to, double part) {
+    return from.heading() + part * Angles.normalized(to.heading() - from.heading());
   }
 
   /** Returns the direction of a line; that of the one before it if it has no length. */

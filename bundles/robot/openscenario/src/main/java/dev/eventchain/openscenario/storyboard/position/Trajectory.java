@@ -70,7 +70,13 @@ public final class Trajectory {
     if (closed && times.length == 0) {
       points.add(points.get(0));
     }
-    return new Polyline(points, times);
+    return new Polyline(points, times, vertices.stream().allMatch(Trajectory::isOriented));
+  }
+
+  /** Returns whether a vertex says which way an entity looks there. */
+  private static boolean isOriented(ScenarioElement vertex) {
+    ScenarioElement position = vertex.required("Position").choice();
+    return position.has("h") || position.child("Orientation").isPresent();
   }
 
   /** Returns the times of vertices; none if one of them has none. */
