@@ -115,9 +115,7 @@ final class ScenarioReader {
    */
   private Scenario scenario(
       ObjectReader section, Function<String, SourceLocation> parts, Optional<PlayedFile> played) {
-    String name = name(section) + played.map(PlayedFile::suffix).orElse("");
-    String description = section.text("description").orElse("").strip().replaceAll("\\s+", " ");
-    String title = section.requiredText("title") + played.map(PlayedFile::words).orElse("");
+    Words words = words(section, played);
     NamedRequirements requirements = NamedRequirements.ofScenario(section);
     long seed = section.wholeNumber("seed", SEED).orElse(1);
     section.has(OpenScenarioReader.KEY);
@@ -126,32 +124,49 @@ final class ScenarioReader {
     Situation situation = played.map(reader::read).orElseGet(reader::read);
     Map<String, Script> inputs =
         section.object("inputs").map(part -> InputsReader.read(part, bench)).orElse(Map.of());
+    Optional<Range.Source> ranges =
+        Optional.<Range.Source>of(new SignalRanges(situation, inputs, bench, longest(section)))
+            .filter(it -> varying && played.isEmpty());
+    List<String> actors = SituationReader.names(situation.actors());
+    ActorSignals signals = new ActorSignals(bench.signals(), actors, situation.events());
     FormulasReader formulas =
-        new FormulasReader(
-            text,
-            new ActorSignals(
-                bench.signals(), SituationReader.names(situation.actors()), situation.events()),
-            longest(section),
-            requirements,
-            Optional.<Range.Source>of(new SignalRanges(situation, inputs, bench, longest(section)))
-                .filter(ranges -> varying && played.isEmpty()));
+        new FormulasReader(text, signals, longest(section), requirements, ranges);
     NodePhases phases = section.object("phases_ms").map(NodePhases::read).orElse(NodePhases.NONE);
     Scenario.Asked asked = asked(section, formulas);
     if (sound.getAsBoolean()) { // A criterion with an error may be the one that needs an input.
       InputsReader.requireUse(section, reader.notAwaited(inputs.keySet()), asked, bench);
     }
     section.refuseOthers();
-    SourceLocation place = section.location();
-    Scenario.Heading heading =
-        new Scenario.Heading(
-            name,
-            title,
-            description,
-            requirements.all(),
-            requirements.places(),
-            // Of a case, of which there are many, nobody asks where its parts are.
-            varying ? parts : part -> place);
+    Scenario.Heading heading = heading(words, requirements, parts, section.location());
     return new Scenario(heading, seed, duration, situation, inputs, phases, asked);
+  }
+
+  /** What a scenario says about itself. */
+  private record Words(String name, String title, String description) {}
+
+  private static Words words(ObjectReader section, Optional<PlayedFile> played) {
+    String name = name(section);
+    String description = section.text("description").orElse("").strip().replaceAll("\\s+", " ");
+    return new Words(
+        name + played.map(PlayedFile::suffix).orElse(""),
+        section.requiredText("title") + played.map(PlayedFile::words).orElse(""),
+        description);
+  }
+
+  /** Returns names and requirements, once all criteria are read. */
+  private Scenario.Heading heading(
+      Words words,
+      NamedRequirements requirements,
+      Function<String, SourceLocation> parts,
+      SourceLocation whole) {
+    return new Scenario.Heading(
+        words.name(),
+        words.title(),
+        words.description(),
+        requirements.all(),
+        requirements.places(),
+        // Of a case, of which there are many, nobody asks where its parts are.
+        varying ? parts : part -> whole);
   }
 
   private static Scenario.Asked asked(ObjectReader section, FormulasReader formulas) {

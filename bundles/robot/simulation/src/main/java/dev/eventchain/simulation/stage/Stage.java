@@ -26,6 +26,7 @@ import dev.eventchain.simulation.world.SpeedProfile;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * What a scenario needs to be played: its storyboard, its roads, and the ego at the start.
@@ -83,12 +84,13 @@ final class Stage {
       this.road = new OpenPlane();
     }
     this.front = frame.toWorld(bumper);
-    this.standing =
-        network
-            .filter(it -> !road.isFurnished())
-            .map(it -> new RoadFurniture(it, frame, road, run.entities().objects().keySet()))
-            .map(RoadFurniture::actors)
-            .orElse(List.of());
+    Set<String> names = run.entities().objects().keySet();
+    this.standing = network.map(it -> standing(it, names)).orElse(List.of());
+  }
+
+  /** Returns what stands at a road without furniture of its own. */
+  private List<Actor> standing(RoadNetwork network, Set<String> names) {
+    return road.isFurnished() ? List.of() : new RoadFurniture(network, frame, road, names).actors();
   }
 
   private Optional<LanePath> path(RoadNetwork network) {
