@@ -88,9 +88,9 @@ final class CampaignMatrix {
     }
     StringBuilder text = new StringBuilder();
     for (List<String> line : cells) {
-      StringBuilder row = new StringBuilder(" ");
+      StringBuilder row = new StringBuilder();
       for (int i = 0; i < line.size(); i++) {
-        row.append(' ')
+        row.append("  ")
             .append(" ".repeat(widths.get(i) - line.get(i).length()))
             .append(line.get(i));
       }

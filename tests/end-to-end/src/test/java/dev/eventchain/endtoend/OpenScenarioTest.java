@@ -1,0 +1,108 @@
+package dev.eventchain.endtoend;
+
+import dev.eventchain.fixtures.InTurn;
+import dev.eventchain.fixtures.Repository;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests scenarios in OpenSCENARIO XML, and suites, with the emergency braking of the paper. */
+class OpenScenarioTest {
+
+  private static final Path FILES =
+      Repository.ROOT.resolve("bundles/robot/simulation/src/test/resources/openscenario");
+
+  @TempDir Path folder;
+  private FinishedRun project;
+
+  @BeforeEach
+  void finish() throws IOException {
+    project = FinishedRun.in(folder);
+  }
+
+  private Program.Ended simulate(Object... more) {
+    Object[] arguments = new Object[more.length + 2];
+    arguments[0] = "simulate";
+    arguments[1] = project.path();
+    System.arraycopy(more, 0, arguments, 2, more.length);
+    return new Program().run(arguments);
+  }
+
+  @Test
+  void theCasesOfAFileAreJudgedByGivenCriteria() {
+    // At 70 km/h, the thresholds of the paper are not enough before a stationary car.
+    simulate(
+            "--no-strength",
+            "--scenario-file",
+            FILES.resolve("rear-end-cases.xosc"),
+            "--accept",
+            "no_impact")
+        .expect(1)
+        .says("passed  rear-end-cases-1 ")
+        .says("FAILED  rear-end-cases-5 ")
+        .says("the ego's front hit Target")
+        .says("passed  rear-end-cases-6 ")
+        .says("5 of 6 scenarios passed");
+  }
+
+  @Test
+  void acceptanceIsNotInTheFile() {
+    Path file = FILES.resolve("rear-end.xosc");
+    simulate("--scenario-file", file).expect(2).says("Add --accept no_impact");
+    simulate("--scenario-file", file, "--accept", "no_impackt")
+        .expect(2)
+        .says("Did you mean `no_impact`?");
+    simulate("--accept", "no_impact").expect(2).says("--accept needs --scenario-file");
+  }
+
+  @Test
+  void aSuiteIsACampaignFileWithItsOwnScenarios() throws IOException {
+    for (String name : List.of("rear-end.xosc", "straight.xodr", "catalogs/vehicles.xosc")) {
+      Path to = folder.resolve("suite").resolve(name);
+      Files.createDirectories(to.getParent());
+      Files.copy(FILES.resolve(name), to);
+    }
+    Files.writeString(
+        folder.resolve("suite/ahead.yaml"),
+        """
+        name: ahead
+        title: A car ahead
+        openscenario: {file: rear-end.xosc, parameters: {speed_kph: 50, aside: 0}}
+        accept: {no_impact: true}
+        """);
+    Path suite = folder.resolve("suite/suite.yaml");
+    Files.writeString(
+        suite,
+        """
+        scenario: ahead.yaml
+        factors:
+          speed: {path: openscenario.parameters.speed_kph, values: [30, 70]}
+          aside: {path: openscenario.parameters.aside, values: [0, 3.5]}
+        """);
+    simulate("--suite", suite)
+        .expect(1)
+        .says("4 cases: 3 passed, 1 failed")
+        .says("  speed \\ aside       0     3.5")
+        .says("             30  passed  passed")
+        .says("             70  FAILED  passed");
+    Files.writeString(folder.resolve("suite/rear-end.xosc"), "<OpenSCENARIO>");
+    simulate("--suite", suite).expect(2).says("osc.syntax");
+    simulate("--suite", "un-r153").expect(2).says("Did you mean 'un-r152'?");
+  }
+
+  /** The figures are in the page about suites. */
+  @InTurn
+  @Test
+  void theSuiteOfTheRegulationSaysWhatThePapersThresholdsReach() {
+    simulate("--suite", "un-r152")
+        .expect(1)
+        .says("un-r152-stationary_target: 27 cases: 15 passed, 12 failed")
+        .says("un-r152-moving_target: 12 cases: 12 passed")
+        .says("un-r152-bend_ahead: 6 cases: 0 passed, 6 failed")
+        .says("8 campaigns: errors in un-r152-stationary_target, un-r152-bend_ahead");
+  }
+}
