@@ -1,5 +1,6 @@
 package dev.eventchain.simulation.judge;
 
+import dev.eventchain.simulation.verdict.ScenarioVerdict.Line;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Mover;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Scan;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Scene;
@@ -17,6 +18,9 @@ import java.util.function.ToDoubleFunction;
 
 /** Scene of a scenario from above. */
 final class SceneFromAbove {
+
+  /** How far from the ego the picture shows something, in m. */
+  private static final double SHOWN = 80.0;
 
   private final Situation situation;
   private final Trace trace;
@@ -38,13 +42,27 @@ final class SceneFromAbove {
     return new Scene(
         situation.road().curvature(0.0),
         situation.road().laneWidth(0.0),
-        Road.WALL_DISTANCE,
+        situation.road().isFurnished() ? Road.WALL_DISTANCE : 0.0,
+        above.lines(),
         above.ego(),
         trace.actors().stream()
             .filter(actor -> actor.size().bottom() < situation.ego().shape().height())
             .map(above::mover)
             .toList(),
         trace.outlines().stream().map(each -> new Scan(each.time(), each.x(), each.y())).toList());
+  }
+
+  /** Returns the lines around the way of the ego, as far as the picture shows them. */
+  private List<Line> lines() {
+    double last = states.stream().mapToDouble(Trace.State::position).max().orElse(0.0);
+    return situation.road().lines(-SHOWN, last + SHOWN).stream()
+        .map(
+            line ->
+                new Line(
+                    line.broken(),
+                    line.places().stream().map(Road.Place::x).toList(),
+                    line.places().stream().map(Road.Place::y).toList()))
+        .toList();
   }
 
   private Mover ego() {

@@ -5,6 +5,7 @@ import dev.eventchain.roads.LanePath;
 import dev.eventchain.roads.LanePosition;
 import dev.eventchain.roads.RoadNetwork;
 import dev.eventchain.simulation.world.Road;
+import java.util.List;
 
 /**
  * The lane in which the ego starts, and those that follow it, as the road of the world. Nothing
@@ -60,5 +61,10 @@ record EgoLane(RoadNetwork roads, LanePath path, double start, Frame frame) impl
   @Override
   public double wall(Place from, double dx, double dy) {
     return Double.POSITIVE_INFINITY;
+  }
+
+  @Override
+  public List<Line> lines(double from, double to) {
+    return LaneLines.of(roads, this, from, to);
   }
 }

@@ -249,12 +249,27 @@ public record ScenarioVerdict(
   }
 
   /**
+   * A line on the ground, in m.
+   *
+   * @param broken whether it has dashes
+   */
+  public record Line(boolean broken, List<Double> x, List<Double> y) {
+
+    /** Copies the lists. */
+    public Line {
+      x = List.copyOf(x);
+      y = List.copyOf(y);
+    }
+  }
+
+  /**
    * The road from above, in m and rad, in the plane in which the road starts along x at the ego's
    * front bumper.
    *
    * @param curvature of the road, in 1/m, to the left is positive
    * @param laneWidth in m
-   * @param wallDistance of the walls from the centre of the ego's lane, in m
+   * @param wallDistance of the walls from the centre of the ego's lane, in m; 0 if there are none
+   * @param lines those of a map, in place of the lines of lanes; none of other roads
    * @param ego the vehicle with the software
    * @param others all others, except those above the road
    * @param scans some of the scans of the lidar, if the software has one
@@ -263,12 +278,14 @@ public record ScenarioVerdict(
       double curvature,
       double laneWidth,
       double wallDistance,
+      List<Line> lines,
       Mover ego,
       List<Mover> others,
       List<Scan> scans) {
 
     /** Copies the lists. */
     public Scene {
+      lines = List.copyOf(lines);
       others = List.copyOf(others);
       scans = List.copyOf(scans);
     }

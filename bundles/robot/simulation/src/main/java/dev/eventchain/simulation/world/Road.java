@@ -1,5 +1,7 @@
 package dev.eventchain.simulation.world;
 
+import java.util.List;
+
 /**
  * The road as the ego's lane has it: its centre line is that of the lane in which the ego starts,
  * begins at the ego's front bumper, and goes along the x axis there.
@@ -38,6 +40,25 @@ public interface Road {
   /** Returns a straight furnished road. */
   static Road straight() {
     return bend(0.0, USUAL_LANE_WIDTH);
+  }
+
+  /**
+   * A line on the ground, such as the border of a lane.
+   *
+   * @param broken whether it has dashes
+   * @param places from one end to the other
+   */
+  record Line(boolean broken, List<Place> places) {}
+
+  /**
+   * Returns the lines near a part of a road that is not furnished, whose lines follow from its
+   * lanes alone.
+   *
+   * @param from the begin of the part along the road, in m
+   * @param to its end
+   */
+  default List<Line> lines(double from, double to) {
+    return List.of();
   }
 
   /** Returns whether it is straight from end to end. */

@@ -59,14 +59,18 @@ public record SimulatedScenario(
    */
   public record Signal(String name, String unit, Optional<String> absent, List<Double> values) {}
 
-  /** The road from above, in m and rad. */
+  /** The road from above, in m and rad; lines are those of a map. */
   public record Scene(
       double curvature,
       @JsonProperty("lane_width") double laneWidth,
       @JsonProperty("wall_distance") double wallDistance,
+      List<Line> lines,
       Mover ego,
       List<Mover> others,
       List<Scan> scans) {}
+
+  /** A line on the ground, in m. */
+  public record Line(boolean broken, List<Double> x, List<Double> y) {}
 
   /** The positions of a box, one for each time of the series, or one for all. */
   public record Mover(

@@ -303,6 +303,14 @@ public final class SimulationReport {
         scene.curvature(),
         scene.laneWidth(),
         scene.wallDistance(),
+        scene.lines().stream()
+            .map(
+                line ->
+                    new SimulatedScenario.Line(
+                        line.broken(),
+                        column(line.x(), CENTIMETRES),
+                        column(line.y(), CENTIMETRES)))
+            .toList(),
         mover(scene.ego()),
         scene.others().stream().map(SimulationReport::mover).toList(),
         scene.scans().stream()

@@ -16,6 +16,7 @@ function sceneOf(scenario, samples) {
     curvature: number(scene.curvature) ?? 0,
     lane: number(scene.lane_width) ?? 3.75,
     wall: number(scene.wall_distance) ?? 8,
+    lines: records(scene.lines).map((line) => ({ broken: line.broken === true, x: list(line.x).map(number), y: list(line.y).map(number) })),
   };
 }
 
@@ -59,7 +60,7 @@ function stationOf(scene, place) {
 function viewpointOf(scene, ego) {
   const half = scene.ego.length / 2;
   return {
-    x: ego.x + half * Math.cos(ego.heading), y: ego.y + half * Math.sin(ego.heading), heading: scene.curvature === 0 ? 0 : ego.heading,
+    x: ego.x + half * Math.cos(ego.heading), y: ego.y + half * Math.sin(ego.heading), heading: scene.curvature === 0 && scene.wall > 0 ? 0 : ego.heading,
   };
 }
 
@@ -98,8 +99,14 @@ function drawScene(scene, samples, width) {
   return { picture, move };
 }
 
-/** The walls and the lines of three lanes; the dashes stay where they are on the road. */
+/** The lines of a map, or the walls and the lines of three lanes; the dashes stay where they are on the road. */
 function drawRoad(scene, origin, station, onScreen, scale) {
+  if (scene.wall === 0) {
+    return scene.lines.map((line) => {
+      const points = line.x.map((x, index) => onScreen(seenFrom(origin, { x, y: line.y[index] })));
+      return svg("path", { class: "lane", d: pathThrough(points), "stroke-dasharray": line.broken ? VIEW.dash * scale : null });
+    });
+  }
   const start = Math.floor((station - VIEW.behind - 8) / (2 * VIEW.dash)) * 2 * VIEW.dash;
   const line = (across, className, dashes) => {
     const points = [];

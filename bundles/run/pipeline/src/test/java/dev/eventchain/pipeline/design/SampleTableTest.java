@@ -102,7 +102,7 @@ class SampleTableTest {
                 new Curve("gap", "m", "", gaps),
                 new Curve("/warn.data", "1", "", gaps),
                 new Curve("still", "m", "", times.stream().map(it -> 1.0).toList())),
-            new ScenarioVerdict.Scene(0, 3.5, 20, ego, List.of(), List.of())),
+            new ScenarioVerdict.Scene(0, 3.5, 20, List.of(), ego, List.of(), List.of())),
         samples);
   }
 
