@@ -25,7 +25,7 @@ final class NetworkReader {
   private final Map<String, Road> roads = new LinkedHashMap<>();
   private final Map<String, Junction> junctions = new LinkedHashMap<>();
   private final Map<String, Place> places = new LinkedHashMap<>();
-  private final List<SignalController> controllers = new ArrayList<>();
+  private final List<Signal.Controller> controllers = new ArrayList<>();
   private Header header;
 
   static RoadNetwork read(SourceText source) {
@@ -118,8 +118,8 @@ final class NetworkReader {
     return before == null;
   }
 
-  private static SignalController controller(XmlElement element) {
-    return new SignalController(
+  private static Signal.Controller controller(XmlElement element) {
+    return new Signal.Controller(
         element.string("id"),
         element.optional("name").orElse(""),
         element.children("control").stream().map(each -> each.string("signalId")).toList());

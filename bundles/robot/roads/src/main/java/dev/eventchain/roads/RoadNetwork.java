@@ -25,7 +25,7 @@ public final class RoadNetwork {
   private final Header header;
   private final Map<String, Road> roads;
   private final Map<String, Junction> junctions;
-  private final List<SignalController> controllers;
+  private final List<Signal.Controller> controllers;
   private final LaneGraph graph;
   private final List<Diagnostic> findings;
   private final Locator locator;
@@ -34,7 +34,7 @@ public final class RoadNetwork {
       Header header,
       Map<String, Road> roads,
       Map<String, Junction> junctions,
-      List<SignalController> controllers,
+      List<Signal.Controller> controllers,
       LaneGraph graph,
       List<Diagnostic> findings) {
     this.header = header;
@@ -118,7 +118,7 @@ public final class RoadNetwork {
   }
 
   /** Returns the controllers of signals in the order of the file. */
-  public List<SignalController> controllers() {
+  public List<Signal.Controller> controllers() {
     return controllers;
   }
 

@@ -57,6 +57,21 @@ public record Signal(
       Signal.Orientation orientation,
       Optional<List<Integer>> lanes) {}
 
+  /**
+   * Signals that change together.
+   *
+   * @param id the id
+   * @param name often empty
+   * @param signals the ids of the signals
+   */
+  public record Controller(String id, String name, List<String> signals) {
+
+    /** Copies the signals. */
+    public Controller {
+      signals = List.copyOf(signals);
+    }
+  }
+
   /** The direction of traffic that something is for. */
   public enum Orientation {
     BOTH("none"),

@@ -181,7 +181,7 @@ class RoadTest {
     assertEquals(new Pose(1, 2, 3, 0.5, 0, 0), light.pose());
     assertEquals("light", NETWORK.road("2").orElseThrow().signalReferences().get(0).signal());
     assertEquals(
-        List.of(new SignalController("c", "lights", List.of("light"))), NETWORK.controllers());
+        List.of(new Signal.Controller("c", "lights", List.of("light"))), NETWORK.controllers());
   }
 
   @Test

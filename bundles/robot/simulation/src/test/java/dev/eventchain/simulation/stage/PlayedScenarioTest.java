@@ -17,10 +17,13 @@ import dev.eventchain.simulation.world.Situation;
 import dev.eventchain.simulation.world.Trace;
 import dev.eventchain.simulation.world.VehicleCommand;
 import dev.eventchain.simulation.world.World;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** Tests scenarios whose situation is a file in OpenSCENARIO XML. */
 class PlayedScenarioTest {
@@ -112,6 +115,10 @@ class PlayedScenarioTest {
     assertEquals("Target", target.name());
     assertEquals(0, target.across(0), 1e-9);
     assertEquals(1.4, target.size().top(), 1e-9);
+    Actor kiosk = world.actors().get(1);
+    assertEquals(260 - 100 - FRONT, kiosk.along(0), 1e-9, "objects of the map stand there");
+    assertEquals(9 + 1.75, kiosk.across(0), 1e-9);
+    assertEquals(2.5, kiosk.size().top(), 1e-9);
     EgoVehicle ego = scenario.situation().ego();
     assertEquals(4.4, ego.shape().length());
     assertEquals(2.6, ego.chassis().wheelbase());
@@ -211,7 +218,8 @@ class PlayedScenarioTest {
         List.of("scenario.ego.unknown 4: There is no entity 'ego1'."),
         problems("rear-end.xosc", "  ego: ego1"));
     Scenario other = Scenario.parse(text("rear-end.xosc", "  ego: Target"), Bench.carla());
-    assertEquals(List.of("Ego"), other.situation().actors().stream().map(Actor::name).toList());
+    assertEquals(
+        List.of("Ego", "kiosk"), other.situation().actors().stream().map(Actor::name).toList());
   }
 
   @Test
@@ -223,6 +231,38 @@ class PlayedScenarioTest {
         problems("rear-end.xosc", "ego: {speed_kmh: 30}")
             .get(0)
             .startsWith("scenario.key.unknown"));
+  }
+
+  @Test
+  void theEgoIsNotPutElsewhereWhileItDrives(@TempDir Path folder) throws IOException {
+    String text = Files.readString(FOLDER.resolve("rear-end.xosc"));
+    String action =
+        text.substring(
+            text.indexOf("<LongitudinalAction>", text.indexOf("name=\"slower\"")),
+            text.indexOf("</PrivateAction>", text.indexOf("name=\"slower\"")));
+    String jump =
+        "<TeleportAction><Position><LanePosition roadId=\"1\" laneId=\"-1\" s=\"300\"/></Position></TeleportAction>";
+    Path file = Files.writeString(folder.resolve("jump.xosc"), jumping(text, action, jump));
+    Files.createDirectory(folder.resolve("catalogs"));
+    Files.copy(FOLDER.resolve("straight.xodr"), folder.resolve("straight.xodr"));
+    Files.copy(FOLDER.resolve("catalogs/vehicles.xosc"), folder.resolve("catalogs/vehicles.xosc"));
+    Scenario scenario =
+        Scenario.readFiles(List.of(file), List.of("no_impact"), Bench.carla(), warning -> fail())
+            .get(0);
+    World world = world(scenario);
+    DiagnosticException refused = assertThrows(DiagnosticException.class, () -> drive(world, 5));
+    assertEquals("scenario.ego.moved", refused.diagnostics().get(0).id());
+    assertTrue(refused.getMessage().contains("After 1.00 s"), refused.getMessage());
+  }
+
+  private static String jumping(String text, String action, String jump) {
+    return text.replace(action, jump)
+        .replace(
+            "name=\"brakes_at\" parameterType=\"double\" value=\"1000\"",
+            "name=\"brakes_at\" parameterType=\"double\" value=\"1\"")
+        .replace(
+            "<Actors selectTriggeringEntities=\"false\">\n            <EntityRef entityRef=\"Target\"/>",
+            "<Actors selectTriggeringEntities=\"false\">\n            <EntityRef entityRef=\"Ego\"/>");
   }
 
   @Test
