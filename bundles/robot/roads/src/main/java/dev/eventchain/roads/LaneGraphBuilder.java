@@ -117,7 +117,7 @@ final class LaneGraphBuilder {
   private void requireMeeting(LaneEnd from, LaneEnd to, Place place) {
     Pose end = from.pose();
     Pose start = to.pose();
-    double apart = Math.hypot(start.x() - end.x(), start.y() - end.y());
+    double apart = StrictMath.hypot(start.x() - end.x(), start.y() - end.y());
     if (apart > MEETING) {
       problems.add(
           RoadRules.LINK_APART,
@@ -189,6 +189,6 @@ final class LaneGraphBuilder {
   }
 
   private static double distance(PlanPoint first, PlanPoint second) {
-    return Math.hypot(first.x() - second.x(), first.y() - second.y());
+    return StrictMath.hypot(first.x() - second.x(), first.y() - second.y());
   }
 }

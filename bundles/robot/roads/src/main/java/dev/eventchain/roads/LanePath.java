@@ -67,8 +67,8 @@ public final class LanePath {
   /** Returns the pose of a place of the surface, in the direction of the path. */
   public Pose pose(double along, double across) {
     PlanPoint on = curve.at(along);
-    double x = on.x() - across * Math.sin(on.heading());
-    double y = on.y() + across * Math.cos(on.heading());
+    double x = on.x() - across * StrictMath.sin(on.heading());
+    double y = on.y() + across * StrictMath.cos(on.heading());
     PathCurve.Place place = curve.place(along);
     Road road = place.track().road();
     if (road.isFlat()) {
@@ -101,8 +101,8 @@ public final class LanePath {
     double[] on = road.project(x, y, place.s() - reach, place.s() + reach);
     PlanPoint line = road.plan(on[0]);
     return curve.station(
-        line.x() - on[1] * Math.sin(line.heading()),
-        line.y() + on[1] * Math.cos(line.heading()),
+        line.x() - on[1] * StrictMath.sin(line.heading()),
+        line.y() + on[1] * StrictMath.cos(line.heading()),
         station.along());
   }
 }

@@ -35,7 +35,7 @@ final class LaneTrack {
             case 2 -> 60 * u * (1 + u * (2 * u - 3));
             default -> 60 * (1 + u * (6 * u - 6));
           };
-      return value / Math.pow(to - from, order);
+      return value / StrictMath.pow(to - from, order);
     }
   }
 
@@ -168,7 +168,7 @@ final class LaneTrack {
   /** Returns the arc length of the middle for 1 m of s. */
   double stretch(double s) {
     double ahead = 1 - road().curvature(s) * centre(s, 0);
-    return Math.hypot(ahead, centre(s, 1));
+    return StrictMath.hypot(ahead, centre(s, 1));
   }
 
   /** Returns the point of the middle, in the direction of the track. */
@@ -181,11 +181,11 @@ final class LaneTrack {
     double ahead = 1 - k * t;
     // The derivatives of the line's point plus t along its normal, by Frenet's formulas.
     double bends = ahead * (k * ahead + bend) + slope * (line.sharpness() * t + 2 * k * slope);
-    double curvature = bends / Math.pow(Math.max(1e-9, Math.hypot(ahead, slope)), 3);
-    double heading = line.heading() + Math.atan2(slope, ahead) + (isAlongS() ? 0 : Math.PI);
+    double curvature = bends / StrictMath.pow(Math.max(1e-9, StrictMath.hypot(ahead, slope)), 3);
+    double heading = line.heading() + StrictMath.atan2(slope, ahead) + (isAlongS() ? 0 : Math.PI);
     return new PlanPoint(
-        line.x() - t * Math.sin(line.heading()),
-        line.y() + t * Math.cos(line.heading()),
+        line.x() - t * StrictMath.sin(line.heading()),
+        line.y() + t * StrictMath.cos(line.heading()),
         heading,
         isAlongS() ? curvature : -curvature,
         0);

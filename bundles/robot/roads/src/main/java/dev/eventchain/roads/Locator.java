@@ -84,8 +84,8 @@ final class Locator {
       LaneSection section = part.road.section(s);
       PlanPoint line = part.road.plan(s);
       for (double t : new double[] {section.leftEdge(s), section.rightEdge(s), 0}) {
-        double x = line.x() - t * Math.sin(line.heading());
-        double y = line.y() + t * Math.cos(line.heading());
+        double x = line.x() - t * StrictMath.sin(line.heading());
+        double y = line.y() + t * StrictMath.cos(line.heading());
         minX = Math.min(minX, x);
         minY = Math.min(minY, y);
         maxX = Math.max(maxX, x);
@@ -153,9 +153,9 @@ final class Locator {
     LaneSection section = road.section(s);
     OptionalInt lane = section.laneAt(s, t);
     Pose on = road.pose(s, t);
-    double missed = Math.hypot(x - on.x(), y - on.y());
+    double missed = StrictMath.hypot(x - on.x(), y - on.y());
     double beside = Math.max(0, Math.max(t - section.leftEdge(s), section.rightEdge(s) - t));
     double middle = lane.isPresent() ? section.centre(lane.getAsInt(), s) : 0;
-    return new Candidate(road, s, t, Math.hypot(beside, missed), Math.abs(t - middle), lane);
+    return new Candidate(road, s, t, StrictMath.hypot(beside, missed), Math.abs(t - middle), lane);
   }
 }

@@ -149,8 +149,8 @@ final class ObjectsReader {
     }
     double u = corner.number("u");
     double v = corner.number("v");
-    double cos = Math.cos(origin.heading());
-    double sin = Math.sin(origin.heading());
+    double cos = StrictMath.cos(origin.heading());
+    double sin = StrictMath.sin(origin.heading());
     return new Corner(
         origin.x() + u * cos - v * sin,
         origin.y() + u * sin + v * cos,

@@ -101,8 +101,8 @@ final class PathCurve {
 
   private static PlanPoint continued(PlanPoint point, double by) {
     return new PlanPoint(
-        point.x() + by * Math.cos(point.heading()),
-        point.y() + by * Math.sin(point.heading()),
+        point.x() + by * StrictMath.cos(point.heading()),
+        point.y() + by * StrictMath.sin(point.heading()),
         point.heading(),
         0,
         0);
@@ -110,13 +110,13 @@ final class PathCurve {
 
   /** Returns how far a place is ahead of a point of the curve, in the point's direction. */
   private static double ahead(PlanPoint point, double x, double y) {
-    return (x - point.x()) * Math.cos(point.heading())
-        + (y - point.y()) * Math.sin(point.heading());
+    return (x - point.x()) * StrictMath.cos(point.heading())
+        + (y - point.y()) * StrictMath.sin(point.heading());
   }
 
   private static double across(PlanPoint point, double x, double y) {
-    return (y - point.y()) * Math.cos(point.heading())
-        - (x - point.x()) * Math.sin(point.heading());
+    return (y - point.y()) * StrictMath.cos(point.heading())
+        - (x - point.x()) * StrictMath.sin(point.heading());
   }
 
   LanePath.Station station(double x, double y, double near) {
@@ -154,7 +154,7 @@ final class PathCurve {
   }
 
   private double distance(int knot, double x, double y) {
-    return Math.hypot(x - points[knot].x(), y - points[knot].y());
+    return StrictMath.hypot(x - points[knot].x(), y - points[knot].y());
   }
 
   private LanePath.Station between(double x, double y, double from, double to) {

@@ -168,7 +168,7 @@ final class PlanReader {
       ReferenceLine.Piece next = pieces.get(i);
       PlanPoint end = last.at(last.length());
       PlanPoint start = next.at(0);
-      double gap = Math.hypot(end.x() - start.x(), end.y() - start.y());
+      double gap = StrictMath.hypot(end.x() - start.x(), end.y() - start.y());
       double along = next.start() - last.start() - last.length();
       if (gap > GAP || Math.abs(along) > GAP) {
         problems.add(

@@ -297,15 +297,15 @@ public final class Road {
       Pose pose = pose(s, t);
       double dx = x - pose.x();
       double dy = y - pose.y();
-      if (Math.hypot(dx, dy) < 1e-7) {
+      if (StrictMath.hypot(dx, dy) < 1e-7) {
         break;
       }
       PlanPoint near = line.at(s);
-      double ahead = dx * Math.cos(near.heading()) + dy * Math.sin(near.heading());
+      double ahead = dx * StrictMath.cos(near.heading()) + dy * StrictMath.sin(near.heading());
       double squeezed = Math.max(0.1, 1 - near.curvature() * t);
       s = Math.max(from, Math.min(to, s + ahead / squeezed));
-      double across = dy * Math.cos(near.heading()) - dx * Math.sin(near.heading());
-      t += across / Math.max(0.1, Math.cos(pose.roll()));
+      double across = dy * StrictMath.cos(near.heading()) - dx * StrictMath.sin(near.heading());
+      t += across / Math.max(0.1, StrictMath.cos(pose.roll()));
     }
     return new double[] {s, t};
   }
@@ -319,6 +319,6 @@ public final class Road {
   private static double offset(PlanPoint point, double x, double y) {
     double dx = x - point.x();
     double dy = y - point.y();
-    return dy * Math.cos(point.heading()) - dx * Math.sin(point.heading());
+    return dy * StrictMath.cos(point.heading()) - dx * StrictMath.sin(point.heading());
   }
 }

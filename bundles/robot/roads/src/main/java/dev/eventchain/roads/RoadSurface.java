@@ -62,8 +62,8 @@ final class RoadSurface {
    * @param height of the point above the surface, in m
    */
   Pose pose(PlanPoint line, double s, double t, double level, double height) {
-    double cos = Math.cos(line.heading());
-    double sin = Math.sin(line.heading());
+    double cos = StrictMath.cos(line.heading());
+    double sin = StrictMath.sin(line.heading());
     if (plane) {
       return new Pose(line.x() - t * sin, line.y() + t * cos, height, line.heading(), 0, 0);
     }
@@ -74,14 +74,14 @@ final class RoadSurface {
     double own = Math.abs(t) > level ? 0 : roll;
     // Along the normal of the line that has the slope but no tilt; then along the surface's own.
     double raised = height + heightAt(s, tilted);
-    double up = tilted * Math.sin(roll) + raised * Math.cos(own);
-    double side = tilted * Math.cos(roll) + t - tilted - raised * Math.sin(own);
+    double up = tilted * StrictMath.sin(roll) + raised * StrictMath.cos(own);
+    double side = tilted * StrictMath.cos(roll) + t - tilted - raised * StrictMath.sin(own);
     return new Pose(
         line.x() - side * sin - up * slope * cos / norm,
         line.y() + side * cos - up * slope * sin / norm,
         elevation.at(s) + up / norm,
         line.heading(),
-        -Math.atan(slope),
+        -StrictMath.atan(slope),
         own);
   }
 

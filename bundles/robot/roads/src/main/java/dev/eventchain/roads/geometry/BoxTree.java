@@ -24,7 +24,7 @@ public final class BoxTree<T> {
     double distance(double x, double y) {
       double dx = Math.max(0, Math.max(minX - x, x - maxX));
       double dy = Math.max(0, Math.max(minY - y, y - maxY));
-      return Math.hypot(dx, dy);
+      return StrictMath.hypot(dx, dy);
     }
 
     Box with(Box other) {

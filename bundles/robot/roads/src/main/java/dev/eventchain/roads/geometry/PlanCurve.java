@@ -30,8 +30,9 @@ public interface PlanCurve {
       double turned = curvature * along;
       // The chord is along * sinc(turned / 2), which has no cancellation for large radii.
       double half = turned / 2;
-      double chord = Math.abs(half) < 1e-9 ? along : along * Math.sin(half) / half;
-      return new PlanPoint(chord * Math.cos(half), chord * Math.sin(half), turned, curvature, 0);
+      double chord = Math.abs(half) < 1e-9 ? along : along * StrictMath.sin(half) / half;
+      return new PlanPoint(
+          chord * StrictMath.cos(half), chord * StrictMath.sin(half), turned, curvature, 0);
     }
   }
 }

@@ -13,8 +13,8 @@ public record PlanPoint(double x, double y, double heading, double curvature, do
 
   /** Returns the point in the frame of another one, of which this one is relative. */
   PlanPoint placed(double originX, double originY, double originHeading) {
-    double cos = Math.cos(originHeading);
-    double sin = Math.sin(originHeading);
+    double cos = StrictMath.cos(originHeading);
+    double sin = StrictMath.sin(originHeading);
     return new PlanPoint(
         originX + x * cos - y * sin,
         originY + x * sin + y * cos,

@@ -58,7 +58,7 @@ final class Polynomial implements PlanCurve {
   }
 
   private double speed(double p) {
-    return Math.hypot(u.at(p, 1), v.at(p, 1));
+    return StrictMath.hypot(u.at(p, 1), v.at(p, 1));
   }
 
   /** Returns the parameter at an arc length of its own. */
@@ -83,12 +83,12 @@ final class Polynomial implements PlanCurve {
     double step = panel / 100;
     double sharpness =
         (curvature(p + step) - curvature(p - step)) / (2 * step * Math.max(speed(p), 1e-12));
-    double heading = Math.atan2(v.at(p, 1), u.at(p, 1));
+    double heading = StrictMath.atan2(v.at(p, 1), u.at(p, 1));
     return new PlanPoint(u.at(p, 0), v.at(p, 0), heading, curvature(p), sharpness);
   }
 
   private double curvature(double p) {
     double cross = u.at(p, 1) * v.at(p, 2) - v.at(p, 1) * u.at(p, 2);
-    return cross / Math.max(Math.pow(speed(p), 3), 1e-12);
+    return cross / Math.max(StrictMath.pow(speed(p), 3), 1e-12);
   }
 }

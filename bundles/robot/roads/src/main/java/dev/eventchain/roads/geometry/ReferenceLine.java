@@ -58,8 +58,8 @@ public final class ReferenceLine {
     return beyond == 0
         ? point
         : new PlanPoint(
-            point.x() + beyond * Math.cos(point.heading()),
-            point.y() + beyond * Math.sin(point.heading()),
+            point.x() + beyond * StrictMath.cos(point.heading()),
+            point.y() + beyond * StrictMath.sin(point.heading()),
             point.heading(),
             0,
             0);
@@ -105,8 +105,8 @@ public final class ReferenceLine {
       PlanPoint point = at(s);
       double dx = x - point.x();
       double dy = y - point.y();
-      double cos = Math.cos(point.heading());
-      double sin = Math.sin(point.heading());
+      double cos = StrictMath.cos(point.heading());
+      double sin = StrictMath.sin(point.heading());
       double ahead = dx * cos + dy * sin;
       if (Math.abs(ahead) < 1e-12) {
         return s;
@@ -124,7 +124,7 @@ public final class ReferenceLine {
 
   private double ahead(double x, double y, double s) {
     PlanPoint point = at(s);
-    return (x - point.x()) * Math.cos(point.heading())
-        + (y - point.y()) * Math.sin(point.heading());
+    return (x - point.x()) * StrictMath.cos(point.heading())
+        + (y - point.y()) * StrictMath.sin(point.heading());
   }
 }

@@ -42,11 +42,11 @@ final class Spiral implements PlanCurve {
   }
 
   private double dx(double from, double to) {
-    return Quadrature.integral(u -> Math.cos(heading(u)), from, to);
+    return Quadrature.integral(u -> StrictMath.cos(heading(u)), from, to);
   }
 
   private double dy(double from, double to) {
-    return Quadrature.integral(u -> Math.sin(heading(u)), from, to);
+    return Quadrature.integral(u -> StrictMath.sin(heading(u)), from, to);
   }
 
   @Override

@@ -105,8 +105,8 @@ final class LongitudinalDistance {
             now.pose(),
             now.box(),
             now.road(),
-            now.vx() + half * Math.cos(heading),
-            now.vy() + half * Math.sin(heading))
+            now.vx() + half * StrictMath.cos(heading),
+            now.vy() + half * StrictMath.sin(heading))
         .after(dt);
   }
 

@@ -26,7 +26,7 @@ enum Shape {
       case STEP -> 1;
       case LINEAR -> part;
       case CUBIC -> part * part * (3 - 2 * part);
-      case SINUSOIDAL -> (1 - Math.cos(Math.PI * part)) / 2;
+      case SINUSOIDAL -> (1 - StrictMath.cos(Math.PI * part)) / 2;
     };
   }
 
@@ -36,7 +36,7 @@ enum Shape {
       case STEP -> 0;
       case LINEAR -> 1;
       case CUBIC -> 6 * part * (1 - part);
-      case SINUSOIDAL -> Math.PI / 2 * Math.sin(Math.PI * part);
+      case SINUSOIDAL -> Math.PI / 2 * StrictMath.sin(Math.PI * part);
     };
   }
 
@@ -46,7 +46,7 @@ enum Shape {
       case STEP -> part;
       case LINEAR -> part * part / 2;
       case CUBIC -> part * part * part * (1 - part / 2);
-      case SINUSOIDAL -> (part - Math.sin(Math.PI * part) / Math.PI) / 2;
+      case SINUSOIDAL -> (part - StrictMath.sin(Math.PI * part) / Math.PI) / 2;
     };
   }
 

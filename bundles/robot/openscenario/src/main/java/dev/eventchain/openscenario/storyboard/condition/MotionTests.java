@@ -34,8 +34,9 @@ final class MotionTests {
   private static double speed(EntityState state, String direction) {
     double heading = state.pose().heading();
     return switch (direction) {
-      case "longitudinal" -> state.vx() * Math.cos(heading) + state.vy() * Math.sin(heading);
-      case "lateral" -> state.vy() * Math.cos(heading) - state.vx() * Math.sin(heading);
+      case "longitudinal" ->
+          state.vx() * StrictMath.cos(heading) + state.vy() * StrictMath.sin(heading);
+      case "lateral" -> state.vy() * StrictMath.cos(heading) - state.vx() * StrictMath.sin(heading);
       case "vertical" -> 0;
       default -> state.speed();
     };
@@ -64,7 +65,7 @@ final class MotionTests {
             case "longitudinal" -> state.acceleration();
             case "lateral" -> state.lateralAcceleration();
             case "vertical" -> 0;
-            default -> Math.hypot(state.acceleration(), state.lateralAcceleration());
+            default -> StrictMath.hypot(state.acceleration(), state.lateralAcceleration());
           };
       return rule.holds(actual, value);
     };

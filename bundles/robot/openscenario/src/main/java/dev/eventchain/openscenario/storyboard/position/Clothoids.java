@@ -34,8 +34,8 @@ final class Clothoids implements Path {
       for (int i = 0; i <= pieces; i++) {
         double weight = i == 0 || i == pieces ? 1 : i % 2 == 1 ? 4 : 2;
         double heading = heading(way * i / pieces);
-        x += weight * Math.cos(heading);
-        y += weight * Math.sin(heading);
+        x += weight * StrictMath.cos(heading);
+        y += weight * StrictMath.sin(heading);
       }
       double factor = way / pieces / 3;
       return new Pose(

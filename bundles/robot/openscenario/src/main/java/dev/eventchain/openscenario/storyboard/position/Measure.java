@@ -135,7 +135,7 @@ public record Measure(Kind kind, Frame frame, boolean freespace) {
   }
 
   private static boolean isAlongS(Pose axes, Body body) {
-    return Math.cos(body.pose().heading() - axes.heading()) >= 0;
+    return StrictMath.cos(body.pose().heading() - axes.heading()) >= 0;
   }
 
   private DoubleSummaryStatistics range(Pose axes, Body body) {

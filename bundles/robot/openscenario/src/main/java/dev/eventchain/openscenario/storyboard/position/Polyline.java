@@ -77,7 +77,7 @@ final class Polyline implements Path {
       Pose from = points.get(i);
       Pose to = points.get(i + 1);
       if (from.x() != to.x() || from.y() != to.y()) {
-        return Math.atan2(to.y() - from.y(), to.x() - from.x());
+        return StrictMath.atan2(to.y() - from.y(), to.x() - from.x());
       }
     }
     return points.get(line).heading();
@@ -132,7 +132,7 @@ final class Polyline implements Path {
     for (int i = 0; i < points.size() - 1; i++) {
       Pose line = points.get(i).withHeading(direction(i));
       double along = Math.max(0, Math.min(ways[i + 1] - ways[i], line.ahead(place)));
-      double off = Math.hypot(line.ahead(place) - along, line.left(place));
+      double off = StrictMath.hypot(line.ahead(place) - along, line.left(place));
       if (off < least) {
         least = off;
         way = OptionalDouble.of(ways[i] + along);

@@ -176,12 +176,12 @@ public final class Actor {
     double speed = across.atEnd() ? 0 : along.speed();
     double turned = 0;
     if (across.across() != 0) {
-      double angle = Math.atan2(across.across(), Math.abs(speed));
+      double angle = StrictMath.atan2(across.across(), Math.abs(speed));
       turned = Math.max(-MOST_ACROSS, Math.min(MOST_ACROSS, angle)) * (speed < 0 ? -1 : 1);
     }
     Pose pose = across.pose().withHeading(across.pose().heading() + turned);
-    double cos = Math.cos(across.course());
-    double sin = Math.sin(across.course());
+    double cos = StrictMath.cos(across.course());
+    double sin = StrictMath.sin(across.course());
     return new EntityState(
         pose,
         speed,

@@ -55,7 +55,7 @@ public final class Footprint {
     for (int i = 0; i < count; i++) {
       Pose from = first.corners.get(i);
       Pose to = first.corners.get((i + 1) % count);
-      Pose edge = from.withHeading(Math.atan2(to.y() - from.y(), to.x() - from.x()));
+      Pose edge = from.withHeading(StrictMath.atan2(to.y() - from.y(), to.x() - from.x()));
       // Anticlockwise, so that the inside is to the left.
       if (second.left(edge).allMatch(each -> each < 0)) {
         return true;
@@ -87,9 +87,9 @@ public final class Footprint {
   }
 
   private static double toEdge(Pose point, Pose from, Pose to) {
-    double length = Math.hypot(to.x() - from.x(), to.y() - from.y());
-    Pose edge = from.withHeading(Math.atan2(to.y() - from.y(), to.x() - from.x()));
+    double length = StrictMath.hypot(to.x() - from.x(), to.y() - from.y());
+    Pose edge = from.withHeading(StrictMath.atan2(to.y() - from.y(), to.x() - from.x()));
     double along = Math.max(0, Math.min(length, edge.ahead(point)));
-    return Math.hypot(edge.ahead(point) - along, edge.left(point));
+    return StrictMath.hypot(edge.ahead(point) - along, edge.left(point));
   }
 }

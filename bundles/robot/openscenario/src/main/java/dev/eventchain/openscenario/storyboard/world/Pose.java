@@ -13,8 +13,8 @@ public record Pose(double x, double y, double z, double heading, double pitch, d
 
   /** Returns the pose that is moved in its own plane: forward and to the left. */
   public Pose moved(double forward, double left) {
-    double cos = Math.cos(heading);
-    double sin = Math.sin(heading);
+    double cos = StrictMath.cos(heading);
+    double sin = StrictMath.sin(heading);
     return new Pose(
         x + cos * forward - sin * left, y + sin * forward + cos * left, z, heading, pitch, roll);
   }
@@ -25,16 +25,16 @@ public record Pose(double x, double y, double z, double heading, double pitch, d
 
   /** Returns how far a point is ahead of this pose; negative behind it. */
   public double ahead(Pose other) {
-    return Math.cos(heading) * (other.x - x) + Math.sin(heading) * (other.y - y);
+    return StrictMath.cos(heading) * (other.x - x) + StrictMath.sin(heading) * (other.y - y);
   }
 
   /** Returns how far a point is to the left of this pose; negative to the right. */
   public double left(Pose other) {
-    return -Math.sin(heading) * (other.x - x) + Math.cos(heading) * (other.y - y);
+    return -StrictMath.sin(heading) * (other.x - x) + StrictMath.cos(heading) * (other.y - y);
   }
 
   /** Returns the distance in space. */
   public double distance(Pose other) {
-    return Math.hypot(Math.hypot(other.x - x, other.y - y), other.z - z);
+    return StrictMath.hypot(Math.hypot(other.x - x, other.y - y), other.z - z);
   }
 }
