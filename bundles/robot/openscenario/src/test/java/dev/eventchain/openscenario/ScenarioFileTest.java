@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.openscenario.document.ResolvedScenario;
@@ -17,6 +18,7 @@ import java.util.Map;
 import java.util.Random;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Scenarios as they stand, and with values. */
@@ -107,6 +109,27 @@ class ScenarioFileTest {
     ScenarioFile alone = ScenarioFile.read(REAR_END);
     assertEquals("osc.path", firstId(() -> alone.resolve(Map.of())));
     assertEquals("osc.path", firstId(() -> ScenarioFile.read(REAR_END, LIBRARY.resolve("roads"))));
+  }
+
+  @Test
+  void filesOfOtherKindsAreNotRead(@TempDir Path folder) throws IOException {
+    Path copy = folder.resolve("scenario.xosc");
+    Files.writeString(folder.resolve("secret.txt"), "a line that no finding shows");
+    String road =
+        Files.readString(REAR_END).replaceAll("filepath=\"[^\"]*\"", "filepath=\"secret.txt\"");
+    Files.writeString(copy, road);
+    assertEquals(
+        List.of("`secret.txt` is not named as a scenario or a road map."),
+        messages(() -> ScenarioFile.read(copy).resolve(Map.of()), "osc.path").stream()
+            .filter(message -> message.contains("secret"))
+            .toList());
+  }
+
+  private static List<String> messages(Executable reading, String rule) {
+    return assertThrows(DiagnosticException.class, reading).diagnostics().stream()
+        .filter(each -> each.id().equals(rule))
+        .map(Diagnostic::message)
+        .toList();
   }
 
   @Test

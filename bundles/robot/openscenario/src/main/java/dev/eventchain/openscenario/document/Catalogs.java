@@ -119,6 +119,9 @@ final class Catalogs {
   private Optional<List<Catalog>> in(Location location, Findings findings) {
     try {
       Path found = folder.find(location.path(), location.place());
+      if (Files.isRegularFile(found)) {
+        folder.file(location.path(), location.place());
+      }
       if (Files.exists(found)) {
         return Optional.of(read.computeIfAbsent(found, each -> read(each, location.place())));
       }

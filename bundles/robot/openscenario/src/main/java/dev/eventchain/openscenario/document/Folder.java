@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.Locale;
 
 /**
  * The files that a scenario may lead to: those below a root.
@@ -34,6 +35,27 @@ record Folder(Path root, Path folder) {
         "`" + written + "` leads out of `" + SourceLocation.of(root).file() + "`.",
         place,
         "Copy what it leads to into that folder, or name a root that has both.");
+  }
+
+  /**
+   * Returns a file likewise, if its name says that it may be a scenario or a road map: of others
+   * nothing is read, not even for a finding.
+   */
+  Path file(String written, SourceLocation place) {
+    Path found = find(written, place);
+    if (!isReadable(found)) {
+      throw Findings.refused(
+          DocumentRules.PATH,
+          "`" + written + "` is not named as a scenario or a road map.",
+          place,
+          "Its name has to end in .xosc, .xodr or .xml.");
+    }
+    return found;
+  }
+
+  /** Returns whether a name is that of a scenario or a road map. */
+  static boolean isReadable(Path file) {
+    return file.toString().toLowerCase(Locale.ROOT).matches(".*\\.(xosc|xodr|xml)");
   }
 
   private boolean isInside(Path found) {

@@ -106,7 +106,7 @@ final class Resolver {
     }
     SourceLocation place = logic.get().location("filepath");
     try {
-      Path found = file.folder().find(logic.get().text("filepath"), place);
+      Path found = file.folder().file(logic.get().text("filepath"), place);
       if (!Files.isRegularFile(found)) {
         findings.add(
             DocumentRules.PATH,

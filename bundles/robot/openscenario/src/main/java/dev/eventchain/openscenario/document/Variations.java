@@ -66,7 +66,7 @@ public record Variations(
 
   private static ScenarioFile scenario(ScenarioFile file, ScenarioElement named) {
     SourceLocation place = named.location("filepath");
-    Path path = file.folder().find(named.text("filepath"), place);
+    Path path = file.folder().file(named.text("filepath"), place);
     ScenarioFile scenario = ScenarioFile.read(path, file.root());
     if (scenario.kind() != Kind.SCENARIO) {
       throw Findings.refused(
