@@ -163,7 +163,7 @@ public final class Scenario {
 
   /** Reads a text in memory as {@link #read} does. */
   public static Scenario parse(SourceText text, Bench bench) {
-    return ScenarioReader.read(text, bench, true, warning -> {}).get(0);
+    return ScenarioReader.readOnly(text, bench, true);
   }
 
   /**
@@ -171,7 +171,7 @@ public final class Scenario {
    * may be true or false whatever the software does.
    */
   public static Scenario parseCase(SourceText text, Bench bench) {
-    return ScenarioReader.read(text, bench, false, warning -> {}).get(0);
+    return ScenarioReader.readOnly(text, bench, false);
   }
 
   /**

@@ -57,6 +57,23 @@ final class ScenarioReader {
     this.sound = sound;
   }
 
+  /** Reads a file that has one scenario; several cases are refused, so that none gets lost. */
+  static Scenario readOnly(SourceText text, Bench bench, boolean varying) {
+    List<Scenario> scenarios = read(text, bench, varying, warning -> {});
+    if (scenarios.size() > 1) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.of(
+                  ScenarioRules.VALUE_RANGE,
+                  "Its OpenSCENARIO file has %d cases, and one is needed here."
+                      .formatted(scenarios.size()),
+                  scenarios.get(0).location())
+              .withHint(
+                  "Name the scenario that the distributions are about, and vary its parameters."));
+    }
+    return scenarios.get(0);
+  }
+
   /**
    * Reads a file, which has one scenario, or several cases of one.
    *

@@ -93,8 +93,17 @@ final class StoryboardDirector implements Director {
     return List.copyOf(all);
   }
 
+  /** What the storyboard cannot play is a problem of the scenario, which notices no fault by it. */
   @Override
   public void continueAt(int moment, Ego seen) {
+    try {
+      play(moment, seen);
+    } catch (DiagnosticException e) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, e.diagnostics());
+    }
+  }
+
+  private void play(int moment, Ego seen) {
     if (seen.pedals() || seen.wheel()) {
       run.handOver(seen.pedals(), seen.wheel());
     }

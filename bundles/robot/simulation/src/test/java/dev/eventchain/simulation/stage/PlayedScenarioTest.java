@@ -104,6 +104,23 @@ class PlayedScenarioTest {
   }
 
   @Test
+  void oneOfSeveralCasesIsNotTakenForAll() {
+    assertEquals(
+        List.of(
+            "scenario.value.range 1: Its OpenSCENARIO file has 6 cases, and one is needed here."),
+        problems("rear-end-cases.xosc", ""));
+  }
+
+  @Test
+  void aStoryboardThatIsNotStoppedIsNoEvidence() {
+    World world = world(read("  parameters: {speed_kph: 18, target_kph: 18}"));
+    drive(world, 299.98);
+    assertEquals(List.of(), world.trace().neverBegun());
+    drive(world, 0.02);
+    assertEquals(List.of("what stops the storyboard of rear-end.xosc"), world.trace().neverBegun());
+  }
+
+  @Test
   void theWorldLiesAlongTheLaneOfTheEgo() {
     Scenario scenario = read("");
     World world = world(scenario);

@@ -1,0 +1,36 @@
+package dev.eventchain.pipeline.campaign;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
+import dev.eventchain.pipeline.campaign.plan.CampaignReader;
+import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.scenario.Scenario;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests the files of the suites that come with the program. */
+class SuitesTest {
+
+  @TempDir Path folder;
+
+  @Test
+  void eachSuiteHasItsScenarios() {
+    assertEquals(List.of("un-r152"), Suites.names());
+    for (String name : Suites.names()) {
+      List<CampaignPlan> plans = CampaignReader.read(Suites.file(name, folder));
+      assertFalse(plans.isEmpty());
+      for (CampaignPlan plan : plans) {
+        Scenario scenario = Scenario.read(plan.scenarioFile().orElseThrow(), Bench.carla());
+        assertTrue(plan.scenario().startsWith(scenario.name() + "."), plan.scenario());
+        assertTrue(
+            scenario.criteria().stream().anyMatch(each -> !each.isOfEveryScenario()),
+            scenario.name());
+      }
+    }
+  }
+}
