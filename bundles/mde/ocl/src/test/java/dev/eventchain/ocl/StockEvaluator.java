@@ -52,11 +52,17 @@ final class StockEvaluator {
   }
 
   Object evaluate(OCLExpression<EClassifier> expression, EObject self) {
+    return evaluate(expression, self, Map.of());
+  }
+
+  Object evaluate(
+      OCLExpression<EClassifier> expression, EObject self, Map<String, Object> variables) {
     differences.clear();
     unlimited = false;
     EcoreEvaluationEnvironment values =
         new Environment((EcoreEnvironmentFactory) environment.getFactory());
     values.add("self", self);
+    variables.forEach(values::add);
     return new Visitor(values, values.createExtentMap(self)).visitExpression(expression);
   }
 

@@ -18,6 +18,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.ocl.types.CollectionType;
 
 /** Compiler of the syntax tree of a template into steps, which checks its expressions. */
 final class BodyCompiler {
@@ -199,17 +200,35 @@ final class BodyCompiler {
       if (value.isPresent() && type.isPresent()) {
         bindings.add(
             new Steps.Let.Binding(
-                name, accepts(binding, type.get(), value.get()), value.get(), variables, body));
+                name,
+                accepts(binding, type.get(), value.get(), scope),
+                expected(choice, type.get(), value.get(), scope),
+                value.get(),
+                variables,
+                body));
       }
     }
     return new Steps.Let(List.copyOf(bindings), body(choice.otherwise(), scope));
   }
 
-  private Predicate<Object> accepts(Syntax.Binding binding, EClassifier type, Expression value) {
+  /** Returns the type whose other kinds of collections would be left out without a word. */
+  private static Optional<String> expected(
+      Syntax.Let choice, EClassifier type, Expression value, Scope scope) {
+    boolean reported =
+        choice.bindings().size() == 1
+            && choice.otherwise().isEmpty()
+            && type instanceof CollectionType<?, ?>
+            && value.type() instanceof CollectionType<?, ?>
+            && !LetTypes.hasItsKind(value, scope);
+    return reported ? Optional.of(type.getName()) : Optional.empty();
+  }
+
+  private Predicate<Object> accepts(
+      Syntax.Binding binding, EClassifier type, Expression value, Scope scope) {
     return binding
         .variable()
         .type()
-        .map(declared -> new LetTypes(expressions).accepts(declared, type, value.type()))
+        .map(declared -> new LetTypes(expressions).accepts(declared, type, value, scope))
         .orElseGet(() -> accepts(type));
   }
 

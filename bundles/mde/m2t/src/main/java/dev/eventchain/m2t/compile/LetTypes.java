@@ -3,7 +3,11 @@ package dev.eventchain.m2t.compile;
 import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.m2t.library.Reals;
 import dev.eventchain.m2t.template.Signatures;
+import dev.eventchain.ocl.Expression;
+import dev.eventchain.ocl.Scope;
+import java.util.ArrayList;
 import java.util.Collection;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
@@ -24,18 +28,20 @@ record LetTypes(ExpressionCompiler expressions) {
    * Returns the test for values of a declared type. Warns if no value can pass.
    *
    * @param declared the source range of the declared type
-   * @param valueType the static type of the value
    */
-  Predicate<Object> accepts(SourceRange declared, EClassifier type, EClassifier valueType) {
+  Predicate<Object> accepts(
+      SourceRange declared, EClassifier type, Expression expression, Scope scope) {
+    EClassifier valueType = expression.type();
     if (type instanceof CollectionType<?, ?> wanted) {
       if (!(valueType instanceof CollectionType<?, ?> given)) {
         return value -> kinds(value).contains(wanted.getKind());
       }
-      boolean fits = fits(wanted.getKind(), given.getKind());
-      if (!fits) {
+      if (!fits(wanted.getKind(), given.getKind()) && hasItsKind(expression, scope)) {
         never(declared, type, valueType);
       }
-      return value -> fits && value instanceof Collection<?>;
+      return value ->
+          value instanceof Collection<?> elements
+              && fits(wanted.getKind(), kind(elements, given.getKind()));
     }
     Predicate<Object> instances = expressions.instancesOf(type);
     if ((Reals.isReal(type) && isInteger(valueType)) || isOther(type, valueType)) {
@@ -63,6 +69,31 @@ record LetTypes(ExpressionCompiler expressions) {
 
   private static boolean isSet(CollectionKind wanted, CollectionKind given) {
     return wanted == CollectionKind.SET_LITERAL && given == CollectionKind.ORDERED_SET_LITERAL;
+  }
+
+  /**
+   * Returns whether a collection certainly is of the kind that its static type says. Queries give
+   * collections of other kinds than they declare, and variables hold what queries give.
+   */
+  static boolean hasItsKind(Expression collection, Scope scope) {
+    return collection.libraryCalls().stream().noneMatch(call -> call.implementation().keepsKinds())
+        && collection.variableNames().stream()
+            .noneMatch(name -> scope.typeOf(name) instanceof CollectionType<?, ?>);
+  }
+
+  /**
+   * Returns the kind that a collection has at run time; lists of the model leave it to the static
+   * type.
+   */
+  private static CollectionKind kind(Collection<?> elements, CollectionKind declared) {
+    if (elements instanceof Bag<?>) {
+      return CollectionKind.BAG_LITERAL;
+    } else if (elements instanceof LinkedHashSet<?>) {
+      return CollectionKind.ORDERED_SET_LITERAL;
+    } else if (elements instanceof Set<?>) {
+      return CollectionKind.SET_LITERAL;
+    }
+    return elements instanceof ArrayList<?> ? CollectionKind.SEQUENCE_LITERAL : declared;
   }
 
   private static Set<CollectionKind> kinds(Object value) {

@@ -190,6 +190,12 @@ public final class CallLibrary implements OperationLibrary {
       return !callsTemplates();
     }
 
+    /** Returns true for queries, as in Acceleo; but what a Java service gives is a list of Java. */
+    @Override
+    public boolean keepsKinds() {
+      return candidates[0] instanceof Query query && !query.isService();
+    }
+
     /**
      * Returns true for queries that call only repeatable operations. Templates may write files, and
      * recursive queries may not terminate for some elements.

@@ -59,6 +59,11 @@ public final class Query extends Callable {
     accepts = Optional.of(newAccepts);
   }
 
+  /** Returns whether its value is what a Java service gives. */
+  boolean isService() {
+    return accepts.isPresent();
+  }
+
   /** Returns the calls in its value. */
   Stream<OperationLibrary.Implementation> calls() {
     return value.libraryCalls().stream().map(Expression.LibraryCall::implementation);

@@ -225,12 +225,39 @@ public final class Steps {
 
   /** A choice by the types of values. */
   public record Let(List<Binding> bindings, Step otherwise) implements Step {
+    /**
+     * A variable and its block.
+     *
+     * @param expected the declared type, if it is one of collections and nothing else is written
+     *     for values of other kinds
+     */
     public record Binding(
         String name,
         Predicate<Object> accepts,
+        Optional<String> expected,
         Expression value,
         List<Step.Variable> variables,
-        Step body) {}
+        Step body) {
+
+      private boolean takes(Object value, GenerationRun run) {
+        boolean taken = value != null && accepts.test(value);
+        if (!taken && value instanceof Collection<?> && expected.isPresent()) {
+          reportKind(expected.get(), run);
+        }
+        return taken;
+      }
+
+      private void reportKind(String type, GenerationRun run) {
+        run.report()
+            .find(
+                GenerationRules.LET_KIND,
+                value.location(),
+                "The block is not entered: a query made another kind of collection than "
+                    + type
+                    + ".",
+                "Convert it in the query, for example by ->asSequence().");
+      }
+    }
 
     @Override
     public void write(GenerationRun run) {
@@ -239,7 +266,7 @@ public final class Steps {
         if (value instanceof Invalid) {
           return;
         }
-        if (value != null && binding.accepts().test(value)) {
+        if (binding.takes(value, run)) {
           int bindings = run.evaluation().bindings();
           run.evaluation().bind(binding.name(), value);
           try {

@@ -93,5 +93,13 @@ public interface OperationLibrary {
     default boolean mayGiveOtherTypes() {
       return false;
     }
+
+    /**
+     * Returns whether collections keep the kind that they were made with. Otherwise they get the
+     * kind of the result type.
+     */
+    default boolean keepsKinds() {
+      return false;
+    }
   }
 }

@@ -129,9 +129,11 @@ public final class DefinitionNodes {
         frame.run.fail(invalid.reason(), invalid.cause());
         return INVALID;
       }
-      return givesCollection
-          ? CollectionOperations.conform(foreign ? Values.normal(result) : result, type)
-          : Numbers.normal(result);
+      if (!givesCollection) {
+        return Numbers.normal(result);
+      }
+      Object normal = foreign ? Values.normal(result) : result;
+      return implementation.keepsKinds() ? normal : CollectionOperations.conform(normal, type);
     }
 
     /** Calls a receiver instead of the library; returns null or invalid. */
