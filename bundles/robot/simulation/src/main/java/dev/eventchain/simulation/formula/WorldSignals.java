@@ -15,6 +15,9 @@ import java.util.function.ToDoubleFunction;
 /** Signals of the road, the vehicle and its commands. */
 public final class WorldSignals implements Signal.Source {
 
+  /** Radius of the earth at the equator in m, as in WGS 84 and in CARLA's {@code GeoLocation}. */
+  private static final double EARTH_RADIUS = 6_378_137.0;
+
   private static final Map<String, Signal> SIGNALS = new LinkedHashMap<>();
 
   static {
@@ -52,6 +55,21 @@ public final class WorldSignals implements Signal.Source {
         "m/s2",
         "on the map, that of turning included",
         (state, place) -> turned(aside(state), 0.0 - state.deceleration(), place.heading()));
+    add(
+        "ego.acceleration.left",
+        "m/s2",
+        "across its own axis, by turning",
+        ofStates(WorldSignals::aside));
+    addOnMap(
+        "ego.latitude",
+        "deg",
+        "front bumper, by the Mercator projection of CARLA",
+        (state, place) -> latitude(place.y()));
+    addOnMap(
+        "ego.longitude",
+        "deg",
+        "front bumper, by the Mercator projection of CARLA",
+        (state, place) -> StrictMath.toDegrees(place.x() / EARTH_RADIUS));
     addLane("lane.left", "m", "front bumper's middle to the left line", Road::toTheLeft);
     addLane("lane.right", "m", "front bumper's middle to the right line", Road::toTheRight);
     addLane("lane.width", "m", "from line to line", (road, at) -> road.laneWidth(at.along()));
@@ -124,6 +142,15 @@ public final class WorldSignals implements Signal.Source {
     Road.Place place = road.place(state.position(), state.pose().offset());
     double yaw = StrictMath.IEEEremainder(place.heading() + state.pose().heading(), 2.0 * Math.PI);
     return new Road.Place(place.x(), place.y(), yaw);
+  }
+
+  /**
+   * Returns the latitude in degrees of a way to the north from the equator, by the inverse of the
+   * Mercator projection on a sphere. The origin of the map is at 0° N, 0° E, as in CARLA's towns.
+   */
+  private static double latitude(double north) {
+    return StrictMath.toDegrees(
+        2 * StrictMath.atan(StrictMath.exp(north / EARTH_RADIUS)) - Math.PI / 2);
   }
 
   /** Returns the acceleration to the left that turning takes. */

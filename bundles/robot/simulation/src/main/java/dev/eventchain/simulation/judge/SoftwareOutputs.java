@@ -57,7 +57,13 @@ final class SoftwareOutputs {
       case "brake" -> chain.drives(Actuator.BRAKE, Actuator.ACCELERATION);
       case "throttle" -> chain.drives(Actuator.THROTTLE, Actuator.ACCELERATION);
       case "lane.width", "lane.curvature" -> false;
-      case "steering", "ego.offset", "ego.heading", "ego.yaw_rate", "lane.left", "lane.right" ->
+      case "steering",
+          "ego.offset",
+          "ego.heading",
+          "ego.yaw_rate",
+          "ego.acceleration.left",
+          "lane.left",
+          "lane.right" ->
           chain.drives(STEERING);
       default ->
           signal.basis().isEmpty()

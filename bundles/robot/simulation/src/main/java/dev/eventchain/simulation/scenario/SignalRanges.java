@@ -47,6 +47,8 @@ final class SignalRanges implements Range.Source {
       case "ego.position" -> new Range(staysAhead() ? 0.0 : -way(), way());
       case "ego.offset" -> Range.within(wall);
       case "ego.x", "ego.y" -> Range.within(way() + wall);
+      case "ego.latitude" -> Range.within(90.0);
+      case "ego.longitude" -> Range.within(180.0);
       case "ego.yaw" -> Range.within(Math.PI);
       case "ego.yaw_rate" -> Range.within(fastest() * situation.ego().chassis().tightest());
       case "ego.orientation.z", "ego.orientation.w", "steering" -> Range.within(1.0);

@@ -26,6 +26,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -177,6 +179,17 @@ class BenchTest {
     JsonNode drives = new ObjectMapper().readTree(Bench.schema()).at("/$defs/drives/enum");
     List<String> names = Stream.concat(Actuator.ids().stream(), Stream.of("observed")).toList();
     assertEquals(new ObjectMapper().valueToTree(names), drives);
+  }
+
+  /** A misspelt field, quantity or unit of the shipped bench would be a finding. */
+  @Test
+  void carlasBenchFitsTheMessages() {
+    Bench bench = Bench.read(Optional.empty(), List.of(), MessageCatalog.of(List.of()));
+    assertEquals(
+        Set.of("lidar", "vehicle_status", "odometry", "imu", "gnss", "speedometer"),
+        bench.provided().keySet().stream()
+            .map(topic -> topic.substring("/carla/ego_vehicle/".length()))
+            .collect(Collectors.toSet()));
   }
 
   @ParameterizedTest

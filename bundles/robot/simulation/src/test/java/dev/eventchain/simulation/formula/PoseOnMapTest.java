@@ -68,4 +68,27 @@ class PoseOnMapTest {
       assertEquals(aside, left, 1e-9);
     }
   }
+
+  /** An inertial sensor is fixed to the vehicle, wherever the road leads. */
+  @Test
+  void theVehicleFeelsTurningAcrossItsAxis() {
+    double aside = 15 * 15 / (RADIUS - 1);
+    double[] expected = {aside, aside, aside, aside, aside};
+    assertArrayEquals(expected, values("ego.acceleration.left", circle()), 1e-9);
+  }
+
+  /**
+   * 6,378,137 m of radius: 49 m to the east are 49 / 111,319.49 degrees, and so are some to the
+   * north.
+   */
+  @Test
+  void metresOnTheMapAreDegreesOnTheEarth() {
+    double degree = 111_319.490793;
+    Trace circle = circle();
+    double[] east = values("ego.longitude", circle);
+    double[] north = values("ego.latitude", circle);
+    assertArrayEquals(new double[] {0, 49 / degree, 0, -49 / degree, 0}, east, 1e-12);
+    assertArrayEquals(
+        new double[] {1 / degree, 50 / degree, 99 / degree, 50 / degree, 1 / degree}, north, 1e-12);
+  }
 }
