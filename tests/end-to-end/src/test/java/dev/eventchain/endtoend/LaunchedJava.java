@@ -24,7 +24,9 @@ final class LaunchedJava {
         new ArrayList<>(
             List.of(
                 "-XX:+UseSerialGC",
-                "-XX:MaxNewSize=64m",
+                "-XX:MaxNewSize=32m",
+                "-XX:MinHeapFreeRatio=20",
+                "-XX:MaxHeapFreeRatio=40",
                 "-XX:TieredStopAtLevel=1",
                 "-Xshare:auto",
                 "-Xlog:disable"));

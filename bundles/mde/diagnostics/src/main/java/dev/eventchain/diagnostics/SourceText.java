@@ -1,6 +1,7 @@
 package dev.eventchain.diagnostics;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
@@ -21,6 +22,8 @@ import java.util.Map;
 public final class SourceText {
 
   private static final long LARGEST = 256L << 20;
+
+  private static final int PIECE = 1 << 16;
 
   private static final char BYTE_ORDER_MARK = '\uFEFF';
 
@@ -106,12 +109,32 @@ public final class SourceText {
       if (Files.exists(file) && !Files.isDirectory(file)) {
         requireReadable(file);
       }
-      return Files.readAllBytes(file);
+      return read(file, Math.toIntExact(Math.min(LARGEST, Files.size(file))));
     } catch (NoSuchFileException e) {
       throw unreadable(FileRules.MISSING, "There is no such file.", file);
     } catch (IOException e) {
       String problem = Files.isDirectory(file) ? "this is a folder" : reason(e);
       throw unreadable(FileRules.UNREADABLE, "The file cannot be read: " + problem + ".", file);
+    }
+  }
+
+  /**
+   * Reads all bytes in pieces. {@link Files#readAllBytes} would keep a buffer of the file's size
+   * outside the heap for as long as the thread lives.
+   */
+  private static byte[] read(Path file, int size) throws IOException {
+    byte[] bytes = new byte[size];
+    try (InputStream input = Files.newInputStream(file)) {
+      int count = 0;
+      int read = 0;
+      while (read >= 0 && count < size) {
+        read = input.read(bytes, count, Math.min(PIECE, size - count));
+        count += Math.max(0, read);
+      }
+      byte[] rest = input.readAllBytes(); // of a file that has grown meanwhile
+      byte[] all = count + rest.length == size ? bytes : Arrays.copyOf(bytes, count + rest.length);
+      System.arraycopy(rest, 0, all, count, rest.length);
+      return all;
     }
   }
 
