@@ -18,12 +18,10 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Supplier;
@@ -71,13 +69,7 @@ public final class GeneratedFiles {
   /** Files by their names, in the order of their first blocks, which is usually nearly sorted. */
   private final Map<String, GeneratedFile> files = new LinkedHashMap<>();
 
-  private final Set<String> folders = new HashSet<>();
-
-  /**
-   * Names that no file may have, because their file for lost areas would collide with another file.
-   */
-  private final Set<String> losers = new HashSet<>();
-
+  private final UsedNames names = new UsedNames(files.keySet());
   private final Deque<Block> open = new ArrayDeque<>();
   private final List<Printed> printed = new ArrayList<>();
   private int begun;
@@ -240,27 +232,15 @@ public final class GeneratedFiles {
 
   /** Returns whether a file name does not collide with the other files of the run. */
   private boolean hasRoom(String path, Tag tag) {
-    String problem = "";
-    if (folders.contains(path)) {
-      problem = "The file '" + path + "' has the name of a folder of other files of this run.";
-    }
-    int main = path.length() - ProtectedAreas.LOST.length();
-    boolean lost = path.endsWith(ProtectedAreas.LOST) && files.containsKey(path.substring(0, main));
-    if (lost || losers.contains(path)) {
-      problem = "The file '" + path + "' and another of this run differ only by '.lost',";
-      problem += " which is reserved for lost protected areas.";
-    }
-    for (int slash = path.indexOf('/'); slash >= 0; slash = path.indexOf('/', slash + 1)) {
-      if (files.containsKey(path.substring(0, slash))) {
-        problem = "The file '" + path + "' is below '" + path.substring(0, slash);
-        problem += "', which is a file of this run, not a folder.";
-      }
-    }
-    if (!problem.isEmpty()) {
-      String hint = "Give files and folders different names.";
-      report.find(GenerationRules.FILE_DUPLICATE, tag.place(), problem, hint);
-    }
-    return problem.isEmpty();
+    Optional<String> collision = names.collisionOf(path);
+    collision.ifPresent(
+        problem ->
+            report.find(
+                GenerationRules.FILE_DUPLICATE,
+                tag.place(),
+                problem,
+                "Give files and folders different names."));
+    return collision.isEmpty();
   }
 
   private GeneratedFile begin(String path, Charset charset, Tag tag) {
@@ -283,21 +263,10 @@ public final class GeneratedFiles {
         stays || unreadable
             ? GeneratedFile.left(path, charset, before.get())
             : GeneratedFile.of(path, charset, text);
-    put(path, file);
+    files.put(path, file);
+    names.add(path);
     file.begunBy(tag.place(), element.get());
     return file;
-  }
-
-  private void put(String path, GeneratedFile file) {
-    files.put(path, file);
-    if (path.endsWith(ProtectedAreas.LOST)) {
-      losers.add(path.substring(0, path.length() - ProtectedAreas.LOST.length()));
-    }
-    for (int slash = path.lastIndexOf('/'); slash >= 0; slash = path.lastIndexOf('/', slash - 1)) {
-      if (!folders.add(path.substring(0, slash))) {
-        break;
-      }
-    }
   }
 
   private void write(Block block, Runnable body) {

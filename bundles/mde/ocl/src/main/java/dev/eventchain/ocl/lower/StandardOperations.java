@@ -9,6 +9,7 @@ import dev.eventchain.ocl.nodes.NavigationNodes;
 import dev.eventchain.ocl.nodes.Node;
 import dev.eventchain.ocl.nodes.NumberNodes;
 import dev.eventchain.ocl.nodes.Product;
+import dev.eventchain.ocl.nodes.SummaryNodes;
 import dev.eventchain.ocl.nodes.TextNodes;
 import dev.eventchain.ocl.nodes.ValueNodes;
 import dev.eventchain.ocl.parse.OclEnvironment;
@@ -140,22 +141,22 @@ final class StandardOperations {
 
   private Node ofCollection(int code, CollectionType<?, ?> type, Node source) {
     if (code == PredefinedType.SIZE) {
-      return new CollectionNodes.Size(source);
+      return new SummaryNodes.Size(source);
     } else if (code == PredefinedType.IS_EMPTY || code == PredefinedType.NOT_EMPTY) {
       boolean wanted = code == PredefinedType.IS_EMPTY;
       return source instanceof ValueNodes.ImplicitSet single
-          ? new CollectionNodes.IsAbsent(single.item(), wanted)
-          : new CollectionNodes.IsEmpty(source, wanted);
+          ? new SummaryNodes.IsAbsent(single.item(), wanted)
+          : new SummaryNodes.IsEmpty(source, wanted);
     } else if (CollectionNodes.Conversion.has(code)) {
       return new CollectionNodes.Conversion(code, source);
     }
     if (source instanceof DefinitionNodes.LibraryCall made
         && (code == PredefinedType.FIRST || code == PredefinedType.LAST)) {
-      return new CollectionNodes.Aggregate(
+      return new SummaryNodes.Aggregate(
           code, made.endOnly(environment.dialect(), code == PredefinedType.FIRST), null);
     }
-    return CollectionNodes.Aggregate.has(code)
-        ? new CollectionNodes.Aggregate(code, source, emptySum(type))
+    return SummaryNodes.Aggregate.has(code)
+        ? new SummaryNodes.Aggregate(code, source, emptySum(type))
         : null;
   }
 
@@ -174,8 +175,7 @@ final class StandardOperations {
           call.getArgument().get(0).getType() == types.getInteger()
               && call.getSource().getType() instanceof CollectionType<?, ?> type
               && type.getElementType() == types.getInteger();
-      return new CollectionNodes.Includes(
-          source, argument, code == PredefinedType.INCLUDES, integers);
+      return new SummaryNodes.Includes(source, argument, code == PredefinedType.INCLUDES, integers);
     } else if (CollectionNodes.Pair.has(code)) {
       return new CollectionNodes.Pair(code, source, argument);
     } else if (CollectionNodes.WithElement.has(code)) {
