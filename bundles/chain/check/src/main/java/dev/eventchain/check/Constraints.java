@@ -38,6 +38,12 @@ public final class Constraints {
   private final OclRules rules;
   private final Duration timeLimit;
 
+  /** The standard constraints alone: parsed once, since most projects have no others. */
+  private static final class Standard {
+    private static final SourceText DOCUMENT = EventChainMetamodel.constraints();
+    private static final OclRules RULES = parse(List.of(DOCUMENT));
+  }
+
   /** True if a run has generated constraints, which may not match the current design rules. */
   private final boolean generated;
 
@@ -58,24 +64,28 @@ public final class Constraints {
     List<SourceText> documents = written(folder);
     Optional<Path> generated = folder.generated(output);
     generated.map(SourceText::read).ifPresent(documents::add);
-    return new Constraints(parse(documents), timeLimit, generated.isPresent());
+    return new Constraints(rules(documents), timeLimit, generated.isPresent());
   }
 
   /** Returns the standard constraints and those written by users. */
   public static Constraints withoutGenerated(ProjectFolder folder, Duration timeLimit) {
-    return new Constraints(parse(written(folder)), timeLimit, false);
+    return new Constraints(rules(written(folder)), timeLimit, false);
   }
 
   /** Returns the standard constraints alone, for chains outside any project. */
   static Constraints standard(Duration timeLimit) {
-    return new Constraints(parse(List.of(EventChainMetamodel.constraints())), timeLimit, false);
+    return new Constraints(Standard.RULES, timeLimit, false);
   }
 
   private static List<SourceText> written(ProjectFolder folder) {
     List<SourceText> documents = new ArrayList<>();
-    documents.add(EventChainMetamodel.constraints());
+    documents.add(Standard.DOCUMENT);
     folder.ownConstraints().forEach(file -> documents.add(SourceText.read(file)));
     return documents;
+  }
+
+  private static OclRules rules(List<SourceText> documents) {
+    return documents.equals(List.of(Standard.DOCUMENT)) ? Standard.RULES : parse(documents);
   }
 
   /** Returns the constraints of documents about event chains. */
