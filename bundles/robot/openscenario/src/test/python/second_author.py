@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 
 from scenariogeneration import xosc
+from second_author_distributions import distributions
 
 DATE = datetime.datetime(2026, 11, 28, 12, 0, 0)
 
@@ -331,63 +332,6 @@ def referring(minor: int) -> xosc.Scenario:
     return scenario(minor, entities, board, locations)
 
 
-def deterministic() -> xosc.Deterministic:
-    made = xosc.Deterministic()
-    speeds = xosc.DistributionRange(0.1, xosc.Range(0.1, 0.5))
-    made.add_single_distribution("speed", speeds)
-    modes = xosc.DistributionSet()
-    modes.add_value("calm")
-    modes.add_value("wild")
-    made.add_single_distribution("mode", modes)
-    return made
-
-
-def pairs() -> xosc.Deterministic:
-    made = xosc.Deterministic()
-    several = xosc.DeterministicMultiParameterDistribution()
-    for speed, mode in ((10, "calm"), (20, "wild"), (30, "wild")):
-        values = xosc.ParameterValueSet()
-        values.add_parameter("speed", str(speed))
-        values.add_parameter("mode", mode)
-        several.add_value_set(values)
-    made.add_multi_distribution(several)
-    return made
-
-
-def stochastic(speeds) -> xosc.Stochastic:
-    made = xosc.Stochastic(200, 7)
-    made.add_distribution("speed", speeds)
-    modes = xosc.ProbabilityDistributionSet()
-    modes.add_set("calm", 3)
-    modes.add_set("wild", 1)
-    made.add_distribution("mode", modes)
-    return made
-
-
-def histogram() -> xosc.Histogram:
-    made = xosc.Histogram()
-    made.add_bin(1, xosc.Range(10, 20))
-    made.add_bin(3, xosc.Range(20, 30))
-    return made
-
-
-def distributions(folder: Path, minor: int) -> None:
-    made = {
-        "steps": deterministic(),
-        "pairs": pairs(),
-        "normal": stochastic(xosc.NormalDistribution(30, 4, xosc.Range(28, 33))),
-        "uniform": stochastic(xosc.UniformDistribution(xosc.Range(10, 20))),
-        "poisson": stochastic(xosc.PoissonDistribution(20)),
-        "histogram": stochastic(histogram()),
-    }
-    if minor > 2:
-        made["log-normal"] = stochastic(xosc.LogNormalDistribution(30, 4))
-    for name, distribution in made.items():
-        file = xosc.ParameterValueDistribution(name, "Eventchain", "everything.xosc", distribution, minor)
-        file.header.creation_date = DATE
-        file.write_xml(str(folder / f"{name}.xosc"))
-
-
 def main() -> None:
     catalogs(Path(sys.argv[1]))
     for minor in range(4):
@@ -396,7 +340,7 @@ def main() -> None:
         everything(minor).write_xml(str(folder / "everything.xosc"))
         referring(minor).write_xml(str(folder / "referring.xosc"))
         if minor > 0:
-            distributions(folder, minor)
+            distributions(folder, minor, DATE)
 
 
 if __name__ == "__main__":
