@@ -109,6 +109,7 @@ class RulesTest {
                 "project.requirement.untested",
                 "simulation.command.ignored",
                 "simulation.criterion.untested",
+                "simulation.end.open",
                 "simulation.fault.no-effect",
                 "simulation.fault.untested",
                 "simulation.impact.unjudged",

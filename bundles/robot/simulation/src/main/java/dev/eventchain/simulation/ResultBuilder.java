@@ -73,6 +73,7 @@ final class ResultBuilder {
                 tooOld(),
                 values.findings(),
                 impacts(),
+                runs.stream().flatMap(run -> ScenarioJudge.openEnd(run).stream()).toList(),
                 fromBehind(),
                 wire(),
                 warnings())

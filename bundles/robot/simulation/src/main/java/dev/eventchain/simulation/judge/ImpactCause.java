@@ -66,7 +66,7 @@ final class ImpactCause {
     return criterion instanceof Criterion known && known.kind() == kind;
   }
 
-  private static String name(Expectation criterion) {
+  static String name(Expectation criterion) {
     return criterion.requirements().isEmpty()
         ? criterion.title()
         : criterion.title() + " (" + String.join(", ", criterion.requirements()) + ")";

@@ -1,5 +1,6 @@
 package dev.eventchain.simulation.judge;
 
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.LatencyKind;
 import dev.eventchain.simulation.chain.SimulatedChain;
@@ -173,7 +174,8 @@ public final class ScenarioJudge {
             criterion,
             outcome.passed() ? evidence.lackOf(criterion, run).orElse(outcome) : outcome);
     return result.withCause(
-        ImpactCause.of(criterion, outcome, run, other -> withoutEvidence(other, run).failed()));
+        ImpactCause.of(criterion, outcome, run, other -> withoutEvidence(other, run).failed())
+            .or(() -> OpenEnd.cause(criterion, outcome, run)));
   }
 
   private Outcome withoutEvidence(Expectation criterion, ScenarioRun run) {
@@ -201,6 +203,10 @@ public final class ScenarioJudge {
       return Optional.of(
           Outcome.untested("a maneuver never began: " + String.join(", ", trace.neverBegun())));
     }
+    Optional<OpenEnd> open = OpenEnd.of(run).filter(it -> it.concerns(criterion));
+    if (open.isPresent()) {
+      return Optional.of(Outcome.undecided(open.get().words()));
+    }
     if (criterion instanceof Criterion && trace.isCut()) {
       return Optional.of(
           Outcome.undecided(
@@ -211,6 +217,14 @@ public final class ScenarioJudge {
     return trace.end().time() < SHORTEST && trace.impactSpeed().isEmpty()
         ? Optional.of(Outcome.untested(RootLocale.format("the run lasts %.2f s only", end)))
         : Optional.empty();
+  }
+
+  /**
+   * Returns a finding {@code simulation.end.open} if a run ended too soon to tell whether there is
+   * an impact, and a criterion is about one.
+   */
+  public static Optional<Diagnostic> openEnd(ScenarioRun run) {
+    return OpenEnd.finding(run);
   }
 
   private static Outcome overrun(ScenarioRun run) {

@@ -16,6 +16,7 @@ import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
@@ -58,6 +59,7 @@ public final class Scenario {
    * Names and requirements of a scenario.
    *
    * @param parts returns the locations of its parts by their pointers
+   * @param end the location of what ends it before its time; empty if nothing does
    */
   record Heading(
       String name,
@@ -65,7 +67,8 @@ public final class Scenario {
       String description,
       List<String> requirements,
       NamedRequirements.Places places,
-      Function<String, SourceLocation> parts) {
+      Function<String, SourceLocation> parts,
+      Optional<SourceLocation> end) {
 
     /** Copies the list. */
     Heading {
@@ -261,6 +264,19 @@ public final class Scenario {
    */
   public SourceLocation locationOfPart(String pointer) {
     return heading.parts().apply(pointer);
+  }
+
+  /**
+   * Returns the location of what ended a run at a time that no impact ended: the duration, or what
+   * of an OpenSCENARIO file may end it before.
+   *
+   * @param time in ns
+   */
+  public SourceLocation endLocation(long time) {
+    return heading
+        .end()
+        .filter(end -> time < World.nanoseconds(duration))
+        .orElseGet(() -> locationOfPart("/duration_s"));
   }
 
   /** Returns the maximum simulated time, in s. */

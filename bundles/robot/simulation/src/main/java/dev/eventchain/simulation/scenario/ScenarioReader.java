@@ -154,7 +154,7 @@ final class ScenarioReader {
       InputsReader.requireUse(section, reader.notAwaited(inputs.keySet()), asked, bench);
     }
     section.refuseOthers();
-    Scenario.Heading heading = heading(words, requirements, parts, section.location());
+    Scenario.Heading heading = heading(words, requirements, parts, section, played);
     return new Scenario(heading, seed, duration, situation, inputs, phases, asked);
   }
 
@@ -175,7 +175,9 @@ final class ScenarioReader {
       Words words,
       NamedRequirements requirements,
       Function<String, SourceLocation> parts,
-      SourceLocation whole) {
+      ObjectReader section,
+      Optional<PlayedFile> played) {
+    SourceLocation whole = section.location();
     return new Scenario.Heading(
         words.name(),
         words.title(),
@@ -183,7 +185,8 @@ final class ScenarioReader {
         requirements.all(),
         requirements.places(),
         // Of a case, of which there are many, nobody asks where its parts are.
-        varying ? parts : part -> whole);
+        varying ? parts : part -> whole,
+        played.map(PlayedFile::end));
   }
 
   private static Scenario.Asked asked(ObjectReader section, FormulasReader formulas) {

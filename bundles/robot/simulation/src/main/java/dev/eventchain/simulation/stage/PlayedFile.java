@@ -166,6 +166,11 @@ public final class PlayedFile {
     return stage.stops();
   }
 
+  /** Returns the location of the trigger that stops the storyboard, or else of the storyboard. */
+  public SourceLocation end() {
+    return stage.end();
+  }
+
   /** Returns the vehicle of a project with the body and the speed that the scenario gives it. */
   public EgoVehicle vehicle(EgoVehicle usual) {
     return stage.vehicle(usual);

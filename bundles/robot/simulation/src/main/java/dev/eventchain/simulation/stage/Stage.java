@@ -1,6 +1,7 @@
 package dev.eventchain.simulation.stage;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.openscenario.document.ResolvedScenario;
 import dev.eventchain.openscenario.document.ScenarioElement;
 import dev.eventchain.openscenario.storyboard.StoryboardRun;
@@ -112,6 +113,12 @@ final class Stage {
   /** Returns whether a trigger stops the storyboard. */
   boolean stops() {
     return stops;
+  }
+
+  /** Returns the location of the trigger that stops the storyboard, or else of the storyboard. */
+  SourceLocation end() {
+    ScenarioElement storyboard = scenario.root().required("Storyboard");
+    return storyboard.child("StopTrigger").filter(it -> stops).orElse(storyboard).location();
   }
 
   /** Returns the vehicle of a project with the body and the speed that the scenario gives it. */

@@ -178,7 +178,7 @@ public final class Actor {
   }
 
   /** Returns the distance from its middle to its sides across the road, in m. */
-  double breadth(double seconds) {
+  public double breadth(double seconds) {
     return Body.extent(size.length(), size.width(), heading(seconds) - Math.PI / 2);
   }
 
