@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.FileReads;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.roads.geo.GeoReference;
 import dev.eventchain.roads.xml.XmlRules;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -124,6 +125,33 @@ public final class RoadNetwork {
 
   LaneGraph graph() {
     return graph;
+  }
+
+  /**
+   * Returns why latitudes and longitudes have no place in the network, as the end of a sentence;
+   * empty if they have one.
+   */
+  public Optional<String> geoProblem() {
+    return new GeoReference(header.geoReference()).problem();
+  }
+
+  /**
+   * Returns the place of a latitude and longitude, in degrees, and an altitude, in m.
+   *
+   * @throws IllegalStateException if there is a {@link #geoProblem()}
+   */
+  public Pose geo(double latitude, double longitude, double altitude) {
+    GeoReference reference = new GeoReference(header.geoReference());
+    if (reference.problem().isPresent()) {
+      throw new IllegalStateException(reference.problem().get());
+    }
+    double[] projected = reference.project(latitude, longitude);
+    Header.Offset offset = header.offset();
+    double x = projected[0] - offset.x();
+    double y = projected[1] - offset.y();
+    double cos = StrictMath.cos(offset.heading());
+    double sin = StrictMath.sin(offset.heading());
+    return new Pose(x * cos + y * sin, y * cos - x * sin, altitude - offset.z(), 0, 0, 0);
   }
 
   /**

@@ -15,6 +15,7 @@ import dev.eventchain.openscenario.storyboard.world.Collisions;
 import dev.eventchain.openscenario.storyboard.world.Entities;
 import dev.eventchain.openscenario.storyboard.world.EntityState;
 import dev.eventchain.openscenario.storyboard.world.RoadMap;
+import dev.eventchain.openscenario.storyboard.world.RouteSides;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -39,16 +40,28 @@ public final class StoryboardRun {
   private final List<Diagnostic> findings = new ArrayList<>();
 
   private StoryboardRun(
-      ScenarioElement scenario, Map<String, String> parameters, RoadMap roads, String ego) {
+      ScenarioElement scenario,
+      Map<String, String> parameters,
+      RoadMap roads,
+      String ego,
+      Optional<RouteSides> routeSides) {
     this.ego = ego;
     report(StoryboardCheck.findings(scenario, parameters.keySet(), ego));
-    scene = new Scene(Entities.of(scenario), roads, Signals.of(scenario));
+    scene =
+        new Scene(
+            Entities.of(scenario),
+            roads,
+            Signals.of(scenario),
+            routeSides.orElse(RouteSides.USUAL));
     parameters.forEach(scene.parameters()::set);
     scenario.child("VariableDeclarations").stream()
         .flatMap(declarations -> declarations.children().stream())
         .forEach(each -> scene.variables().set(each.text("name"), each.text("value")));
     ScenarioElement storyboard = scenario.required("Storyboard");
     report(PlaceCheck.places(storyboard, scene));
+    if (routeSides.isEmpty()) {
+      report(PlaceCheck.routeSides(storyboard, scene));
+    }
     log = new Log(scene);
     tree = new Tree(storyboard, log);
     new Init(storyboard, scene).run();
@@ -71,11 +84,17 @@ public final class StoryboardRun {
    * @param scenario the root, with all parameters and catalogs replaced
    * @param parameters the values of its parameters
    * @param ego the entity that {@link #handOver} is about
+   * @param routeSides which side positions on routes mean; empty: {@link RouteSides#USUAL}, with a
+   *     warning about each that would be elsewhere otherwise
    * @throws dev.eventchain.diagnostics.DiagnosticException if the scenario cannot be played
    */
   public static StoryboardRun start(
-      ScenarioElement scenario, Map<String, String> parameters, RoadMap roads, String ego) {
-    return new StoryboardRun(scenario, parameters, roads, ego);
+      ScenarioElement scenario,
+      Map<String, String> parameters,
+      RoadMap roads,
+      String ego,
+      Optional<RouteSides> routeSides) {
+    return new StoryboardRun(scenario, parameters, roads, ego, routeSides);
   }
 
   /** Returns what was found before the run and does not hinder it. */

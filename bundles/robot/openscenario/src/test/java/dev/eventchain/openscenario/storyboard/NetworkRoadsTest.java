@@ -1,9 +1,18 @@
 package dev.eventchain.openscenario.storyboard;
 
+import static dev.eventchain.openscenario.storyboard.Scenarios.car;
+import static dev.eventchain.openscenario.storyboard.Scenarios.privately;
+import static dev.eventchain.openscenario.storyboard.Scenarios.run;
+import static dev.eventchain.openscenario.storyboard.Scenarios.scenario;
+import static dev.eventchain.openscenario.storyboard.Scenarios.state;
+import static dev.eventchain.openscenario.storyboard.Scenarios.teleport;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.openscenario.storyboard.network.NetworkRoads;
 import dev.eventchain.openscenario.storyboard.world.LanePoint;
@@ -21,22 +30,18 @@ import org.junit.jupiter.api.Test;
  */
 class NetworkRoadsTest {
 
-  private static final RoadMap ROADS =
-      new NetworkRoads(
-          RoadNetwork.parse(
-              SourceText.of(
-                  "test.xodr",
-                  "<OpenDRIVE><header revMajor='1' revMinor='7'/>"
-                      + road("1", 100, "x='0' y='0'", "<line/>", "successor", "2", "start")
-                      + road(
-                          "2",
-                          50,
-                          "x='100' y='0'",
-                          "<arc curvature='0.01'/>",
-                          "predecessor",
-                          "1",
-                          "end")
-                      + "</OpenDRIVE>")));
+  private static final RoadMap ROADS = roads("");
+
+  private static RoadMap roads(String inHeader) {
+    String text =
+        "<OpenDRIVE><header revMajor='1' revMinor='7'>"
+            + inHeader
+            + "</header>"
+            + road("1", 100, "x='0' y='0'", "<line/>", "successor", "2", "start")
+            + road("2", 50, "x='100' y='0'", "<arc curvature='0.01'/>", "predecessor", "1", "end")
+            + "</OpenDRIVE>";
+    return new NetworkRoads(RoadNetwork.parse(SourceText.of("test.xodr", text)));
+  }
 
   private static String road(
       String id,
@@ -117,5 +122,47 @@ class NetworkRoadsTest {
     assertEquals(-30, ROADS.along(second, first).orElseThrow(), 1e-9);
     RoadPoint oncoming = new RoadPoint("2", 10, 1);
     assertEquals(30, ROADS.along(new RoadPoint("1", 80, 1), oncoming).orElseThrow(), 1e-9);
+  }
+
+  @Test
+  void leadsOverWaypoints() {
+    List<LanePoint> there = List.of(new LanePoint("1", -1, 80, 0), new LanePoint("2", -1, 10, 0));
+    assertEquals(
+        List.of(new RoadMap.Stretch("1", true, 80, 100), new RoadMap.Stretch("2", true, 0, 10)),
+        ROADS.way(there));
+    List<LanePoint> back = List.of(new LanePoint("2", 1, 10, 0), new LanePoint("1", 1, 80, 0));
+    assertEquals(
+        List.of(new RoadMap.Stretch("2", false, 10, 0), new RoadMap.Stretch("1", false, 100, 80)),
+        ROADS.way(back));
+    assertEquals(List.of(), ROADS.way(List.of(there.get(1), there.get(0))));
+    assertEquals("there is none", ROADS.geoProblem().orElseThrow());
+  }
+
+  /** One second of latitude is 30.9 m there, one of longitude 20.7 m. */
+  @Test
+  void hasPlacesOnTheEarth() {
+    String reference = "<geoReference><![CDATA[+proj=%s +lat_0=48 +lon_0=11]]></geoReference>";
+    RoadMap roads = roads(reference.formatted("tmerc"));
+    String second = "<GeoPosition latitudeDeg='48' longitudeDeg='11.000277777778'/>";
+    Pose place = state(placed(second, roads), "Ego").pose();
+    assertEquals(20.7, place.x(), 0.05);
+    assertEquals(0, place.y(), 1e-3);
+    String radians = "<GeoPosition latitude='0.837758040957' longitude='0.191986217719'/>";
+    assertEquals(0, state(placed(radians, roads), "Ego").pose().x(), 1e-3);
+    Diagnostic finding =
+        assertThrows(
+                DiagnosticException.class, () -> placed(second, roads(reference.formatted("merc"))))
+            .diagnostics()
+            .get(0);
+    assertEquals("storyboard.place.none", finding.id());
+    assertEquals(
+        "A GeoPosition needs the geoReference of the road network: the projection `merc` is not"
+            + " known, only `tmerc` and `utm` are.",
+        finding.message());
+  }
+
+  private static StoryboardRun placed(String position, RoadMap roads) {
+    return run(
+        scenario(car("Ego"), privately("Ego", teleport(position)), ""), roads, Optional.empty());
   }
 }

@@ -8,6 +8,7 @@ import dev.eventchain.openscenario.storyboard.tree.Change;
 import dev.eventchain.openscenario.storyboard.world.Collisions;
 import dev.eventchain.openscenario.storyboard.world.EntityState;
 import dev.eventchain.openscenario.storyboard.world.RoadMap;
+import dev.eventchain.openscenario.storyboard.world.RouteSides;
 import dev.eventchain.openscenario.storyboard.world.StraightRoad;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -180,11 +181,16 @@ final class Scenarios {
   }
 
   static StoryboardRun run(ScenarioElement scenario) {
+    return run(scenario, ROAD, Optional.empty());
+  }
+
+  static StoryboardRun run(
+      ScenarioElement scenario, RoadMap roads, Optional<RouteSides> routeSides) {
     Map<String, String> parameters = new LinkedHashMap<>();
     scenario.child("ParameterDeclarations").stream()
         .flatMap(declarations -> declarations.children().stream())
         .forEach(each -> parameters.put(each.text("name"), each.text("value")));
-    return StoryboardRun.start(scenario, parameters, ROAD, "Ego");
+    return StoryboardRun.start(scenario, parameters, roads, "Ego", routeSides);
   }
 
   /** Plays until a time, also beyond the end of the storyboard. */

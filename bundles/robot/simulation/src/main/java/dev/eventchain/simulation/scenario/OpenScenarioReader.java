@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.openscenario.storyboard.world.RouteSides;
 import dev.eventchain.simulation.stage.PlayedFile;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -16,6 +17,9 @@ final class OpenScenarioReader {
 
   /** The key of the section. */
   static final String KEY = "openscenario";
+
+  /** The key of which side positions on routes mean. */
+  private static final String ROUTE_POSITIONS = "route_positions";
 
   /** What the file has, so that the scenario may not say it. */
   static final List<String> ELSEWHERE = List.of("road", "actors", "furniture");
@@ -50,12 +54,20 @@ final class OpenScenarioReader {
     Optional<String> ego = section.text("ego");
     Map<String, String> parameters =
         section.object("parameters").map(OpenScenarioReader::parameters).orElse(Map.of());
+    Optional<String> written = section.text(ROUTE_POSITIONS);
+    Optional<RouteSides> routeSides = written.flatMap(RouteSides::of);
+    if (written.isPresent() && routeSides.isEmpty()) {
+      section.refuseType(ROUTE_POSITIONS, "`road` or `route`");
+    }
     section.refuseOthers();
     if (file.isBlank()) {
       return List.of();
     }
     try {
-      return PlayedFile.read(scenario.resolveSibling(file), parameters, ego, section.at("file"));
+      return PlayedFile.read(
+          scenario.resolveSibling(file),
+          new PlayedFile.Choices(parameters, ego, routeSides),
+          section.at("file"));
     } catch (DiagnosticException e) {
       e.diagnostics().forEach(section::find);
       return List.of();

@@ -10,6 +10,7 @@ import dev.eventchain.openscenario.document.Variations;
 import dev.eventchain.openscenario.storyboard.network.NetworkRoads;
 import dev.eventchain.openscenario.storyboard.world.Entities;
 import dev.eventchain.openscenario.storyboard.world.RoadMap;
+import dev.eventchain.openscenario.storyboard.world.RouteSides;
 import dev.eventchain.openscenario.storyboard.world.StraightRoad;
 import dev.eventchain.roads.RoadNetwork;
 import dev.eventchain.simulation.world.EgoVehicle;
@@ -17,6 +18,7 @@ import dev.eventchain.simulation.world.Situation;
 import dev.eventchain.simulation.world.World;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -40,6 +42,28 @@ public final class PlayedFile {
   private final String words;
   private final List<Diagnostic> warnings;
 
+  /**
+   * What a scenario says about the file that it plays.
+   *
+   * @param parameters values for parameters, which no distribution may vary
+   * @param ego the name of the vehicle with the software; empty: the one that is named so
+   * @param routeSides which side positions on routes mean; empty: the usual one, with warnings
+   */
+  public record Choices(
+      Map<String, String> parameters, Optional<String> ego, Optional<RouteSides> routeSides) {
+
+    /** Copies the parameters. */
+    public Choices {
+      parameters = Collections.unmodifiableMap(new LinkedHashMap<>(parameters));
+    }
+
+    private Choices with(Map<String, String> more) {
+      Map<String, String> values = new LinkedHashMap<>(parameters);
+      values.putAll(more);
+      return new Choices(values, ego, routeSides);
+    }
+  }
+
   private PlayedFile(
       Stage stage, String file, String suffix, String words, List<Diagnostic> warnings) {
     this.stage = stage;
@@ -52,28 +76,29 @@ public final class PlayedFile {
   /**
    * Reads a scenario, or the cases that a file of distributions has of one.
    *
-   * @param parameters values for parameters, which no distribution may vary
-   * @param ego the name of the vehicle with the software; empty: the one that is named so
    * @param place where the file is named
    * @throws DiagnosticException with all problems of the file, and of those that it leads to
    */
-  public static List<PlayedFile> read(
-      Path file, Map<String, String> parameters, Optional<String> ego, SourceLocation place) {
+  public static List<PlayedFile> read(Path file, Choices choices, SourceLocation place) {
     ScenarioFile read = ScenarioFile.read(file, file.toAbsolutePath().getRoot());
     Map<Path, RoadNetwork> networks = new HashMap<>();
     if (read.kind() == ScenarioFile.Kind.SCENARIO) {
-      return List.of(played(read, networks, parameters, ego, place, "", ""));
+      return List.of(played(read, networks, choices, place, "", ""));
     }
     Variations variations = Variations.of(read);
     Set<String> varied = varied(variations.cases());
     List<PlayedFile> cases = new ArrayList<>();
     int digits = String.valueOf(variations.cases().size()).length();
     for (Map<String, String> each : variations.cases()) {
-      Map<String, String> values = new LinkedHashMap<>(parameters);
-      values.putAll(each);
       String number = String.format(Locale.ROOT, "-%0" + digits + "d", cases.size() + 1);
       cases.add(
-          played(variations.scenario(), networks, values, ego, place, number, words(each, varied)));
+          played(
+              variations.scenario(),
+              networks,
+              choices.with(each),
+              place,
+              number,
+              words(each, varied)));
     }
     return cases;
   }
@@ -81,18 +106,21 @@ public final class PlayedFile {
   private static PlayedFile played(
       ScenarioFile file,
       Map<Path, RoadNetwork> networks,
-      Map<String, String> parameters,
-      Optional<String> ego,
+      Choices choices,
       SourceLocation place,
       String suffix,
       String words) {
-    ResolvedScenario scenario = file.resolve(parameters);
+    ResolvedScenario scenario = file.resolve(choices.parameters());
     Optional<RoadNetwork> network =
         scenario.roadFile().map(road -> networks.computeIfAbsent(road, RoadNetwork::read));
-    String name = ego(scenario, ego, place);
+    String name = ego(scenario, choices.ego(), place);
     Stage stage =
         new Stage(
-            scenario, network, network.<RoadMap>map(NetworkRoads::new).orElse(NO_ROADS), name);
+            scenario,
+            network,
+            network.<RoadMap>map(NetworkRoads::new).orElse(NO_ROADS),
+            name,
+            choices.routeSides());
     List<Diagnostic> warnings = new ArrayList<>(scenario.warnings());
     network.ifPresent(roads -> warnings.addAll(roads.findings()));
     warnings.addAll(stage.findings());

@@ -11,6 +11,7 @@ import dev.eventchain.openscenario.storyboard.world.EntityState;
 import dev.eventchain.openscenario.storyboard.world.LanePoint;
 import dev.eventchain.openscenario.storyboard.world.Pose;
 import dev.eventchain.openscenario.storyboard.world.RoadMap;
+import dev.eventchain.openscenario.storyboard.world.RouteSides;
 import dev.eventchain.roads.LanePath;
 import dev.eventchain.roads.LanePosition;
 import dev.eventchain.roads.RoadNetwork;
@@ -44,6 +45,7 @@ final class Stage {
 
   private final ResolvedScenario scenario;
   private final RoadMap roads;
+  private final Optional<RouteSides> routeSides;
   private final Entity ego;
   private final EntityState start;
   private final Road road;
@@ -59,12 +61,20 @@ final class Stage {
    *
    * @param network empty if the scenario has no roads
    * @param ego the name of an entity with a body
+   * @param routeSides which side positions on routes mean, if somebody says it
    * @throws dev.eventchain.diagnostics.DiagnosticException if it cannot be played
    */
-  Stage(ResolvedScenario scenario, Optional<RoadNetwork> network, RoadMap roads, String ego) {
+  Stage(
+      ResolvedScenario scenario,
+      Optional<RoadNetwork> network,
+      RoadMap roads,
+      String ego,
+      Optional<RouteSides> routeSides) {
+    this.routeSides = routeSides;
     this.scenario = scenario;
     this.roads = roads;
-    StoryboardRun run = StoryboardRun.start(scenario.root(), scenario.parameters(), roads, ego);
+    StoryboardRun run =
+        StoryboardRun.start(scenario.root(), scenario.parameters(), roads, ego, routeSides);
     this.ego = run.entities().find(ego).orElseThrow();
     this.start = run.states().get(ego);
     this.stops = run.hasStop();
@@ -182,7 +192,11 @@ final class Stage {
       String name = stage.ego.name();
       StoryboardRun run =
           StoryboardRun.start(
-              stage.scenario.root(), stage.scenario.parameters(), stage.roads, name);
+              stage.scenario.root(),
+              stage.scenario.parameters(),
+              stage.roads,
+              name,
+              stage.routeSides);
       return new StoryboardDirector(run, stage.frame, stage.road, name, stage.standing, limit);
     }
 

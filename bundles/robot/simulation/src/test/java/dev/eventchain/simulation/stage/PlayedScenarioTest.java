@@ -20,8 +20,10 @@ import dev.eventchain.simulation.world.World;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Matcher;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -280,6 +282,47 @@ class PlayedScenarioTest {
         .replace(
             "<Actors selectTriggeringEntities=\"false\">\n            <EntityRef entityRef=\"Target\"/>",
             "<Actors selectTriggeringEntities=\"false\">\n            <EntityRef entityRef=\"Ego\"/>");
+  }
+
+  /** The target is 100 m along a route that leads back on the other side of the road. */
+  @Test
+  void positionsOnRoutesAreOnTheSideThatTheScenarioSays(@TempDir Path folder) throws IOException {
+    Files.createDirectory(folder.resolve("catalogs"));
+    for (String each : List.of("straight.xodr", "catalogs/vehicles.xosc")) {
+      Files.copy(FOLDER.resolve(each), folder.resolve(each));
+    }
+    String waypoint =
+        "<Waypoint routeStrategy='shortest'><Position><LanePosition roadId='1' laneId='1'"
+            + " s='%d'/></Position></Waypoint>";
+    String position =
+        "<RoutePosition><RouteRef><Route name='back' closed='false'>"
+            + waypoint.formatted(400)
+            + waypoint.formatted(50)
+            + "</Route></RouteRef><InRoutePosition><FromLaneCoordinates pathS='100' laneId='1'/>"
+            + "</InRoutePosition></RoutePosition>";
+    Files.writeString(
+        folder.resolve("back.xosc"),
+        Files.readString(FOLDER.resolve("rear-end.xosc"))
+            .replaceFirst("<RelativeLanePosition [^>]*/>", Matcher.quoteReplacement(position)));
+    assertEquals("0.0 [storyboard.route.side]", targetOnRoute(folder, ""));
+    assertEquals("0.0 []", targetOnRoute(folder, "  route_positions: route"));
+    assertEquals("3.5 []", targetOnRoute(folder, "  route_positions: road"));
+    assertEquals(
+        List.of(
+            "scenario.value.type 5: 'route_positions' must be `road` or `route`, not a string \"left\"."),
+        problems("rear-end.xosc", "  route_positions: left"));
+  }
+
+  /** Returns how far the target is to the left of the ego's lane, and the warnings. */
+  private static String targetOnRoute(Path folder, String setting) throws IOException {
+    Path file = folder.resolve("scenario.yaml");
+    Files.writeString(file, scenario("back.xosc", setting));
+    List<String> warnings = new ArrayList<>();
+    Scenario scenario =
+        Scenario.readFiles(List.of(file), List.of(), Bench.carla(), each -> warnings.add(each.id()))
+            .get(0);
+    double across = world(scenario).actors().get(0).across(0);
+    return Math.round(across * 1e6) / 1e6 + " " + warnings;
   }
 
   @Test

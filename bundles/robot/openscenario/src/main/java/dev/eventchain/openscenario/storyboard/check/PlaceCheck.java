@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.openscenario.document.ScenarioElement;
 import dev.eventchain.openscenario.storyboard.position.Positions;
+import dev.eventchain.openscenario.storyboard.position.RoutePositions;
 import dev.eventchain.openscenario.storyboard.position.Trajectory;
 import dev.eventchain.openscenario.storyboard.scene.Actor;
 import dev.eventchain.openscenario.storyboard.scene.Scene;
@@ -19,7 +20,8 @@ import java.util.Set;
 /** Checks of a scenario with its roads: places that are not there, and entities at its begin. */
 public final class PlaceCheck {
 
-  private static final Set<String> ABSOLUTE = Set.of("LanePosition", "RoadPosition", "GeoPosition");
+  private static final Set<String> ABSOLUTE =
+      Set.of("LanePosition", "RoadPosition", "GeoPosition", "RoutePosition", "TrajectoryPosition");
 
   /** Things that vehicles drive on. */
   private static final Set<String> FLAT =
@@ -41,7 +43,9 @@ public final class PlaceCheck {
 
   private void checkPlaces(ScenarioElement element) {
     boolean isPlace =
-        element.children().size() == 1 && ABSOLUTE.contains(element.children().get(0).name());
+        element.children().size() == 1
+            && ABSOLUTE.contains(element.children().get(0).name())
+            && !isRelative(element);
     try {
       if (isPlace) {
         Positions.read(element).in(scene);
@@ -55,8 +59,27 @@ public final class PlaceCheck {
     }
   }
 
-  private static boolean isRelative(ScenarioElement action) {
-    return Findings.within(action).anyMatch(each -> each.has("entityRef"));
+  private static boolean isRelative(ScenarioElement element) {
+    return Findings.within(element).anyMatch(each -> each.has("entityRef"));
+  }
+
+  /** Returns the findings about positions that the standard lets be on either side of a route. */
+  public static List<Diagnostic> routeSides(ScenarioElement storyboard, Scene scene) {
+    PlaceCheck check = new PlaceCheck(scene);
+    Findings.within(storyboard)
+        .filter(each -> each.name().equals("RoutePosition"))
+        .filter(each -> RoutePositions.isTwofold(each, scene, isRelative(each)))
+        .forEach(
+            each ->
+                check.findings.add(
+                    StoryboardRules.ROUTE_SIDE,
+                    each.location(),
+                    "The route leads against its road here, and the standard does not say whether"
+                        + " a lane or t counts as on the road: it is taken as one looks along the"
+                        + " route.",
+                    "Say which in a scenario: `openscenario: {file: ..., route_positions: road}` or"
+                        + " `route`."));
+    return check.findings.sorted();
   }
 
   /** Returns the findings about entities at the begin of a storyboard. */

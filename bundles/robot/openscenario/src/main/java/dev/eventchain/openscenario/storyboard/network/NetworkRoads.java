@@ -57,7 +57,10 @@ public final class NetworkRoads implements RoadMap {
 
   @Override
   public Pose pose(RoadPoint point) {
-    dev.eventchain.roads.Pose pose = found(point.road()).pose(point.s(), point.t());
+    return pose(found(point.road()).pose(point.s(), point.t()));
+  }
+
+  private static Pose pose(dev.eventchain.roads.Pose pose) {
     return new Pose(pose.x(), pose.y(), pose.z(), 0, pose.pitch(), pose.roll())
         .withHeading(pose.heading());
   }
@@ -136,6 +139,24 @@ public final class NetworkRoads implements RoadMap {
 
   private static LanePosition position(LanePoint point) {
     return new LanePosition(point.road(), point.lane(), point.s(), 0);
+  }
+
+  @Override
+  public List<Stretch> way(List<LanePoint> waypoints) {
+    return network.route(waypoints.stream().map(NetworkRoads::position).toList()).stream()
+        .flatMap(route -> route.legs().stream())
+        .map(leg -> new Stretch(leg.road(), leg.alongS(), leg.from(), leg.to()))
+        .toList();
+  }
+
+  @Override
+  public Optional<String> geoProblem() {
+    return network.geoProblem();
+  }
+
+  @Override
+  public Pose geo(double latitude, double longitude, double altitude) {
+    return pose(network.geo(latitude, longitude, altitude));
   }
 
   @Override

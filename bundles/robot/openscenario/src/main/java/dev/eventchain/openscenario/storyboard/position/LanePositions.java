@@ -30,7 +30,8 @@ final class LanePositions {
                 position.number("offset", 0)));
   }
 
-  private static int lane(ScenarioElement position) {
+  /** Reads the number of a lane. */
+  static int lane(ScenarioElement position) {
     String lane = position.text("laneId");
     try {
       return Integer.parseInt(lane);
@@ -89,6 +90,16 @@ final class LanePositions {
 
   private static Placement at(Scene scene, ScenarioElement position, LanePoint point) {
     RoadMap roads = scene.roads();
+    requireLane(scene, position, point);
+    Pose road = roads.pose(roads.road(point));
+    boolean alongS = roads.goesAlongS(point.road(), point.s(), point.lane());
+    Pose driven = alongS ? road : road.withHeading(road.heading() + Math.PI);
+    return new Placement(Orientation.of(position).at(driven, driven), Optional.of(point));
+  }
+
+  /** Refuses a road or a lane that is not there, and an s beyond the road's ends. */
+  static void requireLane(Scene scene, ScenarioElement position, LanePoint point) {
+    RoadMap roads = scene.roads();
     RoadPositions.checkOnRoad(scene, position, point.road(), point.s());
     if (!roads.lanes(point.road(), point.s()).contains(point.lane())) {
       throw RoadPositions.none(
@@ -103,9 +114,5 @@ final class LanePositions {
               + roads.lanes(point.road(), point.s())
               + ".");
     }
-    Pose road = roads.pose(roads.road(point));
-    boolean alongS = roads.goesAlongS(point.road(), point.s(), point.lane());
-    Pose driven = alongS ? road : road.withHeading(road.heading() + Math.PI);
-    return new Placement(Orientation.of(position).at(driven, driven), Optional.of(point));
   }
 }

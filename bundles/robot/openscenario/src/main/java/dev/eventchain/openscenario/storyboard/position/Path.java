@@ -12,6 +12,11 @@ public interface Path {
   /** Returns the pose after a way along it, from 0 to its length. */
   Pose pose(double way);
 
+  /** Returns the direction of the way there, in rad: the heading, unless its points say another. */
+  default double direction(double way) {
+    return pose(way).heading();
+  }
+
   /** Returns whether its points have times. */
   boolean isTimed();
 

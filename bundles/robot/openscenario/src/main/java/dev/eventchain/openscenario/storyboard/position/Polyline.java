@@ -64,7 +64,12 @@ final class Polyline implements Path {
             0,
             from.pitch() + part * (to.pitch() - from.pitch()),
             from.roll() + part * (to.roll() - from.roll()))
-        .withHeading(oriented ? turned(from, to, part) : direction(i));
+        .withHeading(oriented ? turned(from, to, part) : ofLine(i));
+  }
+
+  @Override
+  public double direction(double way) {
+    return ofLine(segment(ways, way));
   }
 
   private static double turned(Pose from, Pose to, double part) {
@@ -72,7 +77,7 @@ final class Polyline implements Path {
   }
 
   /** Returns the direction of a line; that of the one before it if it has no length. */
-  private double direction(int line) {
+  private double ofLine(int line) {
     for (int i = line; i >= 0; i--) {
       Pose from = points.get(i);
       Pose to = points.get(i + 1);
@@ -130,7 +135,7 @@ final class Polyline implements Path {
     double least = NEAR;
     OptionalDouble way = OptionalDouble.empty();
     for (int i = 0; i < points.size() - 1; i++) {
-      Pose line = points.get(i).withHeading(direction(i));
+      Pose line = points.get(i).withHeading(ofLine(i));
       double along = Math.max(0, Math.min(ways[i + 1] - ways[i], line.ahead(place)));
       double off = StrictMath.hypot(line.ahead(place) - along, line.left(place));
       if (off < least) {

@@ -18,6 +18,8 @@ public final class Positions {
       case "WorldPosition" -> WorldPositions.absolute(position);
       case "RelativeWorldPosition" -> WorldPositions.relative(position);
       case "RelativeObjectPosition" -> WorldPositions.ofObject(position);
+      case "RoutePosition" -> RoutePositions.read(position);
+      case "TrajectoryPosition" -> TrajectoryPositions.read(position);
       case "GeoPosition" -> WorldPositions.geo(position);
       case "RoadPosition" -> RoadPositions.absolute(position);
       case "RelativeRoadPosition" -> RoadPositions.relative(position);

@@ -66,19 +66,17 @@ final class WorldPositions {
         position.number("latitudeDeg", Math.toDegrees(position.number("latitude", 0)));
     double longitude =
         position.number("longitudeDeg", Math.toDegrees(position.number("longitude", 0)));
-    double altitude = position.number("altitude", position.number("height", 0));
+    double altitude = position.number("altitude", position.number("height", Double.NaN));
     return scene -> {
-      Pose place =
-          scene
-              .roads()
-              .geo(latitude, longitude, altitude)
-              .orElseThrow(
-                  () ->
-                      StoryboardRules.failure(
-                          StoryboardRules.NO_PLACE,
-                          "The roads have no georeference, which a GeoPosition needs.",
-                          position.location(),
-                          "Give the position as a WorldPosition or a LanePosition."));
+      Optional<String> problem = scene.roads().geoProblem();
+      if (problem.isPresent()) {
+        throw StoryboardRules.failure(
+            StoryboardRules.NO_PLACE,
+            "A GeoPosition needs the geoReference of the road network: " + problem.get() + ".",
+            position.location(),
+            "Give the position as a WorldPosition or a LanePosition.");
+      }
+      Pose place = scene.roads().geo(latitude, longitude, altitude);
       return grounded(scene, Orientation.of(position).at(place, place));
     };
   }

@@ -6,6 +6,7 @@ import dev.eventchain.openscenario.storyboard.world.Entity;
 import dev.eventchain.openscenario.storyboard.world.EntityState;
 import dev.eventchain.openscenario.storyboard.world.Progress;
 import dev.eventchain.openscenario.storyboard.world.RoadMap;
+import dev.eventchain.openscenario.storyboard.world.RouteSides;
 import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -23,6 +24,7 @@ public final class Scene {
   private final Values parameters = new Values();
   private final Values variables = new Values();
   private final Signals signals;
+  private final RouteSides routeSides;
   private final Surroundings surroundings = new Surroundings();
   private final Map<String, Progress> progress = new HashMap<>();
   private Collisions collisions = Collisions.NONE;
@@ -30,7 +32,8 @@ public final class Scene {
   private long steps;
 
   /** Creates a scene at time 0 in which no entity is yet. */
-  public Scene(Entities entities, RoadMap roads, Signals signals) {
+  public Scene(Entities entities, RoadMap roads, Signals signals, RouteSides routeSides) {
+    this.routeSides = routeSides;
     this.entities = entities;
     this.roads = roads;
     this.signals = signals;
@@ -45,6 +48,11 @@ public final class Scene {
 
   public RoadMap roads() {
     return roads;
+  }
+
+  /** Returns which side positions on routes mean. */
+  public RouteSides routeSides() {
+    return routeSides;
   }
 
   /** Returns the simulated time in s. */

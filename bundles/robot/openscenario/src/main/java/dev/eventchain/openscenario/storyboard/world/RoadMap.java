@@ -48,11 +48,42 @@ public interface RoadMap {
   OptionalDouble along(RoadPoint from, RoadPoint to);
 
   /**
-   * Returns the place of a latitude and longitude, in degrees; empty if the roads are not
-   * georeferenced.
+   * A part of a way over roads.
+   *
+   * @param from s where it begins, in m
+   * @param to s where it ends, in m; less than {@code from} against the direction of s
    */
-  default Optional<Pose> geo(double latitude, double longitude, double altitude) {
-    return Optional.empty();
+  record Stretch(String road, boolean alongS, double from, double to) {
+
+    /** Returns its length, in m. */
+    public double length() {
+      return Math.abs(to - from);
+    }
+  }
+
+  /**
+   * Returns the shortest way over some points of lanes, in the direction of traffic.
+   *
+   * @param waypoints at least two
+   * @return its parts in their order; empty if there is no way
+   */
+  List<Stretch> way(List<LanePoint> waypoints);
+
+  /**
+   * Returns why a latitude and longitude have no place on the map, as the end of a sentence; empty
+   * if they have one.
+   */
+  default Optional<String> geoProblem() {
+    return Optional.of("there is none");
+  }
+
+  /**
+   * Returns the place of a latitude and longitude, in degrees, and an altitude.
+   *
+   * @throws IllegalStateException if there is a {@link #geoProblem()}
+   */
+  default Pose geo(double latitude, double longitude, double altitude) {
+    throw new IllegalStateException(geoProblem().orElseThrow());
   }
 
   /** Returns a point of a lane in the coordinates of its road. */

@@ -17,6 +17,7 @@ public final class StoryboardRules {
   public static final Rule NO_ACTORS = Rule.warning("storyboard.actors.none");
   public static final Rule EMPTY_TRIGGER = Rule.warning("storyboard.trigger.empty");
   public static final Rule NO_PLACE = Rule.error("storyboard.place.none");
+  public static final Rule ROUTE_SIDE = Rule.warning("storyboard.route.side");
   public static final Rule TRAJECTORY = Rule.error("storyboard.trajectory");
   public static final Rule CIRCLE = Rule.error("storyboard.init.circle");
 

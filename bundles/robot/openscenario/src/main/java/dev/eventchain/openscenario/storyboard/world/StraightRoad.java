@@ -71,6 +71,19 @@ public record StraightRoad(String id, double length, int left, int right, double
   }
 
   @Override
+  public List<Stretch> way(List<LanePoint> waypoints) {
+    boolean alongS = waypoints.get(0).lane() < 0;
+    for (int i = 1; i < waypoints.size(); i++) {
+      double ahead = waypoints.get(i).s() - waypoints.get(i - 1).s();
+      if (waypoints.get(i).lane() < 0 != alongS || ahead < 0 == alongS) {
+        return List.of();
+      }
+    }
+    double end = waypoints.get(waypoints.size() - 1).s();
+    return List.of(new Stretch(id, alongS, waypoints.get(0).s(), end));
+  }
+
+  @Override
   public OptionalDouble along(RoadPoint from, RoadPoint to) {
     return OptionalDouble.of(to.s() - from.s());
   }

@@ -1,0 +1,2 @@
+/** Places on the earth in the plane of a map. */
+package dev.eventchain.roads.geo;
