@@ -60,6 +60,35 @@ class OpenScenarioTest {
   }
 
   @Test
+  void aFileIsACampaign() throws IOException {
+    Path cases = FILES.resolve("rear-end-cases.xosc");
+    campaign(cases, "--accept", "no_impact")
+        .expect(1)
+        .says("6 cases: 5 passed, 1 failed")
+        .says("  speed_kph \\ target_kph       0      20")
+        .says("                      70  FAILED  passed");
+    campaign(FILES.resolve("rear-end.xosc"), "--accept", "no_impact")
+        .expect(2)
+        .says("Nothing varies in this file")
+        .says("campaign.empty");
+    campaign(cases).expect(2).says("Add --accept no_impact");
+    campaign(cases, "--accept", "no_impact", "--engine", "ray")
+        .expect(2)
+        .says("--engine needs a campaign file");
+    Path file = project.path().resolve("out/openscenario/rear-end-cases.yaml");
+    campaign(file, "--accept", "no_impact").expect(2).says("--accept needs a file");
+  }
+
+  private Program.Ended campaign(Path file, Object... more) {
+    Object[] arguments = new Object[more.length + 3];
+    arguments[0] = "campaign";
+    arguments[1] = project.path();
+    arguments[2] = file;
+    System.arraycopy(more, 0, arguments, 3, more.length);
+    return new Program().run(arguments);
+  }
+
+  @Test
   void aSuiteIsACampaignFileWithItsOwnScenarios() throws IOException {
     for (String name : List.of("rear-end.xosc", "straight.xodr", "catalogs/vehicles.xosc")) {
       Path to = folder.resolve("suite").resolve(name);

@@ -7,6 +7,7 @@ import dev.eventchain.pipeline.campaign.CampaignEngine;
 import dev.eventchain.pipeline.campaign.CampaignOptions;
 import dev.eventchain.pipeline.campaign.CampaignOutcome;
 import dev.eventchain.pipeline.campaign.Campaigns;
+import dev.eventchain.pipeline.campaign.OpenScenarioCampaigns;
 import dev.eventchain.pipeline.campaign.Shard;
 import dev.eventchain.pipeline.project.Project;
 import java.nio.file.Path;
@@ -25,7 +26,8 @@ import picocli.CommandLine.Parameters;
     mixinStandardHelpOptions = true,
     description = {
       "Simulate many cases of a scenario, on all processors.",
-      "FILE says which numbers of which scenario differ between the cases, and by which values. The"
+      "FILE says which numbers of which scenario differ between the cases, and by which values; or it"
+          + " is a scenario or distributions of its parameters in OpenSCENARIO XML (--accept). The"
           + " nodes are generated first, as far as something has changed. A case is judged by its"
           + " criteria alone; what they prove is a matter of 'run'. Results are in"
           + " OUTPUT/campaigns/NAME: cases.csv, report.html and cases.json, those of a file of several"
@@ -43,7 +45,11 @@ final class CampaignCommand extends ProjectCommand {
       description = "The project's folder.")
   private Path folder;
 
-  @Parameters(index = "1", arity = "0..1", paramLabel = "FILE", description = "The campaign file.")
+  @Parameters(
+      index = "1",
+      arity = "0..1",
+      paramLabel = "FILE",
+      description = "The campaign file, or an OpenSCENARIO file.")
   private Path file;
 
   @Option(names = "--schema", description = "Print the JSON Schema of campaign files instead.")
@@ -98,6 +104,8 @@ final class CampaignCommand extends ProjectCommand {
       description = "Of a file of several campaigns, only the one of this name.")
   private String only;
 
+  @Mixin private AcceptOption accept;
+
   @Mixin private LlmOptions llm;
 
   CampaignCommand(Console console) {
@@ -115,13 +123,14 @@ final class CampaignCommand extends ProjectCommand {
       return Outcome.of(Coverage.NONE, List.of(), List.of());
     }
     requireOne();
+    requireCampaignFile();
     Project project = Project.open(folder);
     CampaignOutcome result =
         Campaigns.run(
             project,
             upToGeneration(project, llm),
             new CampaignOptions(
-                file,
+                campaignFile(project),
                 Optional.ofNullable(only),
                 dryRun,
                 shard(),
@@ -136,6 +145,14 @@ final class CampaignCommand extends ProjectCommand {
     return result.outcome();
   }
 
+  private Path campaignFile(Project project) {
+    try {
+      return accept.campaign(file, outputOf(project), false);
+    } catch (IllegalArgumentException e) {
+      throw wrongUsage(e.getMessage());
+    }
+  }
+
   private void requireOne() {
     boolean only = shard != null || replayed != null || dryRun;
     if (!merged.isEmpty() && (only || engine != null)) {
@@ -143,6 +160,12 @@ final class CampaignCommand extends ProjectCommand {
     }
     if (engine != null && only) {
       throw wrongUsage("--engine is for the whole campaign, without --shard, --case and --dry-run");
+    }
+  }
+
+  private void requireCampaignFile() {
+    if (engine != null && OpenScenarioCampaigns.isOne(file)) {
+      throw wrongUsage("--engine needs a campaign file; other machines have no OUTPUT folder");
     }
   }
 

@@ -19,7 +19,8 @@ import picocli.CommandLine.Parameters;
     description = {
       "Search for cases of a scenario that fail, by minimising the margins of its criteria.",
       "FILE is a campaign file: its factors and conditions are what is searched, and its section"
-          + " 'search' says how. The nodes are generated first, as far as something has changed."
+          + " 'search' says how. It may also be a scenario or distributions of its parameters in"
+          + " OpenSCENARIO XML (--accept). The nodes are generated first, as far as something has changed."
           + " Each distinct failure becomes a scenario with the simplest values that fail alike."
           + " Results are in OUTPUT/searches/NAME: cases.csv, cases.json and found/. The same"
           + " command continues where it was interrupted, and comes to the same bytes. That nothing"
@@ -32,7 +33,10 @@ final class SearchCommand extends ProjectCommand {
   @Parameters(index = "0", paramLabel = "DIR", description = "The project's folder.")
   private Path folder;
 
-  @Parameters(index = "1", paramLabel = "FILE", description = "The campaign file.")
+  @Parameters(
+      index = "1",
+      paramLabel = "FILE",
+      description = "The campaign file, or an OpenSCENARIO file.")
   private Path file;
 
   @Option(
@@ -48,6 +52,8 @@ final class SearchCommand extends ProjectCommand {
       description = "Of a file of several campaigns, only the one of this name.")
   private String only;
 
+  @Mixin private AcceptOption accept;
+
   @Mixin private LlmOptions llm;
 
   SearchCommand(Console console) {
@@ -62,7 +68,7 @@ final class SearchCommand extends ProjectCommand {
         Searches.run(
             project,
             upToGeneration(project, llm),
-            file,
+            campaignFile(project),
             Optional.ofNullable(only),
             keep,
             new ProgressLines(console.err(), console.terminal()));
@@ -70,5 +76,13 @@ final class SearchCommand extends ProjectCommand {
       console.out().print(result.text());
     }
     return result.outcome();
+  }
+
+  private Path campaignFile(Project project) {
+    try {
+      return accept.campaign(file, outputOf(project), true);
+    } catch (IllegalArgumentException e) {
+      throw wrongUsage(e.getMessage());
+    }
   }
 }

@@ -46,6 +46,18 @@ record ScenarioFiles(List<Path> files, List<String> accept) {
     if (!isOpenScenario(file)) {
       return SourceText.read(file);
     }
+    return SourceText.of(
+        OPTION, written(file, file.toAbsolutePath().toString(), accept).toPrettyString());
+  }
+
+  /**
+   * Returns a scenario that plays a file in OpenSCENARIO XML.
+   *
+   * @param path of the file, as the scenario names it
+   * @param accept what is required: {@code KEY} or {@code KEY=NUMBER} each
+   * @throws DiagnosticException (INPUT) if nothing is required
+   */
+  static ObjectNode written(Path file, String path, List<String> accept) {
     if (accept.isEmpty()) {
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT,
@@ -61,14 +73,22 @@ record ScenarioFiles(List<Path> files, List<String> accept) {
     }
     ObjectNode scenario = JsonNodeFactory.instance.objectNode();
     String base = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
-    scenario.put(
-        "name",
-        base.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-").replaceAll("^-|-$", ""));
+    scenario.put("name", nameOf(file));
     scenario.put("title", base);
-    scenario.putObject(OpenScenarioReader.KEY).put("file", file.toAbsolutePath().toString());
+    scenario.putObject(OpenScenarioReader.KEY).put("file", path);
     ObjectNode criteria = scenario.putObject("accept");
     accept.forEach(each -> put(criteria, each));
-    return SourceText.of(OPTION, scenario.toPrettyString());
+    return scenario;
+  }
+
+  /** Returns the name of a scenario that plays a file. */
+  static String nameOf(Path file) {
+    return file.getFileName()
+        .toString()
+        .replaceFirst("\\.[^.]*$", "")
+        .toLowerCase(Locale.ROOT)
+        .replaceAll("[^a-z0-9]+", "-")
+        .replaceAll("^-|-$", "");
   }
 
   /** Adds {@code KEY} or {@code KEY=NUMBER}. */

@@ -1,0 +1,36 @@
+package dev.eventchain.cli;
+
+import dev.eventchain.pipeline.campaign.OpenScenarioCampaigns;
+import java.nio.file.Path;
+import java.util.List;
+import picocli.CommandLine.Option;
+
+/** The option of what is required where a campaign is about a file in OpenSCENARIO XML. */
+final class AcceptOption {
+
+  @Option(
+      names = "--accept",
+      paramLabel = "CRITERION",
+      description =
+          "What is required if FILE is one in OpenSCENARIO XML (.xosc), whose parameters then vary"
+              + " as its distributions or constraints say: a key of 'accept' in scenarios, such as"
+              + " no_impact or maximal_impact_speed_kmh=10; may be repeated. The campaign file is"
+              + " written to OUTPUT/openscenario.")
+  private List<String> accept = List.of();
+
+  /**
+   * Returns the campaign file: the given one, or the one that is written about it.
+   *
+   * @param output the folder of results
+   * @throws IllegalArgumentException if the option is given for a campaign file
+   */
+  Path campaign(Path file, Path output, boolean isSearched) {
+    if (OpenScenarioCampaigns.isOne(file)) {
+      return OpenScenarioCampaigns.write(file, accept, output, isSearched);
+    }
+    if (!accept.isEmpty()) {
+      throw new IllegalArgumentException("--accept needs a file in OpenSCENARIO XML (.xosc)");
+    }
+    return file;
+  }
+}

@@ -1,0 +1,126 @@
+package dev.eventchain.pipeline.campaign;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.pipeline.campaign.plan.CampaignCase;
+import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
+import dev.eventchain.pipeline.campaign.plan.CampaignReader;
+import dev.eventchain.pipeline.campaign.plan.CaseList;
+import java.io.IOException;
+import java.math.BigDecimal;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests campaigns that are written about files in OpenSCENARIO XML. */
+class OpenScenarioCampaignsTest {
+
+  private static final Path FOLDER = Path.of("src/test/resources/openscenario");
+
+  @TempDir Path output;
+
+  private Path write(String name, boolean isSearched) {
+    return OpenScenarioCampaigns.write(
+        FOLDER.resolve(name), List.of("no_impact"), output, isSearched);
+  }
+
+  private static List<List<BigDecimal>> cases(CampaignPlan plan) {
+    return new CaseList(plan).cases().stream().map(CampaignCase::values).toList();
+  }
+
+  private static CampaignPlan plan(Path file) {
+    return CampaignReader.read(file).get(0);
+  }
+
+  private static List<BigDecimal> numbers(String... numbers) {
+    return List.of(numbers).stream().map(BigDecimal::new).toList();
+  }
+
+  /**
+   * The number 10 is not allowed; of what has no two bounds or follows from others, none varies.
+   */
+  @Test
+  void numbersVaryBetweenTheirConstraints() throws IOException {
+    Path file = write("bounded.xosc", false);
+    assertEquals(
+        """
+        scenario: bounded-scenario.yaml
+        factors:
+          speed:
+            path: openscenario.parameters.speed
+            uniform: [10.00002, 30]
+          lane_shift:
+            path: openscenario.parameters.lane.shift
+            values: [-1, 0, 1]
+        sampling: {halton: 100}
+        """,
+        Files.readString(file));
+    assertEquals(100, cases(plan(file)).size());
+    String scenario = Files.readString(output.resolve("openscenario/bounded-scenario.yaml"));
+    assertTrue(scenario.contains("parameters: {speed: 20, lane.shift: 0}"), scenario);
+    assertTrue(scenario.contains("accept: {no_impact: true}"), scenario);
+    assertTrue(scenario.contains("openscenario/bounded.xosc"), scenario);
+  }
+
+  @Test
+  void aSearchGoesBetweenTheBounds() throws IOException {
+    Path file = write("bounded.xosc", true);
+    assertTrue(!Files.readString(file).contains("sampling"));
+    assertEquals(2, CampaignReader.readForSearch(file).get(0).factors().size());
+  }
+
+  @Test
+  void combinationsAreAGrid() throws IOException {
+    Path file = write("grid.xosc", false);
+    List<List<BigDecimal>> cases = cases(plan(file));
+    assertEquals(6, cases.size());
+    assertEquals(numbers("14.5", "-1"), cases.get(0));
+    assertEquals(numbers("15.5", "1"), cases.get(5));
+    String scenario = Files.readString(output.resolve("openscenario/grid-scenario.yaml"));
+    assertTrue(scenario.contains("{word: b, speed: 14.5, lane.shift: -1}"), scenario);
+  }
+
+  @Test
+  void setsOfValuesStayTogether() {
+    List<List<BigDecimal>> cases = cases(plan(write("sets.xosc", false)));
+    assertEquals(List.of(numbers("12", "1"), numbers("12.5", "0")), cases);
+    assertEquals(
+        "campaign.factor: The cases of this file are not all combinations of their values, between"
+            + " which a search could go.",
+        refusal("sets.xosc", true));
+  }
+
+  @Test
+  void somethingHasToVary() {
+    assertTrue(refusal("single.xosc", false).startsWith("campaign.empty: Nothing varies"));
+    assertEquals(
+        "campaign.factor: 'word' differs between the cases, and its values are no numbers.",
+        refusal("words.xosc", false));
+    assertTrue(refusal("missing.xosc", false).startsWith("file.missing"));
+  }
+
+  @Test
+  void somethingHasToBeRequired() {
+    Diagnostic finding =
+        assertThrows(
+                DiagnosticException.class,
+                () ->
+                    OpenScenarioCampaigns.write(
+                        FOLDER.resolve("grid.xosc"), List.of(), output, false))
+            .diagnostics()
+            .get(0);
+    assertEquals("scenario.key.missing", finding.id());
+  }
+
+  private String refusal(String name, boolean isSearched) {
+    Diagnostic finding =
+        assertThrows(DiagnosticException.class, () -> write(name, isSearched)).diagnostics().get(0);
+    return finding.id() + ": " + finding.message();
+  }
+}
