@@ -4,6 +4,7 @@ import dev.eventchain.roads.geometry.PlanPoint;
 import dev.eventchain.roads.geometry.Profile;
 import dev.eventchain.roads.geometry.ReferenceLine;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
@@ -35,6 +36,7 @@ public final class Road {
    *
    * @param junction the junction that it is part of
    * @param types the types of the road, in the order of s
+   * @param userData what the program that made the file says of the road, by its codes
    */
   record Facts(
       String id,
@@ -43,7 +45,8 @@ public final class Road {
       Traffic traffic,
       List<RoadType> types,
       Optional<RoadLink> predecessor,
-      Optional<RoadLink> successor) {}
+      Optional<RoadLink> successor,
+      Map<String, String> userData) {}
 
   /**
    * The type of a road from a place on.
@@ -103,6 +106,11 @@ public final class Road {
   /** Returns the name; often empty. */
   public String name() {
     return facts.name;
+  }
+
+  /** Returns the value of a {@code userData} of the road; empty if it has none of this code. */
+  public Optional<String> userData(String code) {
+    return Optional.ofNullable(facts.userData.get(code));
   }
 
   /** Returns the length of the reference line, in m. */

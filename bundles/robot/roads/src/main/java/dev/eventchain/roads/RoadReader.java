@@ -5,8 +5,10 @@ import dev.eventchain.roads.geometry.Profile;
 import dev.eventchain.roads.geometry.ReferenceLine;
 import dev.eventchain.roads.xml.Problems;
 import dev.eventchain.roads.xml.XmlElement;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
@@ -88,7 +90,18 @@ final class RoadReader {
         element.choice("rule", List.of(Road.Traffic.values()), RoadReader::spelling),
         types(element),
         link.flatMap(child -> link(id, child.child("predecessor"), RoadLink.Contact.START)),
-        link.flatMap(child -> link(id, child.child("successor"), RoadLink.Contact.END)));
+        link.flatMap(child -> link(id, child.child("successor"), RoadLink.Contact.END)),
+        userData(element));
+  }
+
+  /** Returns values by their codes. Data that is not of this form is for others. */
+  private static Map<String, String> userData(XmlElement road) {
+    Map<String, String> data = new HashMap<>();
+    for (XmlElement each : road.children("userData")) {
+      Optional<String> value = each.optional("value");
+      value.ifPresent(it -> each.optional("code").ifPresent(code -> data.putIfAbsent(code, it)));
+    }
+    return Map.copyOf(data);
   }
 
   private static String spelling(Road.Traffic traffic) {

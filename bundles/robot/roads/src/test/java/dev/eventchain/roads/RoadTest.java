@@ -38,6 +38,13 @@ class RoadTest {
   }
 
   @Test
+  void userDataOfRoadsIsHandedOn() {
+    assertEquals(Optional.of("abc"), BANKED.userData("tool.note"));
+    assertEquals(Optional.empty(), BANKED.userData("tool.tree"));
+    assertEquals(Optional.empty(), BANKED.userData("tool.other"));
+  }
+
+  @Test
   void superelevationRaisesTheLeft() {
     double cos = Math.cos(0.1);
     double sin = Math.sin(0.1);

@@ -1,6 +1,7 @@
 package dev.eventchain.simulation.export;
 
 import dev.eventchain.simulation.sensor.RoadScene;
+import dev.eventchain.simulation.stage.FurnishedRoad;
 import dev.eventchain.simulation.world.Road;
 
 /** The OpenDRIVE file of a road: a line or an arc, lanes, walls and posts. */
@@ -49,10 +50,7 @@ final class RoadFile {
     road.add(planView(), new Markup("lanes").add(lanes()));
     if (frame.road().isFurnished()) {
       road.add(objects());
-      road.add(
-          new Markup("userData")
-              .with("code", EntityElements.PREFIX + "furnished")
-              .with("value", "true"));
+      road.add(new Markup("userData").with("code", FurnishedRoad.CODE).with("value", "true"));
     }
     return new Markup("OpenDRIVE").add(header, road);
   }
