@@ -50,17 +50,22 @@ final class SupportCheck {
 
   /** Refuses to activate controllers of others than the ego. */
   void checkControllers(ScenarioElement storyboard) {
+    boolean triggeredByEgo =
+        Findings.within(storyboard)
+            .filter(each -> each.name().equals("TriggeringEntities"))
+            .allMatch(this::areEgo);
     Findings.within(storyboard)
         .filter(each -> each.name().equals("Private") || each.name().equals("ManeuverGroup"))
-        .forEach(this::checkActors);
+        .forEach(each -> checkActors(each, triggeredByEgo));
   }
 
-  private void checkActors(ScenarioElement holder) {
+  private void checkActors(ScenarioElement holder, boolean triggeredByEgo) {
     boolean onlyEgo =
         holder.name().equals("Private")
             ? holder.text("entityRef").equals(ego)
-            : holder.required("Actors").children("EntityRef").stream()
-                .allMatch(each -> each.text("entityRef").equals(ego));
+            : areEgo(holder.required("Actors"))
+                && (!holder.required("Actors").flag("selectTriggeringEntities", false)
+                    || triggeredByEgo);
     if (onlyEgo) {
       return;
     }
@@ -73,6 +78,12 @@ final class SupportCheck {
                     each.location(),
                     "The storyboard has no controller but that of the ego, '" + ego + "'.",
                     "Leave the controller inactive, and say by actions what the entity does."));
+  }
+
+  /** Returns whether all entities that an element names are the ego. */
+  private boolean areEgo(ScenarioElement holder) {
+    return holder.children("EntityRef").stream()
+        .allMatch(each -> each.text("entityRef").equals(ego));
   }
 
   private static boolean activates(ScenarioElement action) {
