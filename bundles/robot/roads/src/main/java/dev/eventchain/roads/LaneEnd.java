@@ -13,6 +13,22 @@ record LaneEnd(Road road, int section, int lane, boolean atEnd) {
     return new LaneEnd(road, section, lane, !atEnd);
   }
 
+  // Those of records are linked when they first run, which a map of many lanes pays for.
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof LaneEnd end
+        && road == end.road
+        && section == end.section
+        && lane == end.lane
+        && atEnd == end.atEnd;
+  }
+
+  @Override
+  public int hashCode() {
+    return ((road.hashCode() * 31 + section) * 31 + lane) * 2 + (atEnd ? 1 : 0);
+  }
+
   LaneSection laneSection() {
     return road.sections().get(section);
   }

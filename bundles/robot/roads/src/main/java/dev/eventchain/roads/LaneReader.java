@@ -4,6 +4,7 @@ import dev.eventchain.roads.geometry.Cubic;
 import dev.eventchain.roads.geometry.Profile;
 import dev.eventchain.roads.xml.Problems;
 import dev.eventchain.roads.xml.XmlElement;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -54,8 +55,12 @@ final class LaneReader {
   }
 
   private static Profile height(XmlElement element, String attribute, double from) {
+    List<XmlElement> heights = element.children("height");
+    if (heights.isEmpty()) {
+      return Profile.ZERO;
+    }
     return new Profile(
-        element.children("height").stream()
+        heights.stream()
             .map(
                 height ->
                     new Profile.Piece(
@@ -66,6 +71,9 @@ final class LaneReader {
 
   private List<Road.SpeedLimit> limits(XmlElement element, double from) {
     List<XmlElement> speeds = element.children("speed");
+    if (speeds.isEmpty()) {
+      return List.of();
+    }
     records.requireOrder(speeds, "sOffset");
     return speeds.stream()
         .map(speed -> new Road.SpeedLimit(from + speed.number("sOffset"), RoadReader.speed(speed)))
@@ -80,16 +88,21 @@ final class LaneReader {
         element.optional("weight").orElse("standard"),
         element.number("width", 0),
         element.optional("laneChange").orElse("both"),
-        element.children("type", "line").stream()
-            .map(
-                line ->
-                    new RoadMark.Line(
-                        line.number("length"),
-                        line.number("space"),
-                        line.number("tOffset"),
-                        line.number("sOffset"),
-                        line.number("width", 0)))
-            .toList());
+        lines(element));
+  }
+
+  private static List<RoadMark.Line> lines(XmlElement mark) {
+    List<RoadMark.Line> lines = new ArrayList<>(0);
+    for (XmlElement line : mark.children("type", "line")) {
+      lines.add(
+          new RoadMark.Line(
+              line.number("length"),
+              line.number("space"),
+              line.number("tOffset"),
+              line.number("sOffset"),
+              line.number("width", 0)));
+    }
+    return lines;
   }
 
   /** Reports where the width of a lane is unknown, negative, or on the wrong side. */

@@ -3,8 +3,9 @@ package dev.eventchain.roads.geometry;
 /** The polynomial {@code a + b u + c u² + d u³}. */
 public record Cubic(double a, double b, double c, double d) {
 
-  /** The constant 0. */
-  public static final Cubic ZERO = new Cubic(0, 0, 0, 0);
+  boolean isZero() {
+    return a == 0 && b == 0 && c == 0 && d == 0;
+  }
 
   /**
    * Returns a value or derivative.

@@ -29,9 +29,17 @@ public final class Profile {
    * @param pieces in ascending order of their starts
    */
   public Profile(List<Piece> pieces) {
-    this.starts = pieces.stream().mapToDouble(Piece::start).toArray();
-    this.pieces = pieces.stream().map(Piece::cubic).toArray(Cubic[]::new);
-    this.zero = Arrays.stream(this.pieces).allMatch(Cubic.ZERO::equals);
+    // No streams: there are several for each lane of a map, and setting one up takes longer.
+    this.starts = new double[pieces.size()];
+    this.pieces = new Cubic[pieces.size()];
+    boolean allZero = true;
+    for (int i = 0; i < starts.length; i++) {
+      Piece piece = pieces.get(i);
+      starts[i] = piece.start();
+      this.pieces[i] = piece.cubic();
+      allZero &= piece.cubic().isZero();
+    }
+    this.zero = allZero;
   }
 
   /** Returns whether it is 0 everywhere. */

@@ -77,9 +77,10 @@ public final class XmlElement {
 
   /** Returns the children of a name. */
   public List<XmlElement> children(String childName) {
-    List<XmlElement> found = new ArrayList<>(children.size());
+    List<XmlElement> found = List.of();
     for (XmlElement child : children) {
       if (child.name.equals(childName)) {
+        found = found.isEmpty() ? new ArrayList<>() : found;
         found.add(child);
       }
     }
@@ -88,9 +89,13 @@ public final class XmlElement {
 
   /** Returns the grandchildren of a name below children of another one. */
   public List<XmlElement> children(String childName, String grandchildName) {
-    return children(childName).stream()
-        .flatMap(child -> child.children(grandchildName).stream())
-        .toList();
+    List<XmlElement> found = new ArrayList<>(0);
+    for (XmlElement child : children) {
+      if (child.name.equals(childName)) {
+        found.addAll(child.children(grandchildName));
+      }
+    }
+    return found;
   }
 
   /** Returns the first child of a name. */
@@ -199,7 +204,8 @@ public final class XmlElement {
   private static double decimal(String value) {
     boolean plain = !value.isEmpty();
     for (int i = 0; plain && i < value.length(); i++) {
-      plain = "0123456789+-.eE".indexOf(value.charAt(i)) >= 0;
+      char each = value.charAt(i);
+      plain = each >= '0' && each <= '9' || "+-.eE".indexOf(each) >= 0;
     }
     try {
       return plain ? Double.parseDouble(value) : Double.NaN;
