@@ -14,15 +14,18 @@ RUNTIME = "eventchain_ros2"
 # Each module imports only from the lines above its own, so there are no cycles.
 LAYERS = (
     {"definitions"},
-    {"clock", "cyclone", "faults", "graph", "logger", "node_sources", "parameters", "refusals"},
-    {"qos", "type_support", "validation"},
+    {"callback_groups", "clock", "cyclone", "faults", "graph", "logger", "node_sources", "parameters", "refusals"},
+    {"node_parameters", "qos", "type_support", "validation"},
     {"best_available", "catalog", "codec", "dds_qos", "processes"},
-    {"dds_endpoints", "idl", "messages", "simulation"},
-    {"context", "discovery", "output_faults", "value_latency"},
+    {"agenda", "dds_endpoints", "idl", "messages"},
+    {"simulation"},
+    {"context", "discovery", "output_faults", "tasks", "value_latency"},
     {"dds_entities"},
-    {"endpoints", "failures", "message_objects", "pytest_plugin", "real_time"},
-    {"channel", "components", "dds", "node", "wire"},
-    {"executors", "hosting", "live", "preparation"},
+    {"endpoints", "failures", "message_objects", "pytest_plugin", "real_time", "watch"},
+    {"channel", "components", "dds", "services", "wire"},
+    {"node_graph"},
+    {"node"},
+    {"executors", "hosting", "live", "messages_once", "preparation"},
     {"__main__", "lockstep", "node_host"},
 )
 LAYER_OF = {module: layer for layer, modules in enumerate(LAYERS) for module in modules}

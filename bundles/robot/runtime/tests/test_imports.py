@@ -11,15 +11,18 @@ from conftest import BUNDLE
 from eventchain_ros2 import refusals
 from eventchain_ros2.messages import Messages
 
+FACADE = {file.stem for file in (BUNDLE / "python" / "rclpy").glob("*.py")} - {"__init__"}
+
 
 @pytest.mark.parametrize(
     ("module", "missing"),
     [
         ("rclpy.action", "Eventchain's runtime has no actions"),
         ("rclpy.lifecycle", "Eventchain's runtime has no managed nodes"),
-        ("rclpy.utilities", "Eventchain's runtime has no module 'rclpy.utilities'"),
-        ("std_srvs.srv", "Eventchain's runtime has no services"),
-        ("sensor_msgs.srv", "Eventchain's runtime has no services"),
+        ("rclpy.type_support", "Eventchain's runtime has no module 'rclpy.type_support'"),
+        ("rclpy_components", "has no composition: run each node in a process of its own"),
+        ("tf2_msgs.action", "has no actions: answer with a service"),
+        ("sensor_msgs.srv", "has no services of this package: no definition of one was found"),
         ("tf2_ros.buffer", "Eventchain's runtime has no transforms"),
         ("example_interfaces.msg", "no message package has this name"),
         ("no_such_module", "No module named 'no_such_module'$"),
@@ -28,6 +31,33 @@ from eventchain_ros2.messages import Messages
 def test_modules_that_are_missing_are_named(messages: Messages, module: str, missing: str) -> None:
     with pytest.raises(ModuleNotFoundError, match=missing):
         importlib.import_module(module)
+
+
+def test_names_that_are_missing_are_said_to_be_missing_here() -> None:
+    import rclpy
+    import rclpy.qos
+
+    with pytest.raises(AttributeError, match=r"Eventchain's runtime does not provide rclpy\.nothing"):
+        rclpy.nothing  # noqa: B018
+    with pytest.raises(AttributeError, match=r"Eventchain's runtime does not provide rclpy\.qos\.QoSNothing"):
+        rclpy.qos.QoSNothing  # noqa: B018
+    with pytest.raises(ImportError, match="cannot import name 'QoSNothing'") as refused:
+        exec("from rclpy.qos import QoSNothing")
+    assert refusals.hint(refused.value) == "Eventchain's runtime does not provide this part of rclpy.qos."
+    with pytest.raises(ModuleNotFoundError, match="has no managed nodes: derive from"):
+        exec("from rclpy import lifecycle")
+    with pytest.raises(ImportError) as other:
+        exec("from json import nothing")
+    assert refusals.hint(other.value) == "", "what is missing elsewhere is not ours"
+
+
+@pytest.mark.parametrize("module", sorted(FACADE))
+def test_every_module_is_there_without_an_import_of_its_own(module: str) -> None:
+    import rclpy
+
+    assert getattr(rclpy, module) is importlib.import_module(f"rclpy.{module}")
+    with pytest.raises(AttributeError, match="does not provide"):
+        getattr(rclpy, module).nothing  # noqa: B018
 
 
 def test_the_module_of_nodes_brings_the_others() -> None:

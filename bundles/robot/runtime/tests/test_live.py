@@ -173,11 +173,10 @@ def test_a_clock_that_starts_anew_takes_the_timers_along(world: World) -> None:
     assert fired < 9_000 * MILLISECOND, "not only when 9.5 s are shown again"
 
 
-@pytest.mark.parametrize("call", ["create_service", "create_client"])
-def test_services_are_refused_at_the_call(world: World, call: str) -> None:
-    node = world.probe(call=call)
+def test_what_is_missing_is_refused_at_the_call(world: World) -> None:
+    node = world.probe(call="add_waitable")
     assert node.ends() == 1
-    assert node.said[-1] == "NotImplementedError: services are not part of Eventchain's runtime"
+    assert node.said[-1] == "NotImplementedError: waitables are not part of Eventchain's runtime"
 
 
 def test_own_messages_are_found(world: World, tmp_path: Path) -> None:

@@ -109,3 +109,11 @@ def test_a_folder_of_definitions_is_refused_with_what_to_do(world: World, tmp_pa
     node = world.run("--messages", tmp_path, file)
     assert node.ends() == 2
     assert node.said[0].startswith(f"error: {tmp_path} is a folder; `eventchain messages {tmp_path} > FILE` writes")
+
+
+def test_a_missing_name_is_said_to_be_missing_here(world: World, tmp_path: Path) -> None:
+    source = tmp_path / "node.py"
+    source.write_text("from rclpy.qos import QoSNothing\n")
+    node = world.run(source)
+    assert node.ends() == 1
+    assert node.said[-1] == "hint: Eventchain's runtime does not provide this part of rclpy.qos."

@@ -243,7 +243,7 @@ def test_logs_have_the_simulated_time_and_keep_their_conditions(
 
 def test_what_is_missing_is_refused_by_name(simulation: Simulation) -> None:
     node = Recorder()
-    with pytest.raises(NotImplementedError, match="services are not part"):
+    with pytest.raises(TypeError, match="is not a type of services"):
         node.create_service(object, "service", print)
     with pytest.raises(NotImplementedError, match="event callbacks are not part"):
         node.create_publisher(type(number(0.0)), "/number", 10, event_callbacks=object())
@@ -251,8 +251,8 @@ def test_what_is_missing_is_refused_by_name(simulation: Simulation) -> None:
         rclpy.spin(node)
     with pytest.raises(NotImplementedError, match="in simulated time a host runs the nodes"):
         SingleThreadedExecutor().spin()
-    with pytest.raises(NotImplementedError, match="queries of the graph are not part"):
-        node.get_topic_names_and_types()
+    with pytest.raises(NotImplementedError, match="waitables are not part"):
+        node.add_waitable(object())
     with pytest.raises(AttributeError, match="no attribute 'create_nothing'"):
         node.create_nothing()
 

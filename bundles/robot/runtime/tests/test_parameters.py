@@ -126,3 +126,65 @@ def test_a_parameter_can_be_forgotten_unless_it_is_read_only(simulation: Simulat
     with pytest.raises(ParameterImmutableException, match="'gain'"):
         started.undeclare_parameter("gain")
     assert started.declare_parameter("rate", "of another type").value == "of another type"
+
+
+def refusing_odd_numbers(parameters: list[Parameter]) -> Any:
+    from rcl_interfaces.msg import SetParametersResult
+
+    odd = [each.name for each in parameters if each.value % 2]
+    return SetParametersResult(successful=not odd, reason=f"odd: {odd}" if odd else "")
+
+
+def doubled(parameters: list[Parameter]) -> list[Parameter]:
+    return [Parameter(each.name, value=each.value * 2) for each in parameters]
+
+
+def test_callbacks_change_refuse_and_hear_of_values(simulation: Simulation) -> None:
+    node, heard = Node("node"), []
+    node.declare_parameters("", [("a", 1), ("b", 2)])
+    node.add_on_set_parameters_callback(refusing_odd_numbers)
+    node.add_pre_set_parameters_callback(doubled)
+    node.add_post_set_parameters_callback(lambda done: heard.append([(each.name, each.value) for each in done]))
+    assert [each.successful for each in node.set_parameters([Parameter("a", value=3), Parameter("b", value=4)])]
+    assert heard == [[("a", 6)], [("b", 8)]]
+    node.remove_pre_set_parameters_callback(doubled)
+    result = node.set_parameters_atomically([Parameter("a", value=10), Parameter("b", value=11)])
+    assert (result.successful, result.reason) == (False, "odd: ['b']")
+    assert [each.value for each in node.get_parameters(["a", "b"])] == [6, 8], "all or none"
+    with pytest.raises(InvalidParameterValueException, match="odd"):
+        node.declare_parameter("c", 5)
+    node.remove_on_set_parameters_callback(refusing_odd_numbers)
+    assert node.set_parameters([Parameter("a", value=5)])[0].successful
+
+
+def test_parameters_are_described(simulation: Simulation) -> None:
+    from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
+
+    node = Node("node")
+    limits = ParameterDescriptor(description="a number", integer_range=[IntegerRange(from_value=0, to_value=9)])
+    node.declare_parameter("group.number", 3, limits)
+    described = node.describe_parameter("group.number")
+    assert (described.name, described.type, described.description) == ("group.number", 2, "a number")
+    assert node.describe_parameters(["use_sim_time"])[0].type == 1
+    assert node.get_parameter_type("group.number") == Parameter.Type.INTEGER
+    assert node.get_parameter_types(["nothing"]) == [Parameter.Type.NOT_SET]
+    assert {name: each.value for name, each in node.get_parameters_by_prefix("group").items()} == {"number": 3}
+    with pytest.raises(InvalidParameterValueException):
+        node.set_descriptor("group.number", ParameterDescriptor(integer_range=[IntegerRange(from_value=5, to_value=9)]))
+    assert node.set_descriptor("group.number", ParameterDescriptor(), 8).integer_value == 8
+    with pytest.raises(ParameterNotDeclaredException):
+        node.describe_parameter("nothing")
+
+
+def test_undeclared_parameters_are_allowed_on_request(simulation: Simulation) -> None:
+    given = [Parameter("given", value=1)]
+    node = Node(
+        "node",
+        allow_undeclared_parameters=True,
+        automatically_declare_parameters_from_overrides=True,
+        parameter_overrides=given,
+    )
+    assert (node.has_parameter("given"), node.has_parameter("other")) == (True, False)
+    assert node.get_parameter("other").value is None
+    assert node.set_parameters([Parameter("other", value="text"), Parameter("other", value=2)])[1].successful
+    assert node.get_parameter("other").value == 2, "undeclared parameters have no type"

@@ -11,6 +11,7 @@ from __future__ import annotations
 import os
 import runpy
 import sys
+import traceback
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -142,7 +143,7 @@ def domain(asked: int | None) -> int:
 
 def run(command: Command) -> None:
     """Run the file as `python` would, with our `rclpy`."""
-    from eventchain_ros2 import catalog, context, cyclone
+    from eventchain_ros2 import catalog, context, cyclone, refusals
     from eventchain_ros2.dds_entities import Participant
     from eventchain_ros2.live import Live
     from eventchain_ros2.messages import Messages
@@ -163,6 +164,11 @@ def run(command: Command) -> None:
     sys.path[:] = [RUNTIME, str(_root(command.node)), *(path for path in sys.path[1:] if path != RUNTIME)]
     try:
         runpy.run_path(str(command.node), run_name="__main__")
+    except ImportError as missing:
+        if not refusals.hint(missing):
+            raise
+        traceback.print_exc()
+        raise SystemExit(f"hint: {refusals.hint(missing)}") from None
     finally:
         for world in worlds:
             world.close()

@@ -9,6 +9,8 @@ from typing import Any
 
 from eventchain_ros2.definitions import Definition, MessageDefinitionError, resolved
 
+REQUEST, RESPONSE = "_Request", "_Response"
+"""Ends of the names of the two messages of a service: those of `std_srvs/srv/Empty` begin with its name."""
 STANDARD_MESSAGES = Path(__file__).with_name("humble.json")
 
 
@@ -29,8 +31,13 @@ class Catalog:
         return sorted(self._stated)
 
     def members(self, package: str) -> list[str]:
-        """Names of the types of a package, without the package, sorted."""
-        return sorted(name.rpartition("/")[2] for name in self._stated if name.startswith(f"{package}/"))
+        """Names of the message types of a package, without the package, sorted."""
+        return sorted(name.rpartition("/")[2] for name in self._stated if name.startswith(f"{package}/msg/"))
+
+    def services(self, package: str) -> list[str]:
+        """Names of the service types of a package, without the package, sorted."""
+        requests = [name for name in self._stated if name.startswith(f"{package}/srv/") and name.endswith(REQUEST)]
+        return sorted(name.rpartition("/")[2].removesuffix(REQUEST) for name in requests)
 
     def find(self, name: str) -> Definition | None:
         """Return the definition of the type with this full name.

@@ -135,6 +135,8 @@ class Clock:
 
     without_node: ClassVar[Callable[[], int] | None] = None
     """Returns the time of the running callback, in ns; None as long as nothing runs."""
+    sleep: ClassVar[Callable[[int], bool] | None] = None
+    """Lets a number of ns pass, and returns whether nodes still run."""
 
     def __init__(self, *, clock_type: ClockType = ClockType.SYSTEM_TIME, now: Callable[[], int] | None = None) -> None:
         self._now = now
@@ -151,3 +153,30 @@ class Clock:
         if now is None:
             raise RuntimeError("a clock without a node shows the simulated time: call rclpy.init() first")
         return Time(nanoseconds=now(), clock_type=self.clock_type)
+
+    def sleep_for(self, rel_time: Duration, context: object = None) -> bool:
+        """Let this time pass, without callbacks of this thread; return false if nodes are shut down.
+
+        Raises:
+            RuntimeError: nothing runs, or a callback wants to wait in simulated time.
+
+        """
+        if Clock.sleep is None:
+            raise RuntimeError("time passes after rclpy.init() only")
+        return Clock.sleep(rel_time.nanoseconds)
+
+    def sleep_until(self, until: Time, context: object = None) -> bool:
+        """As `sleep_for`, until a time of this clock."""
+        return self.sleep_for(until - self.now())
+
+
+class ROSClock(Clock):
+    """A clock of `ClockType.ROS_TIME`."""
+
+    def __init__(self, *, now: Callable[[], int] | None = None) -> None:
+        super().__init__(clock_type=ClockType.ROS_TIME, now=now)
+
+    @property
+    def ros_time_is_active(self) -> bool:
+        """Return whether it shows simulated time."""
+        return True

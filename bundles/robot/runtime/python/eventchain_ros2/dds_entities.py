@@ -28,10 +28,14 @@ from eventchain_ros2.definitions import Definition
 from eventchain_ros2.discovery import Announcements
 from eventchain_ros2.graph import GraphNode
 from eventchain_ros2.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
-from eventchain_ros2.type_support import dds_type_name, descriptor, type_hash
+from eventchain_ros2.type_support import dds_type_name, descriptor, is_of_service, type_hash, with_identity
 
 HIGHEST_DOMAIN = 232
 """The ports of domains with higher numbers do not exist (RTPS 2.5, section 9.6.2.3)."""
+
+
+SERVICE_PREFIXES = ("rq/", "rr/")
+"""Beginnings of the topics of services, for requests and replies: they are the same in this runtime and on DDS."""
 
 
 class _Domain:
@@ -68,8 +72,16 @@ class _Domain:
 
 def dds_topic(topic: str, profile: QoSProfile) -> str:
     """Return the name on the wire of a topic of ROS 2: that of `/scan` is `rt/scan`."""
-    plain = topic == graph.TOPIC or profile.avoid_ros_namespace_conventions
-    return topic if plain else f"rt/{topic.lstrip('/')}"
+    if topic == graph.TOPIC or profile.avoid_ros_namespace_conventions or topic.startswith(SERVICE_PREFIXES):
+        return topic
+    return f"rt/{topic.lstrip('/')}"
+
+
+def ros_topic(name: str) -> str:
+    """Return the name in ROS 2 of a topic on the wire, that of a service's unchanged; empty: it has none."""
+    if name.startswith(SERVICE_PREFIXES):
+        return name
+    return name[2:] if name.startswith("rt/") else ""
 
 
 class Participant:
@@ -138,7 +150,7 @@ class Participant:
         found = self._graph_types.get(type_name) or self._catalog.find(type_name)
         if found is None:
             raise KeyError(type_name)
-        return found
+        return with_identity(found) if is_of_service(type_name) else found
 
     def writer(self, topic: str, type_name: str, qos_profile: QoSProfile) -> Writer:
         """Create a writer.
@@ -161,9 +173,9 @@ class Participant:
         return Reader(self.lifetime, *self._make("dds_create_reader", topic, type_name, qos_profile))
 
     def _make(self, function: str, topic: str, type_name: str, profile: QoSProfile) -> tuple[int, str, str, Announced]:
-        hashed = type_hash(type_name, self.definition)
+        hashed = "" if is_of_service(type_name) else type_hash(type_name, self.definition)
         name = dds_topic(topic, profile)
-        user_data = f"typehash={hashed};".encode()
+        user_data = f"typehash={hashed};".encode() if hashed else b""
         with self.lifetime.opened(), dds_qos(profile, user_data, ignore_own=self._ignore_own) as qos:
             made = getattr(self._library, function)(self.handle, self._topic(name, type_name), qos, None)
         return checked(made, f"topic {topic}"), topic, hashed, Announced(name, dds_type_name(type_name))
@@ -191,8 +203,8 @@ class Participant:
             writer, _ = self._graph_endpoints()
             writer.write(graph.encode(self.guid, list(self._nodes.values()), self._gid_size), None)
 
-    def nodes(self) -> list[GraphNode]:
-        """Return the nodes announced so far by other participants that still exist."""
+    def nodes(self, *, own: bool = False) -> list[GraphNode]:
+        """Return the nodes announced so far by other participants that still exist, and on request its own."""
         with self.lifetime.opened():
             _, reader = self._graph_endpoints()
             for received in reader.take():
@@ -200,7 +212,7 @@ class Participant:
             there = {peer.handle for peer in reader.peers()}
             self._others = {handle: nodes for handle, nodes in self._others.items() if handle in there}
             found = [node for nodes in self._others.values() for node in nodes if node.participant != self.guid]
-        return sorted(found)
+        return sorted([*found, *(self._nodes.values() if own else ())])
 
     def _graph_endpoints(self) -> tuple[Writer, Reader]:
         if self._graph is None:

@@ -32,7 +32,7 @@ class Announcements:
     def __init__(self, lifetime: Lifetime, participant: int, topic: int) -> None:
         self._lifetime = lifetime
         self._library = cyclone.load()
-        self._there: dict[int, tuple[Announced, QoSProfile]] = {}
+        self._there: dict[int, tuple[Announced, QoSProfile, bytes]] = {}
         with lifetime.opened():
             self._handle = checked(self._library.dds_create_reader(participant, topic, None, None), "discovery")
             self.condition = checked(self._library.dds_create_readcondition(self._handle, ANY_STATE), "discovery")
@@ -45,13 +45,14 @@ class Announcements:
 
     def there(self) -> set[Announced]:
         """Return the current announcements."""
-        return {announced for announced, _ in self._known()}
+        return {announced for announced, _, _ in self.known()}
 
     def profiles(self, topic: str) -> list[QoSProfile]:
         """Return the policies of those on a topic, by its DDS name, that are known now."""
-        return [profile for announced, profile in self._known() if announced.topic == topic]
+        return [profile for announced, profile, _ in self.known() if announced.topic == topic]
 
-    def _known(self) -> list[tuple[Announced, QoSProfile]]:
+    def known(self) -> list[tuple[Announced, QoSProfile, bytes]]:
+        """Return the current announcements with their policies and GUIDs."""
         samples = (ctypes.c_void_p * _MOST_TAKEN)()
         infos = (cyclone.SampleInfo * _MOST_TAKEN)()
         with self.opened():
@@ -69,4 +70,4 @@ class Announcements:
         elif info.valid_data and sample:
             endpoint = cyclone.Endpoint.from_address(sample)
             names = (name.decode(errors="replace") for name in (endpoint.topic_name, endpoint.type_name))
-            self._there[info.instance_handle] = Announced(*names), announced_profile(endpoint.qos)
+            self._there[info.instance_handle] = Announced(*names), announced_profile(endpoint.qos), bytes(endpoint.guid)

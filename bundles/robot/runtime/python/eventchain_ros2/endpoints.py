@@ -107,7 +107,13 @@ class Subscription:
 
     def receive(self, sample: Sample) -> None:
         """Run the callback. Each subscription decodes its own copy, since callbacks may change messages."""
-        self.callback(bytes(sample.data) if self.raw else from_cdr(self.msg_type, sample.data))
+        result = self.callback(bytes(sample.data) if self.raw else from_cdr(self.msg_type, sample.data))
+        if result is not None:
+            _follow(self, result)
+
+    def get_publisher_count(self) -> int:
+        """Return the number of matched publishers."""
+        return self._simulation.publishers_of(self)
 
     def destroy(self) -> None:
         """Stop receiving."""
@@ -120,10 +126,69 @@ class Subscription:
         self.process.inbox = [entry for entry in self.process.inbox if entry[0] is not self]
 
 
+class GuardCondition:
+    """Runs a callback when it is triggered, once for all triggers that come before it runs."""
+
+    def __init__(self, simulation: Simulation, process: Process, callback: Callable[[], object]) -> None:
+        self._simulation = simulation
+        self.process = process
+        self.callback = callback
+        self._is_triggered = False
+        self._is_destroyed = False
+
+    def trigger(self) -> None:
+        """Let the executor run the callback."""
+        if not self._is_triggered and not self._is_destroyed:
+            self._is_triggered = True
+            self._simulation.call(self.process, self._run)
+
+    def _run(self) -> None:
+        self._is_triggered = False
+        if not self._is_destroyed:
+            _follow(self, self.callback())
+
+    def destroy(self) -> None:
+        """Do not run the callback any more."""
+        self._is_destroyed = True
+
+
+class Rate:
+    """Sleeps until the next period, for loops beside the executor."""
+
+    def __init__(self, simulation: Simulation, period: int, now: Callable[[], int]) -> None:
+        self._simulation = simulation
+        self._period = period
+        self._now = now
+        self._due = now() + period
+
+    def sleep(self) -> None:
+        """Wait for the end of the period; those that have passed are skipped.
+
+        Raises:
+            RuntimeError: a callback wants to wait in simulated time.
+
+        """
+        left = self._due - self._now()
+        if left > 0:
+            self._simulation.sleep(left)
+        self._due += (1 + max(0, self._now() - self._due) // self._period) * self._period
+
+    def destroy(self) -> None:
+        """Do nothing: it needs nothing."""
+
+
 class Timer:
     """Runs a callback periodically. Missed periods are skipped as in rcl, without a burst."""
 
-    def __init__(self, simulation: Simulation, process: Process, period: int, callback: Callable[[], object]) -> None:
+    def __init__(
+        self,
+        simulation: Simulation,
+        process: Process,
+        period: int,
+        callback: Callable[[], object],
+        *,
+        autostart: bool = True,
+    ) -> None:
         self._simulation = simulation
         self.process = process
         self.timer_period_ns = period
@@ -131,9 +196,10 @@ class Timer:
         self.index = process.timers
         process.timers += 1
         self.token = 0
-        self._canceled = False
+        self._canceled = not autostart
         self.due = simulation.first_firing(process, period)
-        simulation.add_timer(self)
+        if autostart:
+            simulation.add_timer(self)
 
     def advance(self, now: int) -> None:
         """Advance to the next period that has not passed (rcl_timer_call)."""
@@ -144,7 +210,9 @@ class Timer:
 
     def run(self, _: None) -> None:
         """Run the callback."""
-        self.callback()
+        result = self.callback()
+        if result is not None:
+            _follow(self, result)
 
     def cancel(self) -> None:
         """Stop, until `reset`."""
@@ -166,6 +234,10 @@ class Timer:
         """Return whether the timer is due."""
         return not self._canceled and self.due <= self._simulation.now
 
+    def time_since_last_call(self) -> int:
+        """Return the nanoseconds since the last call, or since the start without one."""
+        return self._simulation.now - (self.due - self.timer_period_ns)
+
     def time_until_next_call(self) -> int | None:
         """Return the nanoseconds until the timer is due; None when it is stopped."""
         return None if self._canceled else self.due - self._simulation.now
@@ -173,3 +245,10 @@ class Timer:
     def destroy(self) -> None:
         """Stop permanently."""
         self.cancel()
+
+
+def _follow(endpoint: Any, result: object) -> None:
+    """Let a callback go on that is a coroutine; few are, so that most hosts start without tasks."""
+    from eventchain_ros2 import tasks
+
+    tasks.follow(endpoint._simulation, endpoint.process, result)

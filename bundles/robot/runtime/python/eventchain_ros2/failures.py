@@ -11,6 +11,7 @@ from typing import Any
 from component_client import ComponentError
 from component_process import place_of
 
+from eventchain_ros2 import refusals
 from eventchain_ros2.definitions import MessageDefinitionError
 from eventchain_ros2.messages import MalformedMessageError
 from eventchain_ros2.processes import LateEndpointError
@@ -46,7 +47,7 @@ def describe(error: BaseException, node: str, folders: Iterable[str]) -> dict[st
     return {
         "id": identifier,
         "message": message,
-        "hint": getattr(error, "hint", ""),
+        "hint": getattr(error, "hint", "") or refusals.hint(error),
         "node": node,
         "file": file,
         "line": line,

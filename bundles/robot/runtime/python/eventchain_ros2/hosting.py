@@ -96,9 +96,9 @@ class HostedNodes:
 
     def message_type(self, name: str, topic: str) -> type:
         """Return the class of a message type such as `std_msgs/msg/Float32`, for a topic."""
-        parts = name.split("/")
+        package, *kind, short_name = name.split("/")
         try:
-            return self._messages.get(f"{parts[0]}/msg/{parts[-1]}")
+            return self._messages.get("/".join((package, *(kind or ["msg"]), short_name)))
         except KeyError as missing:
             raise HostError("message.unknown", f"topic {topic}: no message type {missing.args[0]}") from None
 

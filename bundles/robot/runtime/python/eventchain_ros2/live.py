@@ -8,29 +8,29 @@ from __future__ import annotations
 
 import signal
 import struct
-import sys
 import threading
 from collections import deque
 from collections.abc import Callable, Iterator
 from functools import partial
-from time import monotonic_ns, time_ns
+from time import monotonic_ns, sleep, time_ns
 from typing import Any, cast
 
 from eventchain_ros2.best_available import for_publisher, for_subscription, is_undecided
-from eventchain_ros2.dds_endpoints import Announced
-from eventchain_ros2.dds_entities import ClosedError, Participant, Reader, WaitSet, Writer, dds_topic
-from eventchain_ros2.definitions import message_name
-from eventchain_ros2.discovery import Announcements
+from eventchain_ros2.dds_entities import ClosedError, Participant, Reader, WaitSet, Writer
 from eventchain_ros2.parameters import Parameter
 from eventchain_ros2.qos import QoSProfile, ReliabilityPolicy
-from eventchain_ros2.simulation import Process, Publisher, Sample, Simulation, Subscription, Timer
+from eventchain_ros2.simulation import End, Process, Publisher, Sample, Simulation, Subscription, Timer
+from eventchain_ros2.watch import Watch
 
 CLOCK_TOPIC, CLOCK_TYPE = "/clock", "rosgraph_msgs/msg/Clock"
 _CLOCK_QOS = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
 _CDR_HEADER = 4
 _NANOSECONDS = 1_000_000_000
-_QUIET = _NANOSECONDS
-"""How long an end on the wire is silent about missed deadlines after it has told of one, in ns."""
+_LONGEST_SLEEP = 100_000_000
+_STEP = 0.01
+"""How often a thread looks at what it waits for, in s."""
+_LOOK = 1_000_000
+"""How often a sleeping thread looks at `/clock`, in ns."""
 
 
 class Live(Simulation):
@@ -54,8 +54,9 @@ class Live(Simulation):
         self._readers: dict[Subscription, Reader] = {}
         self._timers: list[tuple[Timer, int]] = []  # with their tokens
         self._waits: dict[frozenset[Process], _Turns] = {}
+        self._errands: deque[tuple[Process, Callable[[], None]]] = deque()
         self._is_announced = True
-        self._watch = _Watch(participant)
+        self._watch = Watch(participant)
         self._handlers: dict[int, Any] = {}
         self._handle_signals()
 
@@ -136,6 +137,62 @@ class Live(Simulation):
         self._is_announced = False
         for turns in list(self._waits.values()):
             turns.wait_set.wake()
+
+    def call(self, process: Process, action: Callable[[], None]) -> None:
+        """Run a function as a further callback of a process."""
+        self._errands.append((process, action))
+        for turns in list(self._waits.values()):
+            turns.wait_set.wake()
+
+    def run_errand(self, processes: frozenset[Process]) -> bool:
+        """Run the first function that waits for one of these processes; return whether there was one."""
+        for errand in list(self._errands):
+            if errand[0] in processes:
+                self._errands.remove(errand)
+                errand[1]()
+                return True
+        return False
+
+    def errands(self, processes: frozenset[Process]) -> int:
+        """Return how many functions wait for these processes."""
+        return sum(process in processes for process, _ in self._errands)
+
+    def sleep(self, nanoseconds: int) -> bool:
+        """Wait in this thread; return whether nodes can run after it. With `/clock`, its time counts."""
+        end = (monotonic_ns() if self._clock is None else self._shown) + nanoseconds
+        while self.running:
+            self._read_clock()
+            left = end - (monotonic_ns() if self._clock is None else self._shown)
+            if left <= 0:
+                break
+            sleep(min(left, _LOOK if self._clock else _LONGEST_SLEEP) / _NANOSECONDS)
+        return self.running
+
+    def ends(self) -> list[End]:
+        """Return the publishers and subscriptions of the domain that have been discovered, by their topics."""
+        self._announce()
+        return self._watch.ends(self._participant.nodes(own=True))
+
+    def publishers_of(self, subscription: Subscription) -> int:
+        """Return the number of matched publishers."""
+        return self._readers[subscription].matched()
+
+    def node_names(self) -> list[tuple[str, str]]:
+        """Return the names and namespaces of the nodes that have been discovered, and of those here."""
+        self._announce()
+        return [(node.name, node.namespace) for node in self._participant.nodes(own=True)]
+
+    def elapsed(self) -> int:
+        """Return the time in ns that timeouts count: wall time."""
+        return monotonic_ns()
+
+    def wait_until(self, condition: Callable[[], bool], timeout: float | None, expectation: str = "") -> bool:
+        """Wait in this thread until a condition holds; return whether it does."""
+        self._announce()
+        end = None if timeout is None or timeout < 0 else monotonic_ns() + int(timeout * _NANOSECONDS)
+        while not condition() and self.running and (end is None or monotonic_ns() < end):
+            sleep(_STEP)
+        return condition()
 
     def timers(self, processes: frozenset[Process]) -> list[Timer]:
         """Return the running timers of these processes."""
@@ -263,6 +320,8 @@ class _Turns:
         for timer in self._live.timers(self._processes):
             if timer.due <= now:
                 yield partial(self._fire, timer, timer.token)
+        for _ in range(self._live.errands(self._processes)):
+            yield partial(self._live.run_errand, self._processes)
         for subscription, reader in self._live.readers(self._processes):
             yield partial(self._receive, subscription, reader)
 
@@ -294,92 +353,3 @@ class _Turns:
             due = [timer.due - now for timer in self._live.timers(self._processes)]
             timeout = min([*due, *([] if timeout is None else [timeout])], default=None)
         self.wait_set.wait(timeout if timeout is None else max(timeout, 0))
-
-
-class _Watch:
-    """Warns of problems between writers and readers, in its own thread."""
-
-    def __init__(self, participant: Participant) -> None:
-        self._wait_set = WaitSet(participant)
-        self._ends: list[Writer | Reader] = []
-        self._told: dict[Writer | Reader, int] = {}  # times of missed deadlines
-        self._told_types: set[tuple[type, Announced]] = set()
-        self._others: dict[type, Announcements] = {
-            Reader: participant.announced_writers(),
-            Writer: participant.announced_readers(),
-        }
-        for others in self._others.values():
-            self._wait_set.attach(others)
-        threading.Thread(target=self._run, name="events", daemon=True).start()
-
-    def add(self, end: Writer | Reader) -> None:
-        """Start watching a writer or reader."""
-        self._ends.append(end)
-        self._wait_set.attach_events(end)
-        self._wait_set.wake()  # others may have existed before
-
-    def remove(self, end: Writer | Reader) -> None:
-        """Stop watching it."""
-        self._ends.remove(end)
-        self._told.pop(end, None)
-
-    def profiles(self, kind: type, end: Publisher | Subscription) -> list[QoSProfile]:
-        """Return the policies of the other ends of a topic that have been discovered: for a reader, of the writers."""
-        return self._others[kind].profiles(dds_topic(end.topic.name, end.qos_profile))
-
-    def _run(self) -> None:
-        try:
-            while True:
-                self._wait_set.wait(None)
-                others = {kind: announced.there() for kind, announced in self._others.items()}
-                for end in list(self._ends):
-                    self._look_at(end)
-                    self._compare_types(end, others[type(end)])
-        except ClosedError:
-            return
-
-    def _look_at(self, end: Writer | Reader) -> None:
-        try:
-            policy, missed, peers = end.incompatible(), end.missed_deadlines(), end.new_peers()
-            _ = end.lost_liveliness() if isinstance(end, Writer) else end.lost_writers()
-        except ClosedError:
-            return  # the next wait reports whether there is more
-        if policy:
-            _warn(_INCOMPATIBLE[type(end)].format(topic=end.topic, policy=policy))
-        if missed and monotonic_ns() - self._told.get(end, -_QUIET) >= _QUIET:
-            self._told[end] = monotonic_ns()
-            _warn(f"Deadline missed on topic '{end.topic}': {_MISSED[type(end)]}")
-        for peer in peers:
-            if peer.type_hash and peer.type_hash != end.type_hash:
-                _warn(
-                    f"The definition of {peer.type_name} on topic '{end.topic}' differs between both sides: "
-                    f"the type hash is {end.type_hash} here and {peer.type_hash} there"
-                )
-
-    def _compare_types(self, end: Writer | Reader, others: set[Announced]) -> None:
-        topic, own = end.announced
-        for other in sorted(others):
-            if other.topic == topic and other.type_name != own and (type(end), other) not in self._told_types:
-                self._told_types.add((type(end), other))
-                names = {"other": message_name(other.type_name), "own": message_name(own)}
-                _warn(_OTHER_TYPE[type(end)].format(topic=end.topic, **names))
-
-
-_INCOMPATIBLE: dict[type, str] = {
-    Reader: "New publisher discovered on topic '{topic}', offering incompatible QoS. No messages will be received "
-    "from it. Last incompatible policy: {policy}",
-    Writer: "New subscription discovered on topic '{topic}', requesting incompatible QoS. No messages will be sent "
-    "to it. Last incompatible policy: {policy}",
-}
-_OTHER_TYPE: dict[type, str] = {
-    Reader: "New publisher discovered on topic '{topic}', publishing {other} instead of {own}. No messages will be "
-    "received from it",
-    Writer: "New subscription discovered on topic '{topic}', expecting {other} instead of {own}. No messages will be "
-    "sent to it",
-}
-_MISSED: dict[type, str] = {Reader: "nothing was received in time", Writer: "nothing was published in time"}
-
-
-def _warn(text: str) -> None:
-    sys.stderr.write(f"[WARN] {text}\n")  # in one piece, since nodes write from their own threads
-    sys.stderr.flush()

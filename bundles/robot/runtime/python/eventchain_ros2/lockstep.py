@@ -14,6 +14,7 @@ from eventchain_ros2.endpoints import Publisher, Subscription
 from eventchain_ros2.failures import HostError
 from eventchain_ros2.hosting import OBSERVES, Host, HostedNodes, parse, unexpected, world_profile
 from eventchain_ros2.node_sources import NodeSources
+from eventchain_ros2.processes import WORLD
 from eventchain_ros2.qos import qos_profile_default
 from eventchain_ros2.simulation import LimitError, Process, Sample
 
@@ -109,7 +110,7 @@ class Scenario(HostedNodes):
 
 
 def _owner(process: Process) -> str:
-    return process.name or "world"
+    return process.name or WORLD
 
 
 class LockstepHost(Host):

@@ -15,7 +15,7 @@ from types import ModuleType
 from typing import Any, ClassVar
 
 from eventchain_ros2 import codec, refusals, validation
-from eventchain_ros2.catalog import Catalog
+from eventchain_ros2.catalog import REQUEST, RESPONSE, Catalog
 from eventchain_ros2.definitions import Constant, Definition, FieldType, MessageDefinitionError
 
 ENCAPSULATION = b"\x00\x01\x00\x00"  # plain CDR, little endian
@@ -138,10 +138,10 @@ class Messages(MetaPathFinder, Loader):
         return self._classes[name]
 
     def _make(self, definition: Definition) -> type:
-        package, _, short_name = definition.name.split("/")
+        package, kind, short_name = definition.name.split("/")
         namespace: dict[str, Any] = {constant.name: _constant(constant) for constant in definition.constants}
         namespace["__slots__"] = tuple(field.name for field in definition.fields)
-        namespace["__module__"] = f"{package}.msg"
+        namespace["__module__"] = f"{package}.{kind}"
         namespace["_definition"] = definition
         message_class: Any = type(short_name, (Message,), namespace)
         functions = codec.generate(definition, message_class, self.get)
@@ -154,40 +154,48 @@ class Messages(MetaPathFinder, Loader):
     def install(self) -> None:
         """Serve imports, instead of a previously installed catalog."""
         for name, module in list(sys.modules.items()):
-            if isinstance(module, _MessageModule | _MessagePackage):
+            if isinstance(module, _Served):
                 del sys.modules[name]
         sys.meta_path[:] = [finder for finder in sys.meta_path if not isinstance(finder, Messages)]
         sys.meta_path.append(self)
 
     def find_spec(self, fullname: str, path: object, target: object = None) -> ModuleSpec | None:
-        """Find `package` and `package.msg` for each package of the catalog.
+        """Find `package`, `package.msg` and `package.srv` for each package of the catalog.
 
         Raises:
             ModuleNotFoundError: a module of ROS 2 that is not part of this runtime, which the message says.
 
         """
         package, _, rest = fullname.partition(".")
-        if package not in self.catalog.packages or rest not in ("", "msg"):
+        is_there = package in self.catalog.packages and rest in ("", "msg", "srv")
+        if not is_there or (rest == "srv" and not self.catalog.services(package)):
             refusals.refuse(fullname)
             return None
         return ModuleSpec(fullname, self, is_package=not rest)
 
     def create_module(self, spec: ModuleSpec) -> ModuleType:
         """Create the module; its classes are created on access."""
-        return _MessageModule(spec.name, self) if "." in spec.name else _MessagePackage(spec.name)
+        modules = {"": _MessagePackage, "msg": _MessageModule, "srv": _ServiceModule}
+        return modules[spec.name.partition(".")[2]](spec.name, self)
 
     def exec_module(self, module: ModuleType) -> None:
         """Do nothing: there is no code to run."""
 
 
-class _MessagePackage(ModuleType):
-    pass
+class _Served(ModuleType):
+    """A module of this finder."""
 
-
-class _MessageModule(ModuleType):
     def __init__(self, name: str, messages: Messages) -> None:
         super().__init__(name)
         self._messages = messages
+
+
+class _MessagePackage(_Served):
+    """A package of messages and services."""
+
+
+class _MessageModule(_Served):
+    """The message types of a package."""
 
     def __getattr__(self, name: str) -> Any:
         package = self.__name__.partition(".")[0]
@@ -202,6 +210,23 @@ class _MessageModule(ModuleType):
             raise AttributeError(text) from None
         setattr(self, name, message_class)
         return message_class
+
+
+class _ServiceModule(_Served):
+    """The service types of a package: classes with the message types `Request` and `Response`."""
+
+    def __getattr__(self, name: str) -> Any:
+        package = self.__name__.partition(".")[0]
+        known = self._messages.catalog.services(package)
+        if name == "__all__":
+            return known
+        if name not in known:
+            raise AttributeError(f"module '{self.__name__}' has no service '{name}'")
+        parts = {"Request": f"{name}{REQUEST}", "Response": f"{name}{RESPONSE}"}
+        members = {part: self._messages.get(f"{package}/srv/{each}") for part, each in parts.items()}
+        service = type(name, (), {"__module__": self.__name__, **members})
+        setattr(self, name, service)
+        return service
 
 
 def _constant(constant: Constant) -> Any:

@@ -7,11 +7,12 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from eventchain_ros2 import context
-from eventchain_ros2.clock import NANOSECONDS_PER_SECOND, Clock, ClockType
-from eventchain_ros2.endpoints import Publisher, Subscription, Timer
+from eventchain_ros2.clock import NANOSECONDS_PER_SECOND, Clock, ROSClock
+from eventchain_ros2.endpoints import GuardCondition, Publisher, Rate, Subscription, Timer
 from eventchain_ros2.logger import Logger
-from eventchain_ros2.parameters import Parameter, Parameters
-from eventchain_ros2.qos import QoSProfile, as_profile
+from eventchain_ros2.node_parameters import ParameterMethods
+from eventchain_ros2.parameters import Parameter
+from eventchain_ros2.qos import QoSProfile, as_profile, qos_profile_services_default
 
 if TYPE_CHECKING:
     from eventchain_ros2.simulation import Process
@@ -28,10 +29,10 @@ class InvalidTopicNameException(ValueError):  # noqa: N818 - rclpy's name
     """An invalid topic name."""
 
 
-class Node:
+class Node(ParameterMethods):
     """A node; it belongs to the process that the lock-step host starts, or to its own one.
 
-    Services, actions, guard conditions, rates and event callbacks are refused with `NotImplementedError`.
+    What this runtime does not have of `rclpy.node.Node` is refused with `NotImplementedError`.
     """
 
     def __init__(
@@ -40,6 +41,8 @@ class Node:
         *,
         namespace: str = "",
         parameter_overrides: list[Parameter] | None = None,
+        allow_undeclared_parameters: bool = False,
+        automatically_declare_parameters_from_overrides: bool = False,
         **options: object,
     ) -> None:
         unknown = set(options) - _IGNORED_OPTIONS
@@ -51,13 +54,21 @@ class Node:
         self.__process = self.__simulation.process_of_new_node(node_name)
         self.__name = node_name
         self.__namespace = self.__process.namespace = "/" + namespace.strip("/")
-        self.__parameters = Parameters([*self.__simulation.overrides(node_name), *(parameter_overrides or [])])
-        if self.__parameters.declare("use_sim_time", self.__simulation.is_simulated).value:
+        overrides = [*self.__simulation.overrides(node_name), *(parameter_overrides or [])]
+        self._start_parameters(overrides, undeclared=allow_undeclared_parameters)
+        if self.declare_parameter("use_sim_time", self.__simulation.is_simulated).value:
             self.__simulation.follow_clock()
+        if automatically_declare_parameters_from_overrides:
+            self._declare_overrides()
+        self.executor: Any = None
+        self.__services: list[Any] = []
+        self.__clients: list[Any] = []
+        self.__guards: list[GuardCondition] = []
         self.__publishers: list[Publisher] = []
         self.__subscriptions: list[Subscription] = []
         self.__timers: list[Timer] = []
-        self.__clock = Clock(clock_type=ClockType.ROS_TIME, now=self.__now)
+        self.__clock = ROSClock(now=self.__now)
+        self.__default_group: Any = None
         self.__logger = Logger(self.get_fully_qualified_name().strip("/").replace("/", "."), self.__now)
 
     def __now(self) -> int:
@@ -87,6 +98,35 @@ class Node:
     def get_clock(self) -> Clock:
         """Return the clock of this node; it shows the simulated time."""
         return self.__clock
+
+    @property
+    def context(self) -> context.Context:
+        """Return the context of this node."""
+        return context.default
+
+    @property
+    def default_callback_group(self) -> Any:
+        """Return the group of callbacks that name none."""
+        if self.__default_group is None:
+            from eventchain_ros2.callback_groups import MutuallyExclusiveCallbackGroup
+
+            self.__default_group = MutuallyExclusiveCallbackGroup()
+        return self.__default_group
+
+    @property
+    def services(self) -> list[Any]:
+        """Return the services of this node."""
+        return list(self.__services)
+
+    @property
+    def clients(self) -> list[Any]:
+        """Return the clients of this node."""
+        return list(self.__clients)
+
+    @property
+    def guards(self) -> list[GuardCondition]:
+        """Return the guard conditions of this node."""
+        return list(self.__guards)
 
     @property
     def publishers(self) -> list[Publisher]:
@@ -147,14 +187,58 @@ class Node:
         callback: Callable[[], object],
         callback_group: object = None,
         clock: Clock | None = None,
+        autostart: bool = True,
     ) -> Timer:
         """Create a timer with a period in seconds."""
-        period = int(float(timer_period_sec) * NANOSECONDS_PER_SECOND)
-        if period <= 0:
-            raise ValueError(f"a timer needs a period of at least a nanosecond, not {timer_period_sec} s")
-        timer = Timer(self.__simulation, self.__process, period, callback)
+        period = _period(timer_period_sec, "timer")
+        timer = Timer(self.__simulation, self.__process, period, callback, autostart=autostart)
         self.__timers.append(timer)
         return timer
+
+    def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
+        """Create a rate with a frequency in Hz, for a loop outside of callbacks."""
+        if frequency <= 0:
+            raise ValueError("frequency must be > 0")
+        return Rate(self.__simulation, _period(1 / frequency, "rate"), self.__now)
+
+    def create_guard_condition(self, callback: Callable[[], object], callback_group: object = None) -> GuardCondition:
+        """Create a condition that runs a callback when it is triggered."""
+        guard = GuardCondition(self.__simulation, self.__process, callback)
+        self.__guards.append(guard)
+        return guard
+
+    def create_service(
+        self,
+        srv_type: Any,
+        srv_name: str,
+        callback: Callable[[Any, Any], Any],
+        *,
+        qos_profile: QoSProfile = qos_profile_services_default,
+        callback_group: object = None,
+    ) -> Any:
+        """Offer a service, an `eventchain_ros2.services.Service`: the callback returns the response to a request."""
+        from eventchain_ros2.services import Service
+
+        name = self.__topic_name(srv_name)
+        service = Service(self.__simulation, self.__process, _service_type(srv_type), name, callback, qos_profile)
+        self.__services.append(service)
+        return service
+
+    def create_client(
+        self,
+        srv_type: Any,
+        srv_name: str,
+        *,
+        qos_profile: QoSProfile = qos_profile_services_default,
+        callback_group: object = None,
+    ) -> Any:
+        """Create a client of a service, an `eventchain_ros2.services.Client`."""
+        from eventchain_ros2.services import Client
+
+        name = self.__topic_name(srv_name)
+        client = Client(self.__simulation, self.__process, _service_type(srv_type), name, qos_profile)
+        self.__clients.append(client)
+        return client
 
     def destroy_publisher(self, publisher: Publisher) -> bool:
         """Stop publishing; return whether the publisher belongs to this node."""
@@ -168,51 +252,33 @@ class Node:
         """Stop the timer; return whether it belongs to this node."""
         return _remove(timer, self.__timers)
 
+    def destroy_service(self, service: Any) -> bool:
+        """Stop offering a service; return whether it belongs to this node."""
+        return _remove(service, self.__services)
+
+    def destroy_client(self, client: Any) -> bool:
+        """Stop using a service; return whether the client belongs to this node."""
+        return _remove(client, self.__clients)
+
+    def destroy_guard_condition(self, guard: GuardCondition) -> bool:
+        """Destroy a guard condition; return whether it belongs to this node."""
+        return _remove(guard, self.__guards)
+
+    def destroy_rate(self, rate: Rate) -> bool:
+        """Destroy a rate."""
+        rate.destroy()
+        return True
+
     def destroy_node(self) -> None:
         """Destroy all entities of this node."""
-        for things in (self.__timers, self.__subscriptions, self.__publishers):
+        owned: tuple[list[Any], ...] = (self.__timers, self.__guards, self.__services, self.__clients)
+        for things in (*owned, self.__subscriptions, self.__publishers):
             for thing in list(things):
                 _remove(thing, things)
 
-    def declare_parameter(
-        self, name: str, value: Any = None, descriptor: object = None, ignore_override: bool = False
-    ) -> Parameter:
-        """Declare a parameter with its default value; ranges and `read_only` of the descriptor are enforced."""
-        return self.__parameters.declare(name, value, descriptor, ignore_override=ignore_override)
-
-    def declare_parameters(self, namespace: str, parameters: list[tuple[Any, ...]]) -> list[Parameter]:
-        """Declare several parameters, given as `(name, value, descriptor)`, where the last ones are optional."""
-        prefix = f"{namespace}." if namespace else ""
-        return [self.__parameters.declare(prefix + name, *rest or [None]) for name, *rest in parameters]
-
-    def has_parameter(self, name: str) -> bool:
-        """Return whether the parameter is declared."""
-        return name in self.__parameters
-
-    def get_parameter(self, name: str) -> Parameter:
-        """Return the declared parameter of this name."""
-        return self.__parameters.get(name)
-
-    def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
-        """Return the declared parameter of this name; without one, the alternative, or a parameter without a value."""
-        if name in self.__parameters:
-            return self.__parameters.get(name)
-        return Parameter(name) if alternative_value is None else alternative_value
-
-    def undeclare_parameter(self, name: str) -> None:
-        """Forget a declared parameter that is not read-only."""
-        self.__parameters.undeclare(name)
-
-    def get_parameters(self, names: list[str]) -> list[Parameter]:
-        """Return the declared parameters of these names."""
-        return [self.__parameters.get(name) for name in names]
-
-    def set_parameters(self, parameters: list[Parameter]) -> list[Any]:
-        """Set declared parameters; return a `rcl_interfaces/msg/SetParametersResult` for each."""
-        from rcl_interfaces.msg import SetParametersResult  # type: ignore[import-not-found]
-
-        reasons = [self.__parameters.set(parameter) for parameter in parameters]
-        return [SetParametersResult(successful=not reason, reason=reason) for reason in reasons]
+    def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
+        """Return the full name of a service for this node."""
+        return self.__topic_name(service)
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
         """Return the full name of a topic for this node."""
@@ -228,41 +294,66 @@ class Node:
         return f"{self.__namespace.rstrip('/')}/{topic}"
 
     def __getattr__(self, name: str) -> Any:
+        if name in _QUERIES:
+            from eventchain_ros2.node_graph import GraphQueries
+
+            return getattr(GraphQueries(self.__simulation, self.__topic_name), name)
         if name in _REFUSED:
             _refuse(name, _REFUSED[name])
         raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'")
 
 
 _IGNORED_OPTIONS = {
-    "allow_undeclared_parameters",
-    "automatically_declare_parameters_from_overrides",
     "cli_args",
     "context",
+    "enable_logger_service",
     "enable_rosout",
+    "rosout_qos_profile",
     "start_parameter_services",
     "use_global_arguments",
 }
-_REFUSED = {
-    "create_service": "services",
-    "create_client": "services",
-    "create_guard_condition": "guard conditions",
-    "create_rate": "rates",
-    "add_on_set_parameters_callback": "parameter callbacks",
-    "describe_parameter": "descriptions of parameters",
-    "describe_parameters": "descriptions of parameters",
-    "add_post_set_parameters_callback": "parameter callbacks",
-    "add_pre_set_parameters_callback": "parameter callbacks",
-    "get_topic_names_and_types": "queries of the graph",
-    "get_node_names": "queries of the graph",
-    "get_node_names_and_namespaces": "queries of the graph",
-    "get_publishers_info_by_topic": "queries of the graph",
-    "get_subscriptions_info_by_topic": "queries of the graph",
-    "count_publishers": "queries of the graph",
-    "count_subscribers": "queries of the graph",
-    "get_service_names_and_types": "services",
-    "wait_for_node": "queries of the graph",
-    "executor": "executors",
+_QUERIES = {
+    "count_clients",
+    "count_publishers",
+    "count_services",
+    "count_subscribers",
+    "get_client_names_and_types_by_node",
+    "get_fully_qualified_node_names",
+    "get_node_names",
+    "get_node_names_and_namespaces",
+    "get_publisher_names_and_types_by_node",
+    "get_publishers_info_by_topic",
+    "get_service_names_and_types",
+    "get_service_names_and_types_by_node",
+    "get_subscriber_names_and_types_by_node",
+    "get_subscriptions_info_by_topic",
+    "get_topic_names_and_types",
+    "wait_for_node",
 }
+"""Methods of `node_graph`, which few nodes need: it is loaded when the first is called."""
+_REFUSED = {
+    "add_waitable": "waitables",
+    "get_servers_info_by_service": "descriptions of services",
+    "get_clients_info_by_service": "descriptions of services",
+    "handle": "handles of rcl",
+    "list_parameters": "lists of parameters",
+    "remove_waitable": "waitables",
+    "waitables": "waitables",
+}
+
+
+def _period(seconds: float, what: str) -> int:
+    period = int(float(seconds) * NANOSECONDS_PER_SECOND)
+    if period <= 0:
+        raise ValueError(f"a {what} needs a period of at least a nanosecond, not {seconds} s")
+    return period
+
+
+def _service_type(service_type: Any) -> Any:
+    """Return the type of a service, if it is one of this runtime's."""
+    if not (hasattr(service_type, "Request") and hasattr(service_type, "Response")):
+        raise TypeError(f"{service_type!r} is not a type of services, as `from PACKAGE.srv import NAME` gives it")
+    return service_type
 
 
 def _refuse(value: object, feature: str) -> None:

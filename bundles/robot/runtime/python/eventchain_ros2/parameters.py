@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from array import array
+from collections.abc import Callable, Iterable
 from enum import IntEnum
 from math import isclose
 from typing import Any
@@ -97,14 +98,45 @@ class ParameterUninitializedException(Exception):  # noqa: N818 - rclpy's name
 
 
 class Parameters:
-    """The declared parameters of a node."""
+    """The declared parameters of a node.
 
-    def __init__(self, overrides: list[Parameter]) -> None:
+    Args:
+        overrides: values that take precedence over the defaults of declarations.
+        undeclared: whether a parameter may be used without a declaration.
+
+    """
+
+    def __init__(self, overrides: list[Parameter], *, undeclared: bool = False) -> None:
         self._overrides = {parameter.name: parameter for parameter in overrides}
+        self._undeclared = undeclared
         self._declared: dict[str, Parameter] = {}
         self._descriptors: dict[str, Any] = {}
+        self.before: list[Callable[[list[Parameter]], list[Parameter]]] = []
+        """Callbacks that may change what is to be set."""
+        self.checks: list[Callable[[list[Parameter]], Any]] = []
+        """Callbacks that say whether it may be set, with a `rcl_interfaces/msg/SetParametersResult`."""
+        self.after: list[Callable[[list[Parameter]], object]] = []
+        """Callbacks that are told what has been set."""
 
-    def declare(self, name: str, value: Any, descriptor: Any = None, *, ignore_override: bool = False) -> Parameter:
+    def names(self) -> list[str]:
+        """Return the names of the declared parameters, in the order of their declaration."""
+        return list(self._declared)
+
+    def declare_overrides(self) -> None:
+        """Declare all parameters that have a value from outside, and are not declared yet."""
+        for parameter in self._overrides.values():
+            if parameter.name not in self._declared:
+                self.declare(parameter.name, parameter.value, dynamic=True)
+
+    def declare(
+        self,
+        name: str,
+        value: Any,
+        descriptor: Any = None,
+        *,
+        ignore_override: bool = False,
+        dynamic: bool = False,
+    ) -> Parameter:
         """Declare a parameter.
 
         Args:
@@ -113,6 +145,7 @@ class Parameters:
             descriptor: a `rcl_interfaces/msg/ParameterDescriptor`; ranges, `read_only` and `dynamic_typing` are
                 enforced.
             ignore_override: whether the default takes precedence over command-line values.
+            dynamic: whether values of other types may be set later, as a descriptor may say, too.
 
         """
         if name in self._declared:
@@ -122,11 +155,14 @@ class Parameters:
         if name in self._overrides and not ignore_override:
             _require_type(first, self._overrides[name], descriptor)
             first = self._overrides[name]
-        reason = _outside(first, descriptor)
+        if dynamic and descriptor is None:
+            descriptor = _Dynamic
+        reason = _outside(first, descriptor) or self._refusal([first])
         if reason:
             raise InvalidParameterValueException(first, reason)
         self._declared[name] = first
         self._descriptors[name] = descriptor
+        self._tell([first])
         return first
 
     def get(self, name: str) -> Parameter:
@@ -138,24 +174,89 @@ class Parameters:
 
         """
         if name not in self._declared:
+            if self._undeclared:
+                return Parameter(name)
             raise ParameterNotDeclaredException(f"The following parameters are not declared: {name}")
         parameter = self._declared[name]
         if parameter.value is None and parameter.type_ != ParameterType.NOT_SET:
             raise ParameterUninitializedException(f"The parameter '{name}' is not initialized")
         return parameter
 
-    def set(self, parameter: Parameter) -> str:
-        """Set a declared parameter to a value of its type; return the reason if its descriptor does not allow that."""
-        name = parameter.name
-        if name not in self._declared:
-            raise ParameterNotDeclaredException(f"The following parameters are not declared: {name}")
-        _require_type(self._declared[name], parameter, self._descriptors[name])
-        if getattr(self._descriptors[name], "read_only", False):
-            return f"Trying to set a read-only parameter: {name}."
-        reason = _outside(parameter, self._descriptors[name])
+    def set(self, parameters: Iterable[Parameter]) -> str:
+        """Set declared parameters to values of their types, all of them or none; return the reason for none.
+
+        A parameter without a value is undeclared.
+        """
+        wanted = list(parameters)
+        for change in self.before:
+            wanted = change(wanted)
+        for parameter in wanted:
+            if parameter.name not in self._declared:
+                if not self._undeclared:
+                    raise ParameterNotDeclaredException(f"The following parameters are not declared: {parameter.name}")
+                self.declare(parameter.name, parameter.value, dynamic=True)
+            reason = self._check(parameter, self._descriptors[parameter.name])
+            if reason:
+                return reason
+        reason = self._refusal(wanted)
         if not reason:
-            self._declared[name] = parameter
+            self._declared.update((parameter.name, parameter) for parameter in wanted)
+            self._tell(wanted)
         return reason
+
+    def _check(self, parameter: Parameter, descriptor: Any) -> str:
+        _require_type(self._declared[parameter.name], parameter, descriptor)
+        if getattr(descriptor, "read_only", False):
+            return f"Trying to set a read-only parameter: {parameter.name}."
+        return _outside(parameter, descriptor)
+
+    def _refusal(self, parameters: list[Parameter]) -> str:
+        """Return why a callback refuses values; empty: none does."""
+        for check in reversed(self.checks):
+            result = check(parameters)
+            if not result.successful:
+                return result.reason or "a callback of the node refuses it"
+        return ""
+
+    def _tell(self, parameters: list[Parameter]) -> None:
+        for callback in self.after:
+            callback(parameters)
+
+    def describe(self, name: str) -> Any:
+        """Return the `rcl_interfaces/msg/ParameterDescriptor` of a parameter.
+
+        Raises:
+            ParameterNotDeclaredException: there is none.
+
+        """
+        from rcl_interfaces.msg import ParameterDescriptor
+
+        if name not in self._declared and not self._undeclared:
+            raise ParameterNotDeclaredException(f"The following parameters are not declared: {name}")
+        described, stated = ParameterDescriptor(), self._descriptors.get(name)
+        for field in described.__slots__:
+            if hasattr(stated, field):
+                setattr(described, field, getattr(stated, field))
+        described.name, described.type = name, int(self.get_type(name))
+        return described
+
+    def get_type(self, name: str) -> ParameterType:
+        """Return the type of a declared parameter, or `NOT_SET`."""
+        return self._declared[name].type_ if name in self._declared else ParameterType.NOT_SET
+
+    def redescribe(self, name: str, descriptor: Any) -> None:
+        """Replace the descriptor of a parameter, if its value obeys the new one.
+
+        Raises:
+            InvalidParameterValueException: it does not.
+            ParameterNotDeclaredException: there is no such parameter.
+
+        """
+        parameter = self.get(name)
+        reason = _outside(parameter, descriptor)
+        if reason:
+            raise InvalidParameterValueException(parameter, reason)
+        self._descriptors[name] = descriptor
 
     def undeclare(self, name: str) -> None:
         """Forget a parameter.
@@ -173,6 +274,15 @@ class Parameters:
 
     def __contains__(self, name: str) -> bool:
         return name in self._declared
+
+
+class _Dynamic:
+    """The descriptor of parameters that nobody has described."""
+
+    dynamic_typing = True
+    read_only = False
+    floating_point_range: tuple[Any, ...] = ()
+    integer_range: tuple[Any, ...] = ()
 
 
 def _require_type(current: Parameter, parameter: Parameter, descriptor: Any) -> None:

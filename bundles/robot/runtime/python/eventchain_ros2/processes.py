@@ -3,10 +3,18 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Callable, Iterator
 from typing import NamedTuple, Protocol
 
 from eventchain_ros2.faults import NEVER
-from eventchain_ros2.qos import QoSProfile
+from eventchain_ros2.qos import HistoryPolicy, QoSProfile
+
+WORLD = "world"
+"""The name of the node whose publishers and subscriptions are those of the simulated world."""
+
+
+class LimitError(BaseException):
+    """A scenario exceeded its number of publications or activations. Not an `Exception`, so that nodes end."""
 
 
 class LateEndpointError(BaseException):
@@ -95,6 +103,21 @@ class Bridge(Protocol):
     def closed(self, endpoint: Publisher | Subscription) -> None:
         """Handle a destroyed endpoint."""
 
+    def publishers_of(self, subscription: Subscription) -> int:
+        """Return the number of outside publishers whose samples a subscription receives."""
+
+
+class End(NamedTuple):
+    """A publisher or subscription as queries of the graph show it, with the name of its node."""
+
+    topic: str
+    type_name: str
+    publishes: bool
+    node: str
+    namespace: str
+    qos_profile: QoSProfile
+    gid: bytes
+
 
 class Topic:
     """The publishers and subscriptions of a topic, and the `(sequence, time)` of everything published."""
@@ -104,6 +127,18 @@ class Topic:
         self.publications: list[tuple[int, int]] = []
         self.publishers: list[Publisher] = []
         self.subscriptions: list[Subscription] = []
+
+    def ends(self) -> Iterator[End]:
+        """Return its publishers and subscriptions."""
+        for each in self.publishers:
+            yield self._end(each, publishes=True)
+        for other in self.subscriptions:
+            yield self._end(other, publishes=False)
+
+    def _end(self, each: Publisher | Subscription, *, publishes: bool) -> End:
+        owner = each.process
+        gid = id(each).to_bytes(16, "little")
+        return End(self.name, each.type_name, publishes, owner.name or WORLD, owner.namespace, each.qos_profile, gid)
 
 
 class Process:
@@ -136,3 +171,21 @@ class Process:
         self.busy_until = NEVER
         self.writes = None
         self.inbox.clear()
+
+
+class Errand:
+    """A function that a process runs as a callback: a subscription with one sample, `NOTHING`."""
+
+    qos_profile = QoSProfile(history=HistoryPolicy.KEEP_ALL)
+
+    def __init__(self, process: Process, action: Callable[[], None]) -> None:
+        self.process = process
+        self._action = action
+
+    def receive(self, _: Sample) -> None:
+        """Run the function."""
+        self._action()
+
+
+NOTHING = Sample("", -1, 0, b"")
+"""The sample of an errand."""

@@ -8,17 +8,22 @@ until then. At one instant, samples come before timers, and timers in the order 
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from heapq import heappop, heappush
 from time import thread_time_ns
-from typing import Any, NamedTuple
+from typing import Any
 
+from eventchain_ros2.agenda import SAMPLE, TIMER, WAITS, Agenda, Event
 from eventchain_ros2.best_available import Undecided, is_undecided
 from eventchain_ros2.faults import NEVER, Fault
 from eventchain_ros2.processes import (
+    NOTHING,
+    WORLD,
     Activation,
     Bridge,
+    End,
+    Errand,
+    LimitError,
     Process,
     Publisher,
     Sample,
@@ -32,6 +37,7 @@ from eventchain_ros2.qos import DurabilityPolicy, incompatible_policies
 __all__ = [
     "Activation",
     "Bridge",
+    "End",
     "LimitError",
     "Process",
     "Publisher",
@@ -43,51 +49,26 @@ __all__ = [
     "Warned",
 ]
 
-_SAMPLE, _TIMER = 0, 1  # rank of simultaneous events
-
 MOST_RECORDS = 250_000
 """Publications and activations of one scenario together; a minute of 20 nodes at 100 Hz has about that."""
 
 
-class Event(NamedTuple):
-    """An event. Events are ordered, and `number` is unique, so that actions are never compared.
-
-    `process` and `timer` are the indices of a timer that fires, and 0 for samples.
-    """
-
-    time: int
-    rank: int
-    process: int
-    timer: int
-    number: int
-    action: Callable[[Any], None]
-    argument: Any
-
-
-class LimitError(BaseException):
-    """A scenario exceeded its number of publications or activations. Not an `Exception`, so that nodes end."""
-
-
-class Simulation:
+class Simulation(Agenda):
     """All processes and topics, and the simulated time `now` in nanoseconds."""
 
     is_simulated = True
 
     def __init__(self) -> None:
-        self.now = 0
-        self.running = True
+        super().__init__()
         self.bridge: Bridge | None = None
-        self.processes: list[Process] = []
         self.topics: dict[str, Topic] = {}
         self.warnings: list[Warned] = []
-        self.current: Process | None = None  # the process whose code is running, or has failed
-        self._events: list[Event] = []
-        self._count = 0
-        self._starting: Process | None = None
         self._undecided = Undecided()
         self._records = 0
         self._spent = 0  # processor time of components within the running callback, ns
         self._sent = False  # whether the running callback has published
+        self._expected: list[tuple[Process, Callable[[], bool], str]] = []
+        self.clients = 0  # of services, made so far
         self.fault: Fault | None = None
         self.survives: Callable[[Process, BaseException], bool] | None = None
 
@@ -111,37 +92,9 @@ class Simulation:
         """Return the time on the clock of the process whose callback is running, in ns; else the simulated time."""
         return self.now if self.current is None else self.clock(self.current)
 
-    def stop(self) -> None:
-        """Stop running callbacks."""
-        self.running = False
-
     def spend(self, nanoseconds: int) -> None:
         """Add processor time used elsewhere for the running callback."""
         self._spent += nanoseconds
-
-    def add_process(self, name: str, execution_time: int = 0, phase: int = 0) -> Process:
-        """Add a process.
-
-        Args:
-            name: name in the records.
-            execution_time: execution time of each activation, in ns.
-            phase: offset of the first firing of its timers, in ns after the start; 0: after their period.
-
-        """
-        process = Process(name, len(self.processes), execution_time, phase)
-        self.processes.append(process)
-        return process
-
-    @contextmanager
-    def starting(self, process: Process) -> Iterator[None]:
-        """Assign nodes created in this block to the process."""
-        self._starting = self.current = process
-        yield
-        self._starting = self.current = None
-
-    def process_of_new_node(self, name: str) -> Process:
-        """Return the process of a new node; a separate one outside a `starting` block."""
-        return self._starting or self.add_process(name)
 
     def first_firing(self, process: Process, period: int) -> int:
         """Return the first firing of a new timer."""
@@ -175,11 +128,30 @@ class Simulation:
         """Decide what is best available, once all nodes have started and before any time passes."""
         for publisher, subscription in self._undecided.settle():
             self._connect(publisher, subscription)
+        while self._expected:
+            self.current, condition, what = self._expected.pop()
+            if not condition():
+                raise RuntimeError(f"{what}, but none of the nodes has started it")
 
     def remove(self, endpoint: Publisher | Subscription) -> None:
         """Notify the bridge of a destroyed endpoint."""
         if self.bridge:
             self.bridge.closed(endpoint)
+
+    def ends(self) -> list[End]:
+        """Return all publishers and subscriptions, by their topics."""
+        if self.bridge:
+            raise NotImplementedError("queries of the graph are not answered on DDS between the nodes of a chain")
+        return [end for _, topic in sorted(self.topics.items()) for end in topic.ends()]
+
+    def publishers_of(self, subscription: Subscription) -> int:
+        """Return the number of publishers whose samples a subscription receives."""
+        outside = self.bridge.publishers_of(subscription) if self.bridge else 0
+        return outside + sum(subscription in publisher.matched for publisher in subscription.topic.publishers)
+
+    def node_names(self) -> list[tuple[str, str]]:
+        """Return the names and namespaces of all nodes."""
+        return [(process.name or WORLD, process.namespace) for process in self.processes]
 
     def _connect(self, publisher: Publisher, subscription: Subscription) -> None:
         if is_undecided(publisher.qos_profile) or is_undecided(subscription.qos_profile):
@@ -235,7 +207,7 @@ class Simulation:
         if time >= NEVER:
             return
         fire = (self._fire, (timer, timer.token))
-        heappush(self._events, Event(time, _TIMER, process.index, timer.index, self._count, *fire))
+        heappush(self._events, Event(time, TIMER, process.index, timer.index, self._count, *fire))
 
     def advance(self, until: int) -> None:
         """Let time pass. Events due exactly at `until` belong to the next call, after the samples published then."""
@@ -247,14 +219,10 @@ class Simulation:
             event.action(event.argument)
         self.now, self.current = until, None
 
-    def next_event(self) -> tuple[int, bool] | None:
-        """Return the time of the next event, and whether it is a timer; None: there is none."""
-        return (self._events[0].time, self._events[0].rank == _TIMER) if self._events else None
-
     def happen(self, until: int, *, timers: bool) -> None:
         """Run all events that are due until then, inclusive; timers of that time only on request."""
         self.settle()
-        last = until, (_TIMER if timers else _SAMPLE)
+        last = until, (TIMER if timers else SAMPLE)
         events = self._events
         while events and events[0][:2] <= last and self.running:
             event = heappop(events)
@@ -262,14 +230,46 @@ class Simulation:
             event.action(event.argument)
         self.now, self.current = self.reached(until), None
 
-    def reached(self, time: int) -> int:
-        """Return the current time for an event due at this time."""
-        return time
-
     def ended(self, process: Process) -> int:
         """Return the time at which the running callback ends."""
         end = self.now + process.execution_time
         return end if self.fault is None else self.fault.ended(process.name, self.now, end)
+
+    def call(self, process: Process, action: Callable[[], None]) -> None:
+        """Run a function as a further callback of a process, as soon as it is free."""
+        self._schedule(self.now, self._hand_over, (Errand(process, action), NOTHING))
+
+    def sleep(self, nanoseconds: int) -> bool:
+        """Let time pass, without any callback; return whether nodes can run after it."""
+        if nanoseconds > 0:
+            self.spin_once(set(), nanoseconds)
+        return self.running
+
+    def elapsed(self) -> int:
+        """Return the time in ns that timeouts count."""
+        return self.now
+
+    def wait_until(self, condition: Callable[[], bool], timeout: float | None, expectation: str = "") -> bool:
+        """Let time pass, without any callback, until a condition holds; return whether it does.
+
+        Args:
+            condition: what to wait for.
+            timeout: the longest time, in s; None: no limit.
+            expectation: what is expected, in words, if a constructor may go on as if it were so, since all nodes
+                start at once. If it does not hold when they have started, that is an error.
+
+        """
+        if condition():
+            return True
+        if self._starting is not None and expectation:
+            self._expected.append((self._starting, condition, expectation))
+            return True
+        if self.is_within and timeout != 0:
+            raise RuntimeError(WAITS)
+        if timeout is None or timeout < 0:
+            raise RuntimeError("nothing will ever happen: what is waited for is not there, and no callback runs")
+        self.sleep(int(timeout * 1e9))
+        return condition()
 
     def _free(self, process: Process, time: int) -> int:
         """Return the earliest time, not before this one, at which a process may run a callback."""
@@ -289,9 +289,11 @@ class Simulation:
             Whether a callback ran.
 
         Raises:
-            RuntimeError: there is no limit, and no further event.
+            RuntimeError: there is no limit, and no further event; or a callback wants to wait.
 
         """
+        if self.is_within:
+            raise RuntimeError(WAITS)
         self.settle()
         limit = None if timeout is None else self.now + timeout
         for process in self.processes:
@@ -312,7 +314,7 @@ class Simulation:
         events = self._events
         while self.running and events and (limit is None or events[0].time <= limit):
             event = heappop(events)
-            if event.rank == _TIMER and self.processes[event.process].paused:
+            if event.rank == TIMER and self.processes[event.process].paused:
                 late.append(event)
                 continue
             self.now, self.current = max(self.now, event.time), None
@@ -323,10 +325,6 @@ class Simulation:
             raise RuntimeError("nothing will ever happen: there is neither a sample nor a timer to wait for")
         self.now = self.now if limit is None else max(self.now, limit)
         return False
-
-    def _schedule(self, time: int, action: Callable[[Any], None], argument: object) -> None:
-        self._count += 1
-        heappush(self._events, Event(time, _SAMPLE, 0, 0, self._count, action, argument))
 
     def _deliver(self, published: tuple[Publisher, Sample]) -> None:
         publisher, sample = published
@@ -359,7 +357,8 @@ class Simulation:
                 self._schedule(free, self._wake, process)
 
     def _receive(self, process: Process, subscription: Subscription, sample: Sample) -> None:
-        process.latest[sample.topic] = sample.sequence
+        if sample is not NOTHING:
+            process.latest[sample.topic] = sample.sequence
         self._activate(process, subscription.receive, sample, timed=False)
 
     def _fire(self, scheduled: tuple[Timer, int]) -> None:
@@ -384,6 +383,7 @@ class Simulation:
         try:
             callback(argument)
         except BaseException as error:
+            process.writes = None
             if self.survives is None or not self.survives(process, error):
                 raise
             process.end()

@@ -23,6 +23,12 @@ Lookup = Callable[[str], Definition]
 PLACEHOLDER = Field("structure_needs_at_least_one_member", FieldType("uint8", "scalar", 0, 0), None)
 """The only field of a message that has none (rosidl)."""
 
+IDENTITY = [
+    Field("rmw_client", FieldType("uint64", "scalar", 0, 0), None),
+    Field("rmw_request", FieldType("int64", "scalar", 0, 0), None),
+]
+"""What precedes the fields of requests and responses on the wire (rmw_cyclonedds)."""
+
 _PRIMITIVE, _DEFINITION = 2, 1
 _STRING, _ARRAY, _SEQUENCE, _STRUCTURE = 16, 21, 22, 24
 _KINDS = {"bool": 1, "int16": 3, "int32": 4, "int64": 5, "uint16": 6, "uint32": 7, "uint64": 8, "float32": 9}
@@ -50,6 +56,16 @@ def dds_type_name(name: str) -> str:
 def fields_on_the_wire(definition: Definition) -> list[Field]:
     """Return the fields of a message as encoded; there is at least one."""
     return definition.fields or [PLACEHOLDER]
+
+
+def is_of_service(name: str) -> bool:
+    """Return whether a message type is a request or response."""
+    return "/srv/" in name
+
+
+def with_identity(definition: Definition) -> Definition:
+    """Return a request or response as it is on the wire of Cyclone DDS: behind its client and number."""
+    return definition._replace(fields=[*IDENTITY, *fields_on_the_wire(definition)])
 
 
 def type_hash(name: str, lookup: Lookup) -> str:

@@ -165,6 +165,10 @@ class Wire:
             self._doorbell.wait_set.attach(inlet.reader)
             self.inlets.append(inlet)
 
+    def publishers_of(self, subscription: Subscription) -> int:
+        """Return the number of matched writers of other processes."""
+        return sum(inlet.reader.matched() for inlet in self.inlets if subscription in inlet.matched)
+
     def closed(self, endpoint: Any) -> None:
         """Close the writer or reader of an endpoint. It stays in the list, whose indices others use."""
         self._require_unsealed(endpoint, "destroys")

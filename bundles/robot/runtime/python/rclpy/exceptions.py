@@ -1,5 +1,6 @@
 """As `rclpy.exceptions`."""
 
+from eventchain_ros2 import refusals
 from eventchain_ros2.context import NotInitializedException
 from eventchain_ros2.node import InvalidNodeNameException, InvalidTopicNameException
 from eventchain_ros2.parameters import (
@@ -22,3 +23,4 @@ __all__ = [
     "ParameterNotDeclaredException",
     "ParameterUninitializedException",
 ]
+__getattr__ = refusals.of_module(__name__)

@@ -1,6 +1,7 @@
 """As `rclpy.logging`."""
 
 from eventchain_ros2 import context as _context
+from eventchain_ros2 import refusals
 from eventchain_ros2.logger import Logger, LoggingSeverity
 
 
@@ -11,3 +12,4 @@ def get_logger(name: str) -> Logger:
 
 
 __all__ = ["Logger", "LoggingSeverity", "get_logger"]
+__getattr__ = refusals.of_module(__name__)

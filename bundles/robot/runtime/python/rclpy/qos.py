@@ -1,5 +1,6 @@
 """As `rclpy.qos`."""
 
+from eventchain_ros2 import refusals
 from eventchain_ros2.qos import (
     BEST_AVAILABLE_DURATION,
     DurabilityPolicy,
@@ -53,3 +54,4 @@ __all__ = [
     "qos_profile_services_default",
     "qos_profile_system_default",
 ]
+__getattr__ = refusals.of_module(__name__)

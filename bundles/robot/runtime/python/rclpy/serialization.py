@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from eventchain_ros2 import refusals
 from eventchain_ros2.messages import Message, from_cdr, to_cdr
 
 
@@ -18,3 +19,4 @@ def deserialize_message(serialized_message: bytes, message_type: type) -> Any:
 
 
 __all__ = ["deserialize_message", "serialize_message"]
+__getattr__ = refusals.of_module(__name__)

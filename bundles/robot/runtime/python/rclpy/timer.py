@@ -1,5 +1,7 @@
 """As `rclpy.timer`."""
 
-from eventchain_ros2.endpoints import Timer
+from eventchain_ros2 import refusals
+from eventchain_ros2.endpoints import Rate, Timer
 
-__all__ = ["Timer"]
+__all__ = ["Rate", "Timer"]
+__getattr__ = refusals.of_module(__name__)

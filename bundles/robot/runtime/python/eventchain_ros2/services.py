@@ -1,0 +1,208 @@
+"""Services: requests and replies as samples on two topics, in lock-step as on DDS.
+
+The form is that of ROS 2 on Cyclone DDS (rmw_cyclonedds): the service `/sum` has the topics `rq/sumRequest` and
+`rr/sumReply`, and in front of the fields of each sample are the identity of the client and the number of its request.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import struct
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from eventchain_ros2 import catalog
+from eventchain_ros2.endpoints import Publisher, Subscription
+from eventchain_ros2.messages import Message, from_cdr, to_cdr
+from eventchain_ros2.qos import QoSProfile
+from eventchain_ros2.simulation import Process, Sample, Simulation
+from eventchain_ros2.tasks import Future, follow
+
+_CDR_HEADER = 4
+_IDENTITY = 16
+_LITTLE, _BIG = struct.Struct("<Qq"), struct.Struct(">Qq")
+
+
+class Direction(NamedTuple):
+    """The names of one direction of a service: the topic's beginning and end, and the end of the type's name."""
+
+    prefix: str
+    suffix: str
+    message: str
+
+    def topic(self, service: str) -> str:
+        """Return the topic of a service."""
+        return f"{self.prefix}{service}{self.suffix}"
+
+    def is_topic(self, topic: str) -> bool:
+        """Return whether a topic is one of this direction."""
+        return topic.startswith(f"{self.prefix}/") and topic.endswith(self.suffix)
+
+
+REQUEST = Direction("rq", "Request", catalog.REQUEST)
+REPLY = Direction("rr", "Reply", catalog.RESPONSE)
+
+
+def service_of(topic: str, type_name: str) -> tuple[str, str]:
+    """Return the name and the type of the service whose requests are on a topic."""
+    return topic[len(REQUEST.prefix) : -len(REQUEST.suffix)], type_name.removesuffix(REQUEST.message)
+
+
+class Identity(NamedTuple):
+    """The client of a request, and the number of the request."""
+
+    client: int
+    number: int
+
+
+class _Sender(Publisher):
+    """Publishes requests or replies."""
+
+    def send(self, identity: Identity, message: Any) -> None:
+        if not isinstance(message, Message) or type(message) is not self.msg_type:
+            raise TypeError(f"Expected {self.msg_type}, got {type(message)}")
+        data = to_cdr(message)
+        self._simulation.publish(self, bytes(data[:_CDR_HEADER]) + _LITTLE.pack(*identity) + bytes(data[_CDR_HEADER:]))
+
+    def decodes(self, data: bytes | bytearray | memoryview) -> bool:
+        """Return whether these bytes are a request or reply of its type."""
+        return super().decodes(_without_identity(data))
+
+
+class _Receiver(Subscription):
+    """Receives requests or replies, with their identities."""
+
+    def receive(self, sample: Sample) -> None:
+        layout = _LITTLE if sample.data[1] & 1 else _BIG
+        identity = Identity(*layout.unpack_from(sample.data, _CDR_HEADER))
+        self.callback(identity, from_cdr(self.msg_type, _without_identity(sample.data)))  # type: ignore[call-arg]
+
+
+def _without_identity(data: bytes | bytearray | memoryview) -> bytes:
+    return bytes(data[:_CDR_HEADER]) + bytes(data[_CDR_HEADER + _IDENTITY :])
+
+
+def _identity(simulation: Simulation, client: str) -> int:
+    """Return the number of a client: the same in every run in simulated time, and unique in real time."""
+    simulation.clients += 1
+    salt = b"" if simulation.is_simulated else os.urandom(8)
+    text = f"{client} {simulation.clients}".encode()
+    return int.from_bytes(hashlib.blake2b(text, digest_size=8, salt=salt).digest(), "little")
+
+
+class Service:
+    """Answers requests with a callback, which is given a request and an empty response, and returns the response."""
+
+    def __init__(
+        self,
+        simulation: Simulation,
+        process: Process,
+        service_type: Any,
+        name: str,
+        callback: Callable[[Any, Any], Any],
+        qos_profile: QoSProfile,
+    ) -> None:
+        self.srv_type = service_type
+        self.srv_name = self.service_name = name
+        self.callback = callback
+        self._simulation = simulation
+        self._process = process
+        request, response = service_type.Request, service_type.Response
+        self._replies = _Sender(simulation, process, response, REPLY.topic(name), qos_profile)
+        topic = REQUEST.topic(name)
+        self._requests = _Receiver(simulation, process, request, topic, self._answer, qos_profile)  # type: ignore[arg-type]
+
+    def _answer(self, identity: Identity, request: Any) -> None:
+        result = self.callback(request, self.srv_type.Response())
+        follow(self._simulation, self._process, result, lambda response: self.send_response(response, identity))
+
+    def send_response(self, response: Any, header: Identity) -> None:
+        """Answer a request.
+
+        Raises:
+            TypeError: it is no response of this service.
+
+        """
+        self._replies.send(header, response)
+
+    def destroy(self) -> None:
+        """Stop answering."""
+        self._requests.destroy()
+        self._replies.destroy()
+
+
+class Client:
+    """Sends requests to a service."""
+
+    def __init__(
+        self, simulation: Simulation, process: Process, service_type: Any, name: str, qos_profile: QoSProfile
+    ) -> None:
+        self.srv_type = service_type
+        self.srv_name = self.service_name = name
+        self._simulation = simulation
+        self._process = process
+        self._pending: dict[int, Future] = {}
+        self._count = 0
+        request, response = service_type.Request, service_type.Response
+        topic = REPLY.topic(name)
+        self._replies = _Receiver(simulation, process, response, topic, self._complete, qos_profile)  # type: ignore[arg-type]
+        self._requests = _Sender(simulation, process, request, REQUEST.topic(name), qos_profile)
+        self._identity = _identity(simulation, f"{process.name} {name}")
+
+    def call_async(self, request: Any) -> Future:
+        """Send a request; return the future of its response.
+
+        Raises:
+            TypeError: it is no request of this service.
+
+        """
+        self._count += 1
+        future = Future()
+        self._requests.send(Identity(self._identity, self._count), request)
+        self._pending[self._count] = future
+        return future
+
+    def call(self, request: Any, timeout_sec: float | None = None) -> Any:
+        """Send a request and wait for its response, while another thread spins; None after the time, in seconds.
+
+        Raises:
+            RuntimeError: time is simulated, so that the response would never come.
+
+        """
+        if self._simulation.is_simulated:
+            raise RuntimeError("in simulated time call() would wait without end: use call_async(), and `await` it")
+        future = self.call_async(request)
+        self._simulation.wait_until(future.done, timeout_sec)
+        if not future.done():
+            self.remove_pending_request(future)
+        return future.result()
+
+    def _complete(self, identity: Identity, response: Any) -> None:
+        future = self._pending.pop(identity.number, None) if identity.client == self._identity else None
+        if future is not None and not future.cancelled():
+            future.set_result(response)
+
+    def remove_pending_request(self, future: Future) -> None:
+        """Do not wait for a response any more."""
+        self._pending = {number: each for number, each in self._pending.items() if each is not future}
+
+    def service_is_ready(self) -> bool:
+        """Return whether a node offers the service."""
+        return self._requests.get_subscription_count() > 0 and self._replies.get_publisher_count() > 0
+
+    def wait_for_service(self, timeout_sec: float | None = None) -> bool:
+        """Return whether a node offers the service, within a time in seconds.
+
+        In lock-step, a constructor need not wait, since all nodes start at once: if no node offers it by then, this is
+        an error.
+        """
+        return self._simulation.wait_until(
+            self.service_is_ready, timeout_sec, f"node '{self._process.name}' waits for the service '{self.srv_name}'"
+        )
+
+    def destroy(self) -> None:
+        """Stop sending and receiving."""
+        self._requests.destroy()
+        self._replies.destroy()
+        self._pending.clear()
