@@ -22,9 +22,9 @@ FACADE = {file.stem for file in (BUNDLE / "python" / "rclpy").glob("*.py")} - {"
         ("rclpy.type_support", "Eventchain's runtime has no module 'rclpy.type_support'"),
         ("rclpy_components", "has no composition: run each node in a process of its own"),
         ("tf2_msgs.action", "has no actions: answer with a service"),
-        ("sensor_msgs.srv", "has no services of this package: no definition of one was found"),
+        ("geometry_msgs.srv", "has no services of this package: no definition of one was found"),
         ("tf2_ros.buffer", "Eventchain's runtime has no transforms"),
-        ("example_interfaces.msg", "no message package has this name"),
+        ("nothing_interfaces.msg", "no message package has this name"),
         ("no_such_module", "No module named 'no_such_module'$"),
     ],
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import json
 import struct
 from collections.abc import Callable
@@ -10,9 +11,9 @@ from typing import Any
 
 import pytest
 import rclpy
-from eventchain_ros2 import context
+from eventchain_ros2 import catalog, context
 from eventchain_ros2.dds_entities import Participant
-from eventchain_ros2.messages import Messages
+from eventchain_ros2.messages import Messages, from_cdr, to_cdr
 from eventchain_ros2.simulation import Simulation
 from node_processes import World
 from protocol import MILLISECOND, Failed, HostProcess
@@ -20,6 +21,7 @@ from rclpy.node import Node
 from wire import EVERY, take, wait_until
 
 FIXTURES = Path(__file__).with_name("fixtures")
+STANDARD = json.loads(catalog.STANDARD_SERVICES.read_text())
 SUM = {
     "demo_srvs/srv/Sum_Request": {"fields": [["a", "int32"], ["b", "int64"]], "constants": []},
     "demo_srvs/srv/Sum_Response": {"fields": [["sum", "int64"]], "constants": []},
@@ -226,3 +228,37 @@ def test_node_files_ask_each_other_on_dds(world: World, tmp_path: Path) -> None:
     assert asker.hears("call") == "call 44"
     assert asker.ends() == 0
     adder.hears("asked 20 22")
+
+
+@pytest.mark.parametrize("package", ["std_srvs", "example_interfaces"])
+def test_standard_services_are_there(messages: Messages, package: str) -> None:
+    module = importlib.import_module(f"{package}.srv")
+    assert module.SetBool.Request(data=True).data
+    assert module.Trigger.Response.get_fields_and_field_types() == {"success": "boolean", "message": "string"}
+    assert {"SetBool", "Trigger"} <= set(module.__all__)
+
+
+def test_every_standard_service_is_encoded(messages: Messages) -> None:
+    names = [name for name in STANDARD if "/srv/" in name]
+    assert len(names) == 48
+    for name in STANDARD:
+        message = messages.get(name)()
+        assert from_cdr(type(message), to_cdr(message)) == message
+    from rcl_interfaces.srv import ListParameters  # type: ignore[import-not-found]
+
+    assert ListParameters.Request.DEPTH_RECURSIVE == 0
+
+
+def test_standard_services_are_there_in_a_confined_host(tmp_path: Path) -> None:
+    (tmp_path / "server.py").write_text(
+        "from rclpy.node import Node\n"
+        "from std_srvs.srv import Trigger\n"
+        "class Server(Node):\n"
+        "    def __init__(self):\n"
+        "        super().__init__('server')\n"
+        "        self.create_service(Trigger, '~/start', lambda request, response: response)\n"
+    )
+    node = {"module": "server", "class": "Server", "name": "server", "component": None}
+    with HostProcess() as host:
+        ready = host.configure({"path": [str(tmp_path)], "messages": [], "nodes": [node]})
+    assert [topic["topic"] for topic in ready["topics"]] == ["rq/server/startRequest", "rr/server/startReply"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import json
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -12,6 +13,7 @@ from eventchain_ros2.definitions import Definition, MessageDefinitionError, reso
 REQUEST, RESPONSE = "_Request", "_Response"
 """Ends of the names of the two messages of a service: those of `std_srvs/srv/Empty` begin with its name."""
 STANDARD_MESSAGES = Path(__file__).with_name("humble.json")
+STANDARD_SERVICES = Path(__file__).with_name("services.json")
 
 
 class Catalog:
@@ -24,20 +26,28 @@ class Catalog:
 
     def __init__(self, own: Mapping[str, Any] | None = None) -> None:
         self._stated = {**_STANDARD, **(own or {})}
-        self.packages = {name.partition("/")[0] for name in self._stated}
+        self._packages = {name.partition("/")[0] for name in self._stated}
 
     def names(self) -> list[str]:
         """Full names of all types, sorted."""
         return sorted(self._stated)
 
+    def has_package(self, package: str) -> bool:
+        """Return whether there are types of a package."""
+        return package in self._packages or any(name.startswith(f"{package}/") for name in _services())
+
     def members(self, package: str) -> list[str]:
         """Names of the message types of a package, without the package, sorted."""
-        return sorted(name.rpartition("/")[2] for name in self._stated if name.startswith(f"{package}/msg/"))
+        return self._of(f"{package}/msg/")
 
     def services(self, package: str) -> list[str]:
         """Names of the service types of a package, without the package, sorted."""
-        requests = [name for name in self._stated if name.startswith(f"{package}/srv/") and name.endswith(REQUEST)]
-        return sorted(name.rpartition("/")[2].removesuffix(REQUEST) for name in requests)
+        found = self._of(f"{package}/srv/")
+        return [name.removesuffix(REQUEST) for name in found if name.endswith(REQUEST)]
+
+    def _of(self, start: str) -> list[str]:
+        names = {*self._stated, *_services()}
+        return sorted(name.removeprefix(start) for name in names if name.startswith(start))
 
     def find(self, name: str) -> Definition | None:
         """Return the definition of the type with this full name.
@@ -46,12 +56,19 @@ class Catalog:
             MessageDefinitionError: it is not defined as it has to be.
 
         """
-        stated = self._stated.get(name)
+        stated = self._stated[name] if name in self._stated else _services().get(name)
         return None if stated is None else resolved(name, stated)
 
 
 _STANDARD: dict[str, Any] = json.loads(STANDARD_MESSAGES.read_text(encoding="utf-8"))
 """Read on import: once for all processes that are forked after it."""
+
+
+@functools.cache
+def _services() -> dict[str, Any]:
+    """Definitions of packages that `STANDARD_MESSAGES` lacks, services above all: read when something is not in it."""
+    services: dict[str, Any] = json.loads(STANDARD_SERVICES.read_text(encoding="utf-8"))
+    return services
 
 
 def read(files: Iterable[Path]) -> dict[str, Any]:

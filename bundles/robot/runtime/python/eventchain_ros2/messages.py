@@ -167,8 +167,8 @@ class Messages(MetaPathFinder, Loader):
 
         """
         package, _, rest = fullname.partition(".")
-        is_there = package in self.catalog.packages and rest in ("", "msg", "srv")
-        if not is_there or (rest == "srv" and not self.catalog.services(package)):
+        members = {"": self.catalog.has_package, "msg": self.catalog.members, "srv": self.catalog.services}
+        if rest not in members or not members[rest](package):
             refusals.refuse(fullname)
             return None
         return ModuleSpec(fullname, self, is_package=not rest)

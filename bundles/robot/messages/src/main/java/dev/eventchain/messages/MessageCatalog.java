@@ -49,6 +49,7 @@ public final class MessageCatalog {
   private final List<Path> folders;
   private final SortedMap<String, Path> files = new TreeMap<>();
   private final Map<String, Path> filesBeside = new HashMap<>();
+  private final SortedMap<String, Path> filesOfServices = new TreeMap<>();
   private final List<Path> misplaced = new ArrayList<>();
   private final Map<String, MessageType> types = new HashMap<>();
 
@@ -70,8 +71,8 @@ public final class MessageCatalog {
    *
    * @param distribution the release that defines the standard types
    * @param folders folders with {@code PACKAGE/msg/NAME.msg} or {@code NAME.idl}, or both with
-   *     equal content, or links to such files or folders; later folders override earlier ones, and
-   *     all override standard types
+   *     equal content, and {@code PACKAGE/srv/NAME.srv}, or links to such files or folders; later
+   *     folders override earlier ones, and all override standard types
    * @throws DiagnosticException {@code file.unreadable}: a folder is missing or cannot be listed
    */
   public static MessageCatalog of(RosDistribution distribution, Collection<Path> folders) {
@@ -96,7 +97,9 @@ public final class MessageCatalog {
         String name = folder.relativize(file).toString().replace('\\', '/');
         String type = name.substring(0, name.length() - SUFFIX.length());
         boolean isPlaced = name.endsWith(SUFFIX) || name.endsWith(IDL_SUFFIX);
-        if (isPlaced && RosNames.isFullMessageType(type)) {
+        if (name.endsWith(ServiceParser.SUFFIX) && ServiceParser.isService(type)) {
+          ServiceParser.messages(type).forEach(part -> filesOfServices.put(part, file));
+        } else if (isPlaced && RosNames.isFullMessageType(type)) {
           place(type, file, ofThisFolder.add(type));
         } else {
           misplaced.add(file);
@@ -122,7 +125,8 @@ public final class MessageCatalog {
   /** Returns whether a file has the name of a definition, ignoring case. */
   private static boolean isDefinition(Path file) {
     String name = file.toString().toLowerCase(Locale.ROOT);
-    return (name.endsWith(SUFFIX) || name.endsWith(IDL_SUFFIX)) && !Files.isDirectory(file);
+    return Stream.of(SUFFIX, IDL_SUFFIX, ServiceParser.SUFFIX).anyMatch(name::endsWith)
+        && !Files.isDirectory(file);
   }
 
   private static DiagnosticException unreadable(Path folder, String reason) {
@@ -169,9 +173,13 @@ public final class MessageCatalog {
                   "This is not read: no message type has this file.",
                   SourceLocation.of(file))
               .withHint(
-                  "Name it PACKAGE/msg/NAME.msg, or .idl, within the folder of definitions."));
+                  "Name it %s, within the folder of definitions."
+                      .formatted(
+                          file.toString().endsWith(ServiceParser.SUFFIX)
+                              ? "PACKAGE/srv/NAME.srv"
+                              : "PACKAGE/msg/NAME.msg, or .idl")));
     }
-    for (String name : files.keySet()) {
+    for (String name : ownAndOfServices()) {
       try {
         find(name);
       } catch (DiagnosticException e) {
@@ -179,6 +187,13 @@ public final class MessageCatalog {
       }
     }
     return List.copyOf(found);
+  }
+
+  /** Returns the types in the user's folders, with the requests and responses of services. */
+  private SortedSet<String> ownAndOfServices() {
+    SortedSet<String> names = new TreeSet<>(files.keySet());
+    names.addAll(filesOfServices.keySet());
+    return names;
   }
 
   /**
@@ -192,7 +207,9 @@ public final class MessageCatalog {
    */
   public synchronized Optional<MessageType> find(String name) {
     String fullName = RosNames.fullMessageType(name);
-    if (!standard.containsKey(fullName) && !files.containsKey(fullName)) {
+    if (!standard.containsKey(fullName)
+        && !files.containsKey(fullName)
+        && !filesOfServices.containsKey(fullName)) {
       return Optional.empty();
     }
     return Optional.of(type(fullName, new LinkedHashSet<>()));
@@ -215,14 +232,15 @@ public final class MessageCatalog {
 
   /**
    * Returns the types in the user's folders in the format of the Python runtime: a JSON object with
-   * their fields, defaults and constants by full name. Next to them are the standard types that the
-   * default release, which the runtime knows, does not have or has differently.
+   * their fields, defaults and constants by full name; a service is the types of its request and
+   * its response, {@code std_srvs/srv/SetBool_Request}. Next to them are the standard types that
+   * the default release, which the runtime knows, does not have or has differently.
    *
    * @throws DiagnosticException as {@link #find}, for the first invalid one
    */
   public String ownDefinitions() {
     SortedSet<String> unknown = new TreeSet<>(StandardTypes.different(distribution));
-    unknown.addAll(files.keySet());
+    unknown.addAll(ownAndOfServices());
     return definitions(unknown);
   }
 
@@ -284,6 +302,10 @@ public final class MessageCatalog {
   }
 
   private Definition definition(String name) {
+    Path service = filesOfServices.get(name);
+    if (service != null) {
+      return ServiceParser.parse(name, SourceText.read(service)).orThrow();
+    }
     Path file = files.get(name);
     if (file == null) {
       return MessageParser.parse(name, SourceText.of(name, standard.get(name))).orThrow();

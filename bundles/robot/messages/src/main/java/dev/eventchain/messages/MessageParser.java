@@ -55,8 +55,13 @@ final class MessageParser {
    * @param name the full name of the type
    */
   static Definition parse(String name, SourceText source) {
+    return parse(name, source, 0, source.text().length());
+  }
+
+  /** Parses a definition that is between two places of a text. */
+  static Definition parse(String name, SourceText source, int begin, int end) {
     MessageParser parser = new MessageParser(name, source);
-    parser.readLines();
+    parser.readLines(begin, end);
     return new Definition(name, parser.fields, parser.constants, parser.problems);
   }
 
@@ -68,10 +73,10 @@ final class MessageParser {
     return text.indexOf('/') < 0 ? ownPackage + "/msg/" + text : RosNames.fullMessageType(text);
   }
 
-  private void readLines() {
-    String text = source.text();
+  private void readLines(int begin, int last) {
+    String text = source.text().substring(0, last);
     Matcher newline = LINE_END.matcher(text);
-    for (int start = 0, end; start < text.length(); start = end + 1) {
+    for (int start = begin, end; start < text.length(); start = end + 1) {
       end = newline.find(start) ? newline.start() : text.length();
       String line = text.substring(start, end);
       String code = line.substring(0, line.indexOf('#') < 0 ? line.length() : line.indexOf('#'));

@@ -49,6 +49,14 @@ class ConformanceTest {
   }
 
   @Test
+  void servicesOfTheRuntimeAreThoseOfItsDefinitions() throws IOException {
+    MessageCatalog services =
+        MessageCatalog.of(List.of(Path.of("../runtime/definitions").toAbsolutePath()));
+    assertEquals(List.of(), services.diagnostics());
+    ExpectedFile.check(RUNTIME.resolve("services.json"), services.ownDefinitions());
+  }
+
+  @Test
   void typesOfJazzyAreResolvedAsExpected() throws IOException {
     ExpectedFile.check(FOLDER.resolve("jazzy.json"), JAZZY.ownDefinitions());
   }
