@@ -13,7 +13,7 @@ PYTHON = BUNDLE / "python"
 RUNTIME = "eventchain_ros2"
 # Each module imports only from the lines above its own, so there are no cycles.
 LAYERS = (
-    {"definitions"},
+    {"definitions", "transforms"},
     {"callback_groups", "clock", "cyclone", "faults", "graph", "logger", "node_sources", "parameters", "refusals"},
     {"node_parameters", "qos", "type_support", "validation"},
     {"best_available", "catalog", "codec", "dds_qos", "processes"},
@@ -25,15 +25,17 @@ LAYERS = (
     {"channel", "components", "dds", "services", "wire"},
     {"node_graph"},
     {"node"},
-    {"executors", "hosting", "live", "messages_once", "preparation"},
-    {"__main__", "lockstep", "node_host"},
+    {"executors", "filters", "hosting", "live", "messages_once", "preparation"},
+    {"__main__", "lockstep", "node_host", "transform_nodes"},
+    {"transformed"},
 )
 LAYER_OF = {module: layer for layer, modules in enumerate(LAYERS) for module in modules}
 MODULES = sorted(PYTHON.glob(f"{RUNTIME}/*.py"))
 # Modules that use the library. A confined process refuses ctypes, so the modules that run in one do not use it.
 WIRE = {"cyclone", "dds_endpoints", "dds_entities", "dds_qos", "discovery", "type_support"}
 CONFINED = ("components", "executors", "simulation")
-FACADES = sorted([*PYTHON.glob("rclpy/**/*.py"), *PYTHON.glob("cyclonedds/**/*.py")])
+PACKAGES = ("cyclonedds", "message_filters", "rclpy", "tf2_geometry_msgs", "tf2_ros")
+FACADES = sorted(file for package in PACKAGES for file in PYTHON.glob(f"{package}/**/*.py"))
 
 
 def imported(source: str, package: str) -> Iterator[str]:
@@ -80,7 +82,7 @@ def test_imports_point_upwards(module: Path) -> None:
 @pytest.mark.parametrize("module", MODULES, ids=lambda module: module.stem)
 def test_runtime_knows_no_facade(module: Path) -> None:
     source = module.read_text(encoding="utf-8")
-    assert [*imported(source, "rclpy"), *imported(source, "cyclonedds")] == []
+    assert [name for package in PACKAGES for name in imported(source, package)] == []
 
 
 @pytest.mark.parametrize("module", MODULES, ids=lambda module: module.stem)
@@ -123,4 +125,5 @@ def test_facades_know_nothing_of_the_host(facade: Path) -> None:
 
 
 def test_there_are_facades_to_check() -> None:
-    assert {facade.relative_to(PYTHON).parts[0] for facade in FACADES} == {"rclpy", "cyclonedds"}
+    assert {facade.relative_to(PYTHON).parts[0] for facade in FACADES} == set(PACKAGES)
+    assert {file.parent.name for file in PYTHON.glob("*/__init__.py")} == {RUNTIME, *PACKAGES}

@@ -17,12 +17,10 @@ _PACKAGES = {
     "image_transport": "image transport: subscribe to sensor_msgs/msg/Image",
     "launch": "launch files: `python -m eventchain_ros2` runs a node file by itself",
     "launch_ros": "launch files: `python -m eventchain_ros2` runs a node file by itself",
-    "message_filters": "message filters",
     "rclpy_components": "composition: run each node in a process of its own",
     "rosbag2_py": "recording by nodes: `eventchain simulate --mcap` records all topics",
     "sensor_msgs_py": "helpers for point clouds: read the bytes of sensor_msgs/msg/PointCloud2 with NumPy",
-    "tf2_geometry_msgs": "transforms",
-    "tf2_ros": "transforms",
+    "tf2_sensor_msgs": "transforms of point clouds: look up the transform, and apply it with NumPy",
 }
 _RCLPY = {
     "action": _ACTIONS,
@@ -33,7 +31,7 @@ _RCLPY = {
 }
 _SUFFIXES = ("_interfaces", "_msgs", "_srvs")
 _SUBPACKAGES = {"action": _ACTIONS, "srv": "services of this package: no definition of one was found"}
-_FACADES = ("rclpy", "tf2_ros", "message_filters", "tf2_geometry_msgs")
+_FACADES = ("message_filters", "rclpy", "tf2_geometry_msgs", "tf2_ros")
 _RUNTIME = Path(__file__).resolve().parents[1]
 
 
@@ -48,7 +46,7 @@ def refuse(module: str) -> None:
 
     """
     package, _, rest = module.partition(".")
-    if package == "rclpy" and rest:
+    if package in _FACADES and rest:
         missing = _RCLPY.get(rest.partition(".")[0], f"module '{module}'")
     else:
         missing = _PACKAGES.get(package) or _SUBPACKAGES.get(rest, "")
