@@ -188,3 +188,12 @@ def test_undeclared_parameters_are_allowed_on_request(simulation: Simulation) ->
     assert node.get_parameter("other").value is None
     assert node.set_parameters([Parameter("other", value="text"), Parameter("other", value=2)])[1].successful
     assert node.get_parameter("other").value == 2, "undeclared parameters have no type"
+
+
+def test_parameters_become_messages_and_back() -> None:
+    for value in (True, 3, 0.5, "text", [1, 2], [0.5], None):
+        parameter = Parameter.from_parameter_msg(Parameter("name", value=value).to_parameter_msg())
+        found = (
+            parameter.value if value is None or isinstance(value, bool | int | float | str) else list(parameter.value)
+        )
+        assert (parameter.name, found) == ("name", value)

@@ -18,6 +18,7 @@ from eventchain_ros2.simulation import Simulation
 from node_processes import World
 from protocol import MILLISECOND, Failed, HostProcess
 from rclpy.node import Node
+from rclpy.service_introspection import ServiceIntrospectionState
 from wire import EVERY, take, wait_until
 
 FIXTURES = Path(__file__).with_name("fixtures")
@@ -111,6 +112,10 @@ def test_coroutines_ask_and_answer(services: Any) -> None:
         (lambda client, types: client.call_async(types.Nothing.Request()), TypeError),
         (lambda client, types: client.call(types.Sum.Request()), RuntimeError),
         (lambda client, types: client.call_async(types.Sum.Request(a=1.5)), AssertionError),
+        (
+            lambda client, types: client.configure_introspection(None, None, ServiceIntrospectionState(1)),
+            NotImplementedError,
+        ),
     ],
 )
 def test_misuse_is_an_error(services: Any, misuse: Callable[[Any, Any], Any], error: type[Exception]) -> None:

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 import rclpy
 from eventchain_ros2.simulation import Simulation
+from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from rclpy.clock import Clock
 from rclpy.context import Context
 from rclpy.duration import Duration
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
+from rclpy.publisher import Publisher
+from rclpy.subscription import Subscription
 from rclpy.task import Future
 from rclpy.utilities import remove_ros_args
 from rclpy.wait_for_message import wait_for_message
@@ -175,3 +179,39 @@ def test_contexts_share_the_life_of_the_nodes(simulation: Simulation) -> None:
 
 def test_arguments_of_ros_are_taken_away() -> None:
     assert remove_ros_args(["node", "a", "--ros-args", "-p", "x:=1", "--", "b"]) == ["node", "a", "b"]
+
+
+def test_types_in_annotations_are_accepted() -> None:
+    assert (Future[bool], Publisher["text"], Subscription["text"]) == (Future, Publisher, Subscription)
+
+
+def test_what_is_published_has_arrived(simulation: Simulation) -> None:
+    from std_msgs.msg import Float32
+
+    publisher = rclpy.create_node("node").create_publisher(Float32, "number", 10)
+    publisher.assert_liveliness()
+    assert publisher.wait_for_all_acked(Duration(seconds=1))
+
+
+class Throttled(CallbackGroup):
+    pass
+
+
+@pytest.mark.parametrize(
+    ("kind", "arguments"),
+    [
+        ("timer", (1.0, print)),
+        ("guard_condition", (print,)),
+        ("publisher", (None, "topic", 10)),
+        ("subscription", (None, "topic", print, 10)),
+        ("service", (SimpleNamespace(Request=1, Response=2), "service", print)),
+        ("client", (SimpleNamespace(Request=1, Response=2), "service")),
+    ],
+)
+def test_groups_that_decide_themselves_are_refused(simulation: Simulation, kind: str, arguments: tuple[Any]) -> None:
+    node = rclpy.create_node("node")
+    assert isinstance(node.default_callback_group, MutuallyExclusiveCallbackGroup)
+    with pytest.raises(NotImplementedError, match="callback groups of one's own are not part"):
+        getattr(node, f"create_{kind}")(*arguments, callback_group=Throttled())
+    with pytest.raises(NotImplementedError, match="executors that choose callbacks themselves"):
+        SingleThreadedExecutor().wait_for_ready_callbacks(timeout_sec=1.0)

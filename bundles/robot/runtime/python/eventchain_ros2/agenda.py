@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from heapq import heappush
 from typing import Any, NamedTuple
 
-from eventchain_ros2.processes import Process
+from eventchain_ros2.processes import Process, Publisher
 
 SAMPLE, TIMER = 0, 1
 """Ranks of simultaneous events."""
@@ -48,6 +48,13 @@ class Agenda:
     def stop(self) -> None:
         """Stop running callbacks."""
         self.running = False
+
+    def acknowledged(self, publisher: Publisher, timeout: int | None) -> bool:
+        """Return whether what is published has arrived: nothing gets lost on the way."""
+        return True
+
+    def assert_liveliness(self, publisher: Publisher) -> None:
+        """Do nothing: in simulated time, faults decide what is alive."""
 
     def add_process(self, name: str, execution_time: int = 0, phase: int = 0) -> Process:
         """Add a process.

@@ -25,6 +25,17 @@ class CallbackGroup:
         """Do nothing."""
 
 
+def require_known(group: object) -> None:
+    """Accept the groups of `rclpy`.
+
+    Raises:
+        NotImplementedError: it is a group of one's own, which decides itself when its callbacks run.
+
+    """
+    if not isinstance(group, MutuallyExclusiveCallbackGroup | ReentrantCallbackGroup):
+        raise NotImplementedError("callback groups of one's own are not part of Eventchain's runtime")
+
+
 class MutuallyExclusiveCallbackGroup(CallbackGroup):
     """One callback at a time."""
 

@@ -6,6 +6,7 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any
 
+from eventchain_ros2.clock import Duration
 from eventchain_ros2.messages import Message, from_cdr, to_cdr, type_name
 from eventchain_ros2.qos import DurabilityPolicy, QoSProfile
 from eventchain_ros2.simulation import Process, Sample, Simulation
@@ -14,6 +15,9 @@ from eventchain_ros2.simulation import Subscription as Receiver
 
 class Publisher:
     """Publishes messages of one type on a topic."""
+
+    def __class_getitem__(cls, item: object) -> type:
+        return cls
 
     def __init__(
         self, simulation: Simulation, process: Process, message_class: type, topic: str, qos_profile: QoSProfile
@@ -64,6 +68,14 @@ class Publisher:
         """Return the number of matched subscriptions."""
         return sum(getattr(each, "count", 1) for each in self.matched)
 
+    def wait_for_all_acked(self, timeout: Duration | None = None) -> bool:
+        """Return whether all reliable subscriptions have acknowledged everything, within a time; None: no limit."""
+        return self._simulation.acknowledged(self, None if timeout is None else timeout.nanoseconds)
+
+    def assert_liveliness(self) -> None:
+        """Assert the liveliness of this publisher."""
+        self._simulation.assert_liveliness(self)
+
     def destroy(self) -> None:
         """Stop publishing."""
         if self in self.topic.publishers:
@@ -74,6 +86,9 @@ class Publisher:
 
 class Subscription:
     """Runs a callback for each sample on a topic."""
+
+    def __class_getitem__(cls, item: object) -> type:
+        return cls
 
     def __init__(
         self,

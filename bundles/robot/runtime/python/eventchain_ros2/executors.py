@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from eventchain_ros2 import context
 from eventchain_ros2.clock import NANOSECONDS_PER_SECOND
@@ -134,6 +134,10 @@ class Executor:
         if not future.done():
             future.add_done_callback(lambda _: self.wake())
             self.spin_once(timeout_sec)
+
+    def wait_for_ready_callbacks(self, *_: object, **__: object) -> NoReturn:
+        """Raise an error: executors of one's own cannot choose among callbacks here."""
+        raise NotImplementedError("executors that choose callbacks themselves are not part of Eventchain's runtime")
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
         """Stop running callbacks."""

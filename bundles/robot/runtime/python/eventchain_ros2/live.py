@@ -26,6 +26,7 @@ CLOCK_TOPIC, CLOCK_TYPE = "/clock", "rosgraph_msgs/msg/Clock"
 _CLOCK_QOS = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
 _CDR_HEADER = 4
 _NANOSECONDS = 1_000_000_000
+_FOREVER = 2**62
 _LONGEST_SLEEP = 100_000_000
 _STEP = 0.01
 """How often a thread looks at what it waits for, in s."""
@@ -126,6 +127,14 @@ class Live(Simulation):
         if publisher not in self._writers:
             raise ClosedError(f"the publisher on {publisher.topic.name} is destroyed")
         self._writers[publisher].write(data)
+
+    def acknowledged(self, publisher: Publisher, timeout: int | None) -> bool:
+        """Return whether all reliable readers have acknowledged everything, within a time in ns."""
+        return self._writers[publisher].wait_for_acknowledgments(_FOREVER if timeout is None else timeout)
+
+    def assert_liveliness(self, publisher: Publisher) -> None:
+        """Assert the liveliness of a writer."""
+        self._writers[publisher].assert_liveliness()
 
     def add_timer(self, timer: Timer) -> None:
         """Fire the timer when it is due, unless its token has changed by then."""

@@ -154,8 +154,7 @@ class Node(ParameterMethods):
         qos_overriding_options: object = None,
     ) -> Publisher:
         """Create a publisher; an int as `qos_profile` is the depth of the default profile."""
-        _refuse(event_callbacks, "event callbacks")
-        _refuse(qos_overriding_options, "QoS overriding options")
+        self.__require(callback_group, event_callbacks, qos_overriding_options)
         name = self.__topic_name(topic)
         publisher = Publisher(self.__simulation, self.__process, msg_type, name, as_profile(qos_profile))
         self.__publishers.append(publisher)
@@ -174,8 +173,7 @@ class Node(ParameterMethods):
         raw: bool = False,
     ) -> Subscription:
         """Create a subscription; with `raw` the callback receives the CDR bytes."""
-        _refuse(event_callbacks, "event callbacks")
-        _refuse(qos_overriding_options, "QoS overriding options")
+        self.__require(callback_group, event_callbacks, qos_overriding_options)
         name, profile = self.__topic_name(topic), as_profile(qos_profile)
         subscription = Subscription(self.__simulation, self.__process, msg_type, name, callback, profile, raw=raw)
         self.__subscriptions.append(subscription)
@@ -190,6 +188,7 @@ class Node(ParameterMethods):
         autostart: bool = True,
     ) -> Timer:
         """Create a timer with a period in seconds."""
+        self.__require(callback_group)
         period = _period(timer_period_sec, "timer")
         timer = Timer(self.__simulation, self.__process, period, callback, autostart=autostart)
         self.__timers.append(timer)
@@ -203,6 +202,7 @@ class Node(ParameterMethods):
 
     def create_guard_condition(self, callback: Callable[[], object], callback_group: object = None) -> GuardCondition:
         """Create a condition that runs a callback when it is triggered."""
+        self.__require(callback_group)
         guard = GuardCondition(self.__simulation, self.__process, callback)
         self.__guards.append(guard)
         return guard
@@ -219,6 +219,7 @@ class Node(ParameterMethods):
         """Offer a service, an `eventchain_ros2.services.Service`: the callback returns the response to a request."""
         from eventchain_ros2.services import Service
 
+        self.__require(callback_group)
         name = self.__topic_name(srv_name)
         service = Service(self.__simulation, self.__process, _service_type(srv_type), name, callback, qos_profile)
         self.__services.append(service)
@@ -235,6 +236,7 @@ class Node(ParameterMethods):
         """Create a client of a service, an `eventchain_ros2.services.Client`."""
         from eventchain_ros2.services import Client
 
+        self.__require(callback_group)
         name = self.__topic_name(srv_name)
         client = Client(self.__simulation, self.__process, _service_type(srv_type), name, qos_profile)
         self.__clients.append(client)
@@ -283,6 +285,16 @@ class Node(ParameterMethods):
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
         """Return the full name of a topic for this node."""
         return self.__topic_name(topic)
+
+    def __require(
+        self, callback_group: object, event_callbacks: object = None, qos_overriding_options: object = None
+    ) -> None:
+        _refuse(event_callbacks, "event callbacks")
+        _refuse(qos_overriding_options, "QoS overriding options")
+        if callback_group is not None:
+            from eventchain_ros2.callback_groups import require_known
+
+            require_known(callback_group)
 
     def __topic_name(self, topic: str) -> str:
         if not _TOPIC_NAME.match(topic) or "__" in topic:

@@ -46,8 +46,17 @@ class ParameterType(IntEnum):
         raise TypeError(f"The given value is not one of the allowed types '{value!r}'.")
 
 
+def parameter_value_to_python(parameter_value: Any) -> Any:
+    """Return the value of a `rcl_interfaces/msg/ParameterValue`."""
+    kind = ParameterType(parameter_value.type)
+    return None if kind == ParameterType.NOT_SET else getattr(parameter_value, f"{kind.name.lower()}_value")
+
+
 class Parameter:
     """A named value."""
+
+    def __class_getitem__(cls, item: object) -> type:
+        return cls
 
     Type = ParameterType
 
@@ -59,9 +68,20 @@ class Parameter:
     def __repr__(self) -> str:
         return f"Parameter(name={self.name!r}, type_={self.type_.name}, value={self.value!r})"
 
+    @classmethod
+    def from_parameter_msg(cls, param_msg: Any) -> Parameter:
+        """Convert from `rcl_interfaces/msg/Parameter`."""
+        return cls(param_msg.name, ParameterType(param_msg.value.type), parameter_value_to_python(param_msg.value))
+
+    def to_parameter_msg(self) -> Any:
+        """Convert to `rcl_interfaces/msg/Parameter`."""
+        from rcl_interfaces.msg import Parameter as ParameterMessage  # type: ignore[import-not-found]
+
+        return ParameterMessage(name=self.name, value=self.get_parameter_value())
+
     def get_parameter_value(self) -> Any:
         """Convert to `rcl_interfaces/msg/ParameterValue`."""
-        from rcl_interfaces.msg import ParameterValue  # type: ignore[import-not-found]
+        from rcl_interfaces.msg import ParameterValue
 
         message = ParameterValue(type=int(self.type_))
         if self.type_ != ParameterType.NOT_SET:

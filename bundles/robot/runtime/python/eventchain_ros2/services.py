@@ -10,6 +10,7 @@ import hashlib
 import os
 import struct
 from collections.abc import Callable
+from enum import IntEnum
 from typing import Any, NamedTuple
 
 from eventchain_ros2 import catalog
@@ -83,6 +84,19 @@ def _without_identity(data: bytes | bytearray | memoryview) -> bytes:
     return bytes(data[:_CDR_HEADER]) + bytes(data[_CDR_HEADER + _IDENTITY :])
 
 
+class ServiceIntrospectionState(IntEnum):
+    """What is told of requests and responses."""
+
+    OFF = 0
+    METADATA = 1
+    CONTENTS = 2
+
+
+def _refuse_introspection(state: int) -> None:
+    if state != ServiceIntrospectionState.OFF:
+        raise NotImplementedError("introspection of services is not part of Eventchain's runtime")
+
+
 def _identity(simulation: Simulation, client: str) -> int:
     """Return the number of a client: the same in every run in simulated time, and unique in real time."""
     simulation.clients += 1
@@ -93,6 +107,9 @@ def _identity(simulation: Simulation, client: str) -> int:
 
 class Service:
     """Answers requests with a callback, which is given a request and an empty response, and returns the response."""
+
+    def __class_getitem__(cls, item: object) -> type:
+        return cls
 
     def __init__(
         self,
@@ -126,6 +143,12 @@ class Service:
         """
         self._replies.send(header, response)
 
+    def configure_introspection(
+        self, clock: Any, service_event_qos_profile: QoSProfile, introspection_state: int
+    ) -> None:
+        """Accept that nothing is told of requests and responses; `eventchain` records both."""
+        _refuse_introspection(introspection_state)
+
     def destroy(self) -> None:
         """Stop answering."""
         self._requests.destroy()
@@ -134,6 +157,9 @@ class Service:
 
 class Client:
     """Sends requests to a service."""
+
+    def __class_getitem__(cls, item: object) -> type:
+        return cls
 
     def __init__(
         self, simulation: Simulation, process: Process, service_type: Any, name: str, qos_profile: QoSProfile
@@ -200,6 +226,12 @@ class Client:
         return self._simulation.wait_until(
             self.service_is_ready, timeout_sec, f"node '{self._process.name}' waits for the service '{self.srv_name}'"
         )
+
+    def configure_introspection(
+        self, clock: Any, service_event_qos_profile: QoSProfile, introspection_state: int
+    ) -> None:
+        """Accept that nothing is told of requests and responses; `eventchain` records both."""
+        _refuse_introspection(introspection_state)
 
     def destroy(self) -> None:
         """Stop sending and receiving."""

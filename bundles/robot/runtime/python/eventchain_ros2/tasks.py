@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 class Future:
     """A result that is not there yet; `await` waits for it."""
 
+    def __class_getitem__(cls, item: object) -> type:
+        return cls
+
     def __init__(self, *, executor: object = None) -> None:
         self._is_done = False
         self._is_cancelled = False

@@ -34,6 +34,7 @@ _MODULES = {
     "qos",
     "serialization",
     "service",
+    "service_introspection",
     "signals",
     "subscription",
     "task",
