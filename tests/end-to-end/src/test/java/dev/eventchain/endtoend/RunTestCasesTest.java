@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.fixtures.InTurn;
+import dev.eventchain.fixtures.Projects;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -15,14 +17,17 @@ import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
 
-/** Tests the JUnit report of a run: a case for each scenario, criterion and requirement. */
+/**
+ * Tests the JUnit report of a run: a case for each scenario, criterion, requirement and component
+ * test, with links to requirements.
+ */
 class RunTestCasesTest {
 
   @TempDir Path folder;
 
   @Test
   void eachScenarioCriterionAndRequirementIsATestWithItsTime() throws Exception {
-    ProjectCopy copy = ProjectCopy.of("radar-aeb", folder);
+    ProjectCopy copy = withComponentTests();
     Path file = folder.resolve("TEST-run.xml");
     new Program().run("run", copy.path(), "--report", "junit=" + file).expect(0);
     Document report = read(file);
@@ -32,6 +37,18 @@ class RunTestCasesTest {
     Element warned = testCase(report, "criteria", "stopped-vehicle-50: the driver is warned");
     assertEquals("11.700", warned.getAttribute("time"));
     assertEquals("25.700", testCase(report, "requirements", "RAD-1").getAttribute("time"));
+    assertEquals("RAD-1, RAD-2, RAD-3, RAD-4", property(scenario, "PartiallyVerifies"));
+    assertEquals("requirements-based", property(scenario, "TestType"));
+    assertTrue(scenario.getAttribute("file").endsWith("scenarios/stopped-vehicle-50.yaml"));
+    assertEquals("1", scenario.getAttribute("line"));
+    Element test = testCase(report, "component tests", "Brake_Request: not near enough");
+    assertEquals("RAD-4", property(test, "lobster-tracing"));
+    assertEquals("29", test.getAttribute("line"));
+    assertEquals(
+        "RAD-2",
+        property(testCase(report, "requirements", "RAD-2"), "PartiallyVerifies"),
+        "it does not notice all faults");
+    assertEquals("", property(warned, "PartiallyVerifies"));
     assertEquals(0, report.getElementsByTagName("failure").getLength());
     byte[] before = Files.readAllBytes(file);
     new Program().run("run", copy.path(), "--report", "junit=" + file).expect(0);
@@ -41,7 +58,7 @@ class RunTestCasesTest {
   @InTurn
   @Test
   void failuresAreWhereTheyBelong() throws Exception {
-    ProjectCopy copy = ProjectCopy.of("radar-aeb", folder);
+    ProjectCopy copy = withComponentTests();
     copy.replace("scenarios/short-sight.yaml", "ego.speed <= 12 km/h", "ego.speed >= 200 km/h");
     copy.replace(
         "scenarios/stopped-vehicle-50.yaml",
@@ -62,8 +79,17 @@ class RunTestCasesTest {
             "criteria",
             "stopped-vehicle-50: the radar's time to collision is the true one");
     assertEquals("simulation.criterion.untested", failure(untested).getAttribute("type"));
-    failure(testCase(report, "scenarios", "short-sight"));
-    failure(testCase(report, "scenarios", "stopped-vehicle-50"));
+    Element shortSight = testCase(report, "scenarios", "short-sight");
+    failure(shortSight);
+    assertEquals("RAD-1, RAD-3", property(shortSight, "PartiallyVerifies"));
+    Element notTested = testCase(report, "scenarios", "stopped-vehicle-50");
+    assertEquals(1, notTested.getElementsByTagName("skipped").getLength());
+    assertEquals("notrun", notTested.getAttribute("status"));
+    assertEquals("RAD-1", property(notTested, "PartiallyVerifies"), "what it could not judge");
+    assertEquals(
+        "",
+        property(testCase(report, "component tests", "Radar_Tracking: no vehicle"), "TestType"),
+        "passed, but its requirement is not proved");
     assertEquals(
         "violated", failure(testCase(report, "requirements", "RAD-3")).getAttribute("message"));
     assertEquals(
@@ -72,10 +98,27 @@ class RunTestCasesTest {
     assertFalse(Files.readString(file).contains("other findings"), Files.readString(file));
   }
 
+  private ProjectCopy withComponentTests() throws IOException {
+    ProjectCopy copy = ProjectCopy.of("radar-aeb", folder);
+    Projects.copy(Program.ROOT.resolve("examples/radar-aeb/tests"), copy.path().resolve("tests"));
+    return copy;
+  }
+
   private static Element failure(Element testCase) {
     NodeList failures = testCase.getElementsByTagName("failure");
     assertEquals(1, failures.getLength(), testCase.getAttribute("name"));
     return (Element) failures.item(0);
+  }
+
+  private static String property(Element testCase, String name) {
+    NodeList all = testCase.getElementsByTagName("property");
+    for (int i = 0; i < all.getLength(); i++) {
+      Element each = (Element) all.item(i);
+      if (each.getAttribute("name").equals(name)) {
+        return each.getAttribute("value");
+      }
+    }
+    return "";
   }
 
   private static Element testCase(Document report, String suite, String name) {

@@ -12,6 +12,7 @@ import dev.eventchain.sandbox.ComponentProbe;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * The tests of a component: calls of {@code execute} with expected results, and properties over
@@ -79,6 +80,19 @@ public final class ComponentTester {
 
   private static boolean isGap(Diagnostic finding) {
     return finding.is(TestRules.TESTS_GAP);
+  }
+
+  /** A test or a property, with the requirement that it is about. */
+  public record Listed(String name, String requirement, SourceLocation place) {}
+
+  /** Returns all tests, then all properties, in the order of the file. */
+  public List<Listed> listed() {
+    return Stream.concat(
+            tests.tests().stream()
+                .map(each -> new Listed(each.name(), each.requirement(), each.place())),
+            tests.properties().stream()
+                .map(each -> new Listed(each.name(), each.requirement(), each.place())))
+        .toList();
   }
 
   /** Returns the number of tests and properties. */

@@ -54,18 +54,22 @@ final class JunitCase {
   }
 
   boolean skipped() {
-    boolean idle = (isCheck && evaluations == 0) || had(Trial.Outcome.SKIPPED);
-    return !failed() && (idle || !suppressed.isEmpty());
+    boolean idle = isCheck && evaluations == 0;
+    boolean unjudged = had(Trial.Outcome.SKIPPED) || had(Trial.Outcome.UNTESTED);
+    return !failed() && (idle || unjudged || !suppressed.isEmpty());
   }
 
   void write(String className, StringBuilder xml) {
     xml.append("    <testcase classname=\"").append(Xml.attribute(className));
     xml.append("\" name=\"").append(Xml.attribute(name)).append('"').append(time(seconds()));
-    if (!failed() && !skipped() && output().isEmpty()) {
+    Optional<Trial.Evidence> evidence = trial.flatMap(Trial::evidence);
+    evidence.ifPresent(each -> xml.append(JunitLinks.attributes(each.place(), !skipped())));
+    String properties = evidence.map(JunitLinks::properties).orElse("");
+    if (!failed() && !skipped() && output().isEmpty() && properties.isEmpty()) {
       xml.append("/>\n");
       return;
     }
-    xml.append(">\n");
+    xml.append(">\n").append(properties);
     if (failed()) {
       xml.append("      <failure message=\"").append(Xml.attribute(headline()));
       xml.append("\" type=\"").append(Xml.attribute(type())).append("\">");

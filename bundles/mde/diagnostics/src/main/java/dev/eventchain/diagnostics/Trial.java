@@ -2,6 +2,7 @@ package dev.eventchain.diagnostics;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * A test that a command made of the software, with its outcome.
@@ -10,6 +11,7 @@ import java.util.Objects;
  * @param text what was measured or is missing, in words; may be empty
  * @param seconds the simulated time that it took, in s: equal for equal inputs
  * @param findings those findings of the command that are about it
+ * @param evidence what it says about requirements; empty if it is no evidence by itself
  */
 public record Trial(
     Kind kind,
@@ -17,7 +19,8 @@ public record Trial(
     Outcome outcome,
     String text,
     double seconds,
-    List<Diagnostic> findings) {
+    List<Diagnostic> findings,
+    Optional<Evidence> evidence) {
 
   /** What was tested. */
   public enum Kind {
@@ -29,6 +32,8 @@ public record Trial(
     REQUIREMENT("requirements"),
     /** The software in a situation in which something breaks. */
     FAULT("faults"),
+    /** A component alone, by calls with expected results. */
+    TEST("component tests"),
     /** The software in one of many situations that differ in numbers only. */
     CASE("cases");
 
@@ -49,8 +54,38 @@ public record Trial(
     PASSED,
     /** It did not hold, or could not be judged. */
     FAILED,
+    /** It could not be judged, and the findings of the command fail other tests for that. */
+    UNTESTED,
     /** Neither, and somebody accepted that. */
     SKIPPED
+  }
+
+  /**
+   * The requirements for which the outcome of a test holds.
+   *
+   * @param place where the test is written
+   * @param fully those of which nothing remains to be shown
+   * @param partially the others
+   */
+  public record Evidence(SourceLocation place, List<String> fully, List<String> partially) {
+
+    /** Copies the lists. */
+    public Evidence {
+      Objects.requireNonNull(place);
+      fully = List.copyOf(fully);
+      partially = List.copyOf(partially);
+    }
+  }
+
+  /** Creates a test that is no evidence by itself. */
+  public Trial(
+      Kind kind,
+      String name,
+      Outcome outcome,
+      String text,
+      double seconds,
+      List<Diagnostic> findings) {
+    this(kind, name, outcome, text, seconds, findings, Optional.empty());
   }
 
   /** Copies the list. */

@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Coverage.Check;
 import dev.eventchain.diagnostics.Coverage.Kind;
 import java.time.LocalDate;
 import java.util.List;
+import java.util.Optional;
 
 /** Reports that tests render. */
 final class Reports {
@@ -72,12 +73,28 @@ final class Reports {
         trial(Trial.Kind.CRITERION, "go: no brake", Trial.Outcome.PASSED, "", 3),
         trial(Trial.Kind.CRITERION, "go: it is <seen>", Trial.Outcome.SKIPPED, "not tested", 3),
         trial(Trial.Kind.REQUIREMENT, "REQ-1", Trial.Outcome.FAILED, "violated", 15.5),
+        linked("wait", Trial.Outcome.UNTESTED, List.of(), List.of("REQ-2")),
+        linked("turn", Trial.Outcome.PASSED, List.of("REQ-3", "REQ \"4\""), List.of("REQ-5")),
+        linked("free", Trial.Outcome.PASSED, List.of(), List.of()),
         trial(Trial.Kind.FAULT, "radar-dies in stop", Trial.Outcome.PASSED, "it stops", 12.5));
   }
 
   private static Trial trial(
       Trial.Kind kind, String name, Trial.Outcome outcome, String text, double seconds) {
     return new Trial(kind, name, outcome, text, seconds, List.of());
+  }
+
+  private static Trial linked(
+      String name, Trial.Outcome outcome, List<String> fully, List<String> partially) {
+    SourceLocation place = new SourceLocation("scenarios/" + name + ".yaml", 0, 0, "", "");
+    return new Trial(
+        Trial.Kind.SCENARIO,
+        name,
+        outcome,
+        outcome == Trial.Outcome.UNTESTED ? "not tested: nothing was near" : "",
+        2,
+        List.of(),
+        Optional.of(new Trial.Evidence(place, fully, partially)));
   }
 
   private static Coverage coverage() {

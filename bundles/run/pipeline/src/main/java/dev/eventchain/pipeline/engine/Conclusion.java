@@ -9,6 +9,7 @@ import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.Suppressions.Suppressed;
 import dev.eventchain.diagnostics.Trial;
 import dev.eventchain.llm.chat.AnswerRules;
+import dev.eventchain.pipeline.evidence.Evidence;
 import dev.eventchain.pipeline.report.EarlierRun;
 import dev.eventchain.pipeline.report.ReportData;
 import dev.eventchain.pipeline.report.ReportPage;
@@ -85,7 +86,16 @@ final class Conclusion {
     requireReason(verdict, scenarios, suppressed);
     String summary = summary(verdict, scenarios, found) + suppressedText(suppressed) + attached();
     Optional<Path> report = report(verdict, summary, found);
-    List<Trial> trials = RunTrials.of(simulated(), found, suppressed, verdict == Verdict.PASSED);
+    Evidence evidence =
+        CollectedEvidence.of(run, simulated(), outcome(Stage.IMPLEMENT), verdict + ": " + summary);
+    List<Trial> trials =
+        RunTrials.of(
+            simulated(),
+            found,
+            suppressed,
+            verdict == Verdict.PASSED,
+            evidence,
+            run.options().runs(Stage.SIMULATE));
     return new RunResult(
         verdict,
         summary,
@@ -98,7 +108,8 @@ final class Conclusion {
         List.of(),
         faultLines(),
         trials,
-        requirementLines());
+        requirementLines(),
+        evidence);
   }
 
   private <T> List<T> all(Function<StageOutcome, List<T>> part) {

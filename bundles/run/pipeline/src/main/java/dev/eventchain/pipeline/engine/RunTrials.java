@@ -1,8 +1,11 @@
 package dev.eventchain.pipeline.engine;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.Suppressions.Suppressed;
 import dev.eventchain.diagnostics.Trial;
+import dev.eventchain.pipeline.evidence.Evidence;
 import dev.eventchain.pipeline.results.Criterion;
 import dev.eventchain.pipeline.results.RequirementOutcome;
 import dev.eventchain.pipeline.results.Simulated;
@@ -19,7 +22,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 
-/** The scenarios, criteria, requirements and faults of a run as tests with outcomes. */
+/**
+ * The scenarios, criteria, requirements, faults and component tests of a run as tests with
+ * outcomes.
+ */
 final class RunTrials {
 
   private static final String CRITERION = "simulation.criterion.";
@@ -29,32 +35,46 @@ final class RunTrials {
   private final List<Diagnostic> found;
   private final List<Diagnostic> suppressed;
   private final boolean accepted;
+  private final Evidence evidence;
   private final List<Trial> scenarios = new ArrayList<>();
   private final List<Trial> criteria = new ArrayList<>();
   private final Map<String, Double> seconds = new TreeMap<>();
   private final Map<String, Integer> names = new HashMap<>();
   private final Set<Diagnostic> taken = Collections.newSetFromMap(new IdentityHashMap<>());
 
-  private RunTrials(List<Diagnostic> found, List<Suppressed> suppressed, boolean accepted) {
+  private RunTrials(
+      List<Diagnostic> found, List<Suppressed> suppressed, boolean accepted, Evidence evidence) {
     this.found = found;
+    this.evidence = evidence;
     this.suppressed = suppressed.stream().map(Suppressed::finding).toList();
     this.accepted = accepted;
   }
 
   /**
-   * Returns all tests of a simulation, in its order.
+   * Returns all tests of a simulation, in its order, and the tests of components.
    *
    * @param simulated the report of the simulation, if there was one
    * @param found the findings of the run that count
    * @param accepted true if the run has passed, so that whatever did not hold was accepted
+   * @param evidence what the run says about requirements
+   * @param simulates true if the run was to simulate, so that what did not run is missing
    */
   static List<Trial> of(
       Optional<Simulated> simulated,
       List<Diagnostic> found,
       List<Suppressed> suppressed,
-      boolean accepted) {
-    RunTrials trials = new RunTrials(found, suppressed, accepted);
-    return simulated.map(trials::all).orElse(List.of());
+      boolean accepted,
+      Evidence evidence,
+      boolean simulates) {
+    RunTrials trials = new RunTrials(found, suppressed, accepted, evidence);
+    List<Trial> all = new ArrayList<>();
+    simulated.map(trials::all).ifPresent(all::addAll);
+    evidence.tests().stream()
+        .filter(each -> simulates || each.result() != Evidence.Result.NOT_TESTED)
+        .filter(each -> simulated.isEmpty() || each.component().isPresent())
+        .map(trials::test)
+        .forEach(all::add);
+    return all;
   }
 
   private List<Trial> all(Simulated simulated) {
@@ -80,10 +100,47 @@ final class RunTrials {
         new Trial(
             Trial.Kind.SCENARIO,
             scenario.name(),
-            outcome(scenario.passed(), excused),
+            scenario.passed() || scenario.tested() || excused || accepted
+                ? outcome(scenario.passed(), excused)
+                : Trial.Outcome.UNTESTED,
             scenario.text(),
             end,
-            List.of()));
+            List.of(),
+            evidence.tests().stream()
+                .filter(each -> each.component().isEmpty())
+                .filter(each -> each.name().equals(scenario.name()))
+                .map(this::links)
+                .findFirst()));
+  }
+
+  /** Returns a test of a component, or a scenario that was not simulated. */
+  private Trial test(Evidence.Test test) {
+    return new Trial(
+        test.component().isPresent() ? Trial.Kind.TEST : Trial.Kind.SCENARIO,
+        test.fullName(),
+        switch (test.result()) {
+          case PASSED -> Trial.Outcome.PASSED;
+          case FAILED -> accepted ? Trial.Outcome.SKIPPED : Trial.Outcome.FAILED;
+          case NOT_TESTED -> Trial.Outcome.UNTESTED;
+        },
+        test.text(),
+        test.seconds(),
+        found.stream()
+            .filter(each -> test.component().isPresent())
+            .filter(each -> each.severity() == Severity.ERROR)
+            .filter(each -> isAt(each, test.place()))
+            .toList(),
+        Optional.of(links(test)));
+  }
+
+  private static boolean isAt(Diagnostic finding, SourceLocation place) {
+    return finding.location().line() == place.line()
+        && finding.location().file().equals(place.file());
+  }
+
+  /** Returns the links of a test, of which none shows all of a requirement by itself. */
+  private Trial.Evidence links(Evidence.Test test) {
+    return new Trial.Evidence(test.place(), List.of(), evidence.supportedBy(test));
   }
 
   private Trial criterion(String scenario, Criterion criterion, double end) {
@@ -122,7 +179,20 @@ final class RunTrials {
         outcome(requirement.outcome() == RequirementOutcome.Outcome.PROVED, isExcused),
         requirement.outcome().words() + strength(requirement),
         seconds.getOrDefault(id, 0.0),
-        about);
+        about,
+        evidence.requirement(id).flatMap(RunTrials::links));
+  }
+
+  /** Returns the link of all evidence of a requirement to it; empty if it was not tested. */
+  private static Optional<Trial.Evidence> links(Evidence.Requirement requirement) {
+    if (requirement.verdict() == Evidence.Verdict.NOT_TESTED) {
+      return Optional.empty();
+    }
+    List<String> id = List.of(requirement.id());
+    return Optional.of(
+        requirement.isFullyVerified()
+            ? new Trial.Evidence(requirement.place(), id, List.of())
+            : new Trial.Evidence(requirement.place(), List.of(), id));
   }
 
   private static String strength(RequirementOutcome requirement) {

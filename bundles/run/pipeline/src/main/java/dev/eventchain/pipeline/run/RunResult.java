@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Suppressions.Suppressed;
 import dev.eventchain.diagnostics.Trial;
+import dev.eventchain.pipeline.evidence.Evidence;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -22,8 +23,10 @@ import java.util.Optional;
  * @param failure the reason why the run could not continue, if it could not
  * @param recordings the messages of scenarios, where they were recorded
  * @param faults a line for each run with a fault
- * @param trials the scenarios, criteria, requirements and faults as tests with outcomes
+ * @param trials the scenarios, criteria, requirements, faults and component tests as tests with
+ *     outcomes
  * @param requirements a line for each requirement that was judged
+ * @param evidence what the run says about each requirement
  */
 public record RunResult(
     Verdict verdict,
@@ -37,7 +40,8 @@ public record RunResult(
     List<Path> recordings,
     List<FaultLine> faults,
     List<Trial> trials,
-    List<RequirementLine> requirements) {
+    List<RequirementLine> requirements,
+    Evidence evidence) {
 
   /** Returns a copy with recordings. */
   public RunResult withRecordings(List<Path> files) {
@@ -53,7 +57,8 @@ public record RunResult(
         files,
         faults,
         trials,
-        requirements);
+        requirements,
+        evidence);
   }
 
   /** The verdicts of a run. */

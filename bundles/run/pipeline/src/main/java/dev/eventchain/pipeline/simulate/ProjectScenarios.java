@@ -2,6 +2,7 @@ package dev.eventchain.pipeline.simulate;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileReads;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.pipeline.run.ScenarioSelection;
 import dev.eventchain.pipeline.stage.RunContext;
@@ -11,6 +12,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
 /** Scenarios of a project that a command is about. */
@@ -20,13 +22,22 @@ public final class ProjectScenarios {
 
   /** Returns the scenarios that a run requests, in the order of their files. */
   static List<Scenario> selected(RunContext run) {
+    return selected(run, run::find);
+  }
+
+  /** Returns the scenarios that a run requests, whose findings are reported elsewhere. */
+  public static List<Scenario> read(RunContext run) {
+    return FileReads.unrecorded(() -> selected(run, finding -> {}));
+  }
+
+  private static List<Scenario> selected(RunContext run, Consumer<Diagnostic> findings) {
     ScenarioSelection selection = run.options().scenarios();
     if (!selection.files().isEmpty()) {
       return Scenario.readFiles(
-          selection.files(), selection.accept(), run.chain().bench(), run::find);
+          selection.files(), selection.accept(), run.chain().bench(), findings);
     }
     List<Scenario> all =
-        Scenario.readFolder(run.project().scenarios(), run.chain().bench(), run::find);
+        Scenario.readFolder(run.project().scenarios(), run.chain().bench(), findings);
     return named(all, selection.names(), run.project().scenarios());
   }
 

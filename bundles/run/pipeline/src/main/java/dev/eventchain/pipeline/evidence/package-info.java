@@ -1,0 +1,2 @@
+/** What a run says about each requirement: its components, tests and scenarios, and a verdict. */
+package dev.eventchain.pipeline.evidence;
