@@ -38,6 +38,7 @@ public final class SiteBuilder {
           Map.entry("operations", "Operations"),
           Map.entry("diagrams", "Diagrams"),
           Map.entry("build-server", "Build servers"),
+          Map.entry("evidence", "Evidence"),
           Map.entry("eclipse", "Eclipse"),
           Map.entry("java", "Java API"),
           Map.entry("formats", "File formats"),

@@ -179,6 +179,25 @@ class ReportsTest {
     new Program().run("run", project, "-o", "").expect(2).says("-o FOLDER");
     new Program().run("validate", project, "--report", "pdf=a").expect(2).says("FORMAT=FILE");
     new Program().run("validate", project, "--report", "sarif=").expect(2).says("FORMAT=FILE");
+    new Program()
+        .run("run", project, "--report", "matrix=a.pdf")
+        .expect(2)
+        .says("a report matrix needs a file whose name ends with .csv or .html");
+    new Program()
+        .run("validate", project, "--report", "needs=" + folder.resolve("a.json"))
+        .expect(2)
+        .says("--report needs is for 'run DIR' and 'simulate DIR'");
+    Path inside = folder.resolve("lobster/tests.lobster");
+    new Program()
+        .run(
+            "run",
+            project,
+            "--report",
+            "lobster=" + inside.getParent(),
+            "--report",
+            "needs=" + inside)
+        .expect(2)
+        .says("two reports would go to the same file: " + inside);
     new Program().run("validate", project, "--date", "soon").expect(2).says("--date");
   }
 

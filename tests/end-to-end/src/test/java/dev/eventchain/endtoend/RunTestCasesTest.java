@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.fixtures.InTurn;
 import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
@@ -51,8 +53,22 @@ class RunTestCasesTest {
     assertEquals("", property(warned, "PartiallyVerifies"));
     assertEquals(0, report.getElementsByTagName("failure").getLength());
     byte[] before = Files.readAllBytes(file);
-    new Program().run("run", copy.path(), "--report", "junit=" + file).expect(0);
+    Path needs = folder.resolve("needs.json");
+    Path matrix = folder.resolve("matrix.csv");
+    new Program()
+        .run("run", copy.path(), "--report", "junit=" + file, "--report", "needs=" + needs)
+        .expect(0);
     assertArrayEquals(before, Files.readAllBytes(file), "of results that are not made again, too");
+    JsonNode scenarioNeed =
+        new ObjectMapper().readTree(needs.toFile()).at("/versions/1/needs/SCENARIO_SHORT_SIGHT");
+    assertEquals("passed", scenarioNeed.get("status").asText());
+    assertEquals("[\"RAD-1\",\"RAD-3\"]", scenarioNeed.get("links").toString());
+    copy.write("scenarios/short-sight.yaml", "broken");
+    new Program()
+        .run("run", copy.path(), "--report", "matrix=" + matrix, "--report", "needs=" + needs)
+        .expect(2);
+    assertFalse(Files.readString(matrix).contains("proved"), "a broken project proves nothing");
+    assertFalse(Files.readString(needs).contains("passed"), Files.readString(needs));
   }
 
   @InTurn

@@ -8,7 +8,6 @@ import dev.eventchain.diagnostics.Report;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.Pipeline;
-import dev.eventchain.pipeline.ReportFile;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.RunResult;
@@ -76,7 +75,7 @@ abstract class ProjectCommand implements Callable<Integer> {
   @Override
   public final Integer call() {
     long start = System.nanoTime();
-    reporting.check();
+    reporting.check(hasEvidence());
     reporting.removeEarlier();
     if (output != null && output.toString().isEmpty()) {
       throw wrongUsage("the name of the output folder is empty: -o FOLDER");
@@ -103,6 +102,11 @@ abstract class ProjectCommand implements Callable<Integer> {
     } catch (RuntimeException | Error e) {
       return Outcome.of(e);
     }
+  }
+
+  /** Returns whether the command may come to a verdict, of which there are reports. */
+  boolean hasEvidence() {
+    return false;
   }
 
   /** Returns whether standard output is for the command's result, so that findings go elsewhere. */
@@ -265,10 +269,9 @@ abstract class ProjectCommand implements Callable<Integer> {
   }
 
   private int report(Outcome outcome, double seconds) {
-    Report report = outcome.report(Main.version());
     List<Diagnostic> unwritten =
         reporting.targets.stream()
-            .flatMap(target -> ReportFile.write(report, target.format(), target.file()).stream())
+            .flatMap(target -> target.write(outcome, Main.version()).stream())
             .toList();
     Outcome last = outcome.unreported(unwritten);
     if (reporting.format == DiagnosticFormat.TEXT) {

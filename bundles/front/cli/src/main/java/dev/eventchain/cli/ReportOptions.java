@@ -2,12 +2,13 @@ package dev.eventchain.cli;
 
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.Suppressions;
-import dev.eventchain.pipeline.ReportFile;
+import dev.eventchain.pipeline.ReportTarget;
 import dev.eventchain.pipeline.Today;
 import dev.eventchain.project.SuppressionFile;
 import java.nio.file.Path;
 import java.time.LocalDate;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -35,8 +36,11 @@ final class ReportOptions {
       description =
           "Also write the findings to a file, for example sarif=out/findings.sarif; "
               + "may be repeated. Missing folders are created. It is written even when "
-              + "the command fails.")
-  List<Target> targets = List.of();
+              + "the command fails. Besides the formats of findings, 'run' and 'simulate' have those"
+              + " of the evidence for requirements: 'evidence' (JUnit XML for tools of"
+              + " requirements), 'lobster' (a folder), 'needs' (needs.json of sphinx-needs) and"
+              + " 'matrix' (a .csv or .html file).")
+  List<ReportTarget> targets = List.of();
 
   @Option(
       names = "--all",
@@ -63,35 +67,41 @@ final class ReportOptions {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec spec;
 
-  /** A report file with its format. */
-  record Target(DiagnosticFormat format, Path file) {}
-
   /** Reads {@code FORMAT=FILE}. */
-  static final class TargetConverter implements ITypeConverter<Target> {
+  static final class TargetConverter implements ITypeConverter<ReportTarget> {
     @Override
-    public Target convert(String value) {
-      int equals = value.indexOf('=');
-      String name = value.substring(0, Math.max(equals, 0));
-      for (DiagnosticFormat format : DiagnosticFormat.values()) {
-        if (format.toString().equalsIgnoreCase(name) && equals + 1 < value.length()) {
-          return new Target(format, Path.of(value.substring(equals + 1)));
-        }
+    public ReportTarget convert(String value) {
+      try {
+        return ReportTarget.parse(value);
+      } catch (IllegalArgumentException e) {
+        throw new TypeConversionException(e.getMessage());
       }
-      throw new TypeConversionException(
-          "'"
-              + value
-              + "' is not FORMAT=FILE with one of the formats "
-              + List.of(DiagnosticFormat.values()));
     }
   }
 
-  /** Rejects two reports to the same file. */
-  void check() {
+  /**
+   * Rejects two reports to the same file, and reports of what the command does not do.
+   *
+   * @param runs true if the command may come to a verdict
+   */
+  void check(boolean runs) {
     Set<Path> files = new HashSet<>();
-    for (Target target : targets) {
-      if (!files.add(target.file.toAbsolutePath().normalize())) {
+    for (ReportTarget target : targets) {
+      Set<Path> written = new LinkedHashSet<>(target.files());
+      written.add(target.file());
+      for (Path file : written) {
+        if (!files.add(file.toAbsolutePath().normalize())) {
+          throw new ParameterException(
+              spec.commandLine(), "two reports would go to the same file: " + file);
+        }
+      }
+      if (!runs && target.evidence().isPresent()) {
         throw new ParameterException(
-            spec.commandLine(), "two reports would go to the same file: " + target.file);
+            spec.commandLine(),
+            "--report "
+                + target.format()
+                + " is for 'run DIR' and 'simulate DIR', whose evidence"
+                + " it holds");
       }
     }
   }
@@ -101,7 +111,7 @@ final class ReportOptions {
    * replaced either, which is then reported.
    */
   void removeEarlier() {
-    targets.forEach(target -> ReportFile.remove(target.file()));
+    targets.forEach(ReportTarget::removeEarlier);
   }
 
   /** Returns the day for which suppressions and acceptances are evaluated. */

@@ -44,6 +44,11 @@ final class RunCommand extends ProjectCommand {
   }
 
   @Override
+  boolean hasEvidence() {
+    return true;
+  }
+
+  @Override
   Outcome work() {
     if (from.compareTo(to) > 0) {
       throw wrongUsage(

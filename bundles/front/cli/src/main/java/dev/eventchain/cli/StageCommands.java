@@ -107,6 +107,11 @@ final class StageCommands {
     }
 
     @Override
+    boolean hasEvidence() {
+      return suite == null;
+    }
+
+    @Override
     Outcome work() {
       return suite == null
           ? execute(folder, Stage.SIMULATE, Stage.SIMULATE, true, new LlmOptions(), scenarios)

@@ -1,17 +1,17 @@
 package dev.eventchain.diagnostics;
 
 /** Escapes text for XML 1.0; characters that it cannot hold are replaced. */
-final class Xml {
+public final class Xml {
 
   private Xml() {}
 
   /** Returns the content of an attribute in double quotes. */
-  static String attribute(String text) {
+  public static String attribute(String text) {
     return text(text).replace("\"", "&quot;").replace("\n", "&#10;").replace("\t", "&#9;");
   }
 
   /** Returns the content of an element. */
-  static String text(String text) {
+  public static String text(String text) {
     return Printable.clean(text)
         .replace('\uFFFE', '\uFFFD')
         .replace('\uFFFF', '\uFFFD')

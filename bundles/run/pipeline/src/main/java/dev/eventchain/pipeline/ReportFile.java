@@ -25,7 +25,11 @@ public final class ReportFile {
    * @return the finding {@code report.unwritable} if it could not be written
    */
   public static Optional<Diagnostic> write(Report report, DiagnosticFormat format, Path file) {
-    byte[] content = format.render(report).getBytes(StandardCharsets.UTF_8);
+    return write(format.render(report).getBytes(StandardCharsets.UTF_8), format.toString(), file);
+  }
+
+  /** As above, for the content of a report in any format. */
+  static Optional<Diagnostic> write(byte[] content, String format, Path file) {
     try {
       if (Files.isDirectory(file)) {
         throw new IOException("this is a folder");

@@ -1,7 +1,9 @@
 package dev.eventchain.pipeline.engine;
 
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.FileReads;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.EventChain;
@@ -34,11 +36,13 @@ final class CollectedEvidence {
 
   private final RunContext run;
   private final Optional<Simulated> simulated;
+  private final List<Diagnostic> found;
   private final Optional<EventChain> chain;
 
-  private CollectedEvidence(RunContext run, Optional<Simulated> simulated) {
+  private CollectedEvidence(RunContext run, Optional<Simulated> simulated, List<Diagnostic> found) {
     this.run = run;
     this.simulated = simulated;
+    this.found = found;
     this.chain = readable(() -> run.chain().chain());
   }
 
@@ -46,13 +50,18 @@ final class CollectedEvidence {
    * Collects the evidence of a run.
    *
    * @param simulated the report of the simulation, if there was one
+   * @param found the findings of the run that count
    * @param implemented the outcome of the stage that tests components
    * @param summary the verdict in a sentence
    */
   static Evidence of(
-      RunContext run, Optional<Simulated> simulated, StageOutcome implemented, String summary) {
+      RunContext run,
+      Optional<Simulated> simulated,
+      List<Diagnostic> found,
+      StageOutcome implemented,
+      String summary) {
     return FileReads.unrecorded(
-        () -> new CollectedEvidence(run, simulated).collect(implemented, summary));
+        () -> new CollectedEvidence(run, simulated, found).collect(implemented, summary));
   }
 
   private Evidence collect(StageOutcome implemented, String summary) {
@@ -93,15 +102,23 @@ final class CollectedEvidence {
         item.id(),
         item.text(),
         item.location(),
-        outcome.map(CollectedEvidence::verdict).orElse(Verdict.NOT_TESTED),
+        outcome.map(this::verdict).orElse(Verdict.NOT_TESTED),
         outcome
             .flatMap(RequirementOutcome::strength)
             .map(it -> new Strength(it.noticed(), it.faults(), it.sampleOf())));
   }
 
-  private static Verdict verdict(RequirementOutcome outcome) {
+  /**
+   * Returns the verdict on a requirement. One about which a finding says that its evidence is not
+   * enough, such as a strength below what the project asks for, is not proved.
+   */
+  private Verdict verdict(RequirementOutcome outcome) {
+    boolean wanting =
+        found.stream()
+            .filter(each -> each.severity() == Severity.ERROR)
+            .anyMatch(each -> RunTrials.isAbout(each, outcome.id()));
     return switch (outcome.outcome()) {
-      case PROVED -> Verdict.PROVED;
+      case PROVED -> wanting ? Verdict.NOT_TESTED : Verdict.PROVED;
       case VIOLATED -> Verdict.VIOLATED;
       case NOT_TESTED -> Verdict.NOT_TESTED;
     };

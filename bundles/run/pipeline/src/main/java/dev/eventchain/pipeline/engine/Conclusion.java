@@ -87,15 +87,8 @@ final class Conclusion {
     String summary = summary(verdict, scenarios, found) + suppressedText(suppressed) + attached();
     Optional<Path> report = report(verdict, summary, found);
     Evidence evidence =
-        CollectedEvidence.of(run, simulated(), outcome(Stage.IMPLEMENT), verdict + ": " + summary);
-    List<Trial> trials =
-        RunTrials.of(
-            simulated(),
-            found,
-            suppressed,
-            verdict == Verdict.PASSED,
-            evidence,
-            run.options().runs(Stage.SIMULATE));
+        CollectedEvidence.of(
+            run, simulated(), found, outcome(Stage.IMPLEMENT), verdict + ": " + summary);
     return new RunResult(
         verdict,
         summary,
@@ -107,9 +100,16 @@ final class Conclusion {
         failure,
         List.of(),
         faultLines(),
-        trials,
+        trials(verdict, found, suppressed, evidence),
         requirementLines(),
         evidence);
+  }
+
+  private List<Trial> trials(
+      Verdict verdict, List<Diagnostic> found, List<Suppressed> suppressed, Evidence evidence) {
+    boolean simulates = run.options().runs(Stage.SIMULATE);
+    boolean passed = verdict == Verdict.PASSED;
+    return RunTrials.of(simulated(), found, suppressed, passed, evidence, simulates);
   }
 
   private <T> List<T> all(Function<StageOutcome, List<T>> part) {

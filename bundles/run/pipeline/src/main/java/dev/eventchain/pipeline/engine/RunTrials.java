@@ -199,7 +199,8 @@ final class RunTrials {
     return requirement.strength().map(it -> ", " + RequirementStrength.words(it)).orElse("");
   }
 
-  private static boolean isAbout(Diagnostic finding, String requirement) {
+  /** Returns whether a finding is about the evidence for a requirement. */
+  static boolean isAbout(Diagnostic finding, String requirement) {
     return (finding.id().startsWith(REQUIREMENT) || finding.id().startsWith(STRENGTH))
         && finding.rule().equals(requirement);
   }
