@@ -32,8 +32,8 @@ final class MessagesCommand implements Callable<Integer> {
       arity = "0..*",
       paramLabel = "FOLDER",
       description =
-          "Holds PACKAGE/msg/NAME.msg or NAME.idl, as software-base/msg of a project does; a later one "
-              + "hides an earlier one. None for standard messages alone, with --ros-distro.")
+          "Holds PACKAGE/msg/NAME.msg or NAME.idl, as software-base/msg of a project does, or is a "
+              + "colcon workspace; a later one hides an earlier one. None for standard messages alone, with --ros-distro.")
   private List<Path> folders = new ArrayList<>();
 
   @Option(

@@ -6,9 +6,6 @@ import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.FileVisitOption;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -71,8 +68,9 @@ public final class MessageCatalog {
    *
    * @param distribution the release that defines the standard types
    * @param folders folders with {@code PACKAGE/msg/NAME.msg} or {@code NAME.idl}, or both with
-   *     equal content, and {@code PACKAGE/srv/NAME.srv}, or links to such files or folders; later
-   *     folders override earlier ones, and all override standard types
+   *     equal content, and {@code PACKAGE/srv/NAME.srv}, or links to such files or folders; at any
+   *     depth below a folder with {@code package.xml}, as in a colcon workspace (see {@link
+   *     RosFolder}). Later folders override earlier ones, and all override standard types
    * @throws DiagnosticException {@code file.unreadable}: a folder is missing or cannot be listed
    */
   public static MessageCatalog of(RosDistribution distribution, Collection<Path> folders) {
@@ -92,23 +90,34 @@ public final class MessageCatalog {
 
   private void list(Path folder) {
     Set<String> ofThisFolder = new HashSet<>();
-    try (Stream<Path> found = Files.walk(folder, FileVisitOption.FOLLOW_LINKS)) {
-      for (Path file : found.filter(MessageCatalog::isDefinition).sorted().toList()) {
-        String name = folder.relativize(file).toString().replace('\\', '/');
-        String type = name.substring(0, name.length() - SUFFIX.length());
-        boolean isPlaced = name.endsWith(SUFFIX) || name.endsWith(IDL_SUFFIX);
-        if (name.endsWith(ServiceParser.SUFFIX) && ServiceParser.isService(type)) {
-          ServiceParser.messages(type).forEach(part -> filesOfServices.put(part, file));
-        } else if (isPlaced && RosNames.isFullMessageType(type)) {
-          place(type, file, ofThisFolder.add(type));
-        } else {
-          misplaced.add(file);
+    try {
+      RosFolder found = RosFolder.list(folder);
+      for (Path file : found.files()) {
+        if (isDefinition(file)) {
+          take(file, nameOf(folder, found.packageOf(file), file), ofThisFolder);
         }
       }
     } catch (IOException e) {
       throw unreadable(folder, SourceText.reason(e));
-    } catch (UncheckedIOException e) {
-      throw unreadable(folder, SourceText.reason(e));
+    }
+  }
+
+  /** Returns the name of a file from its package on, or else from the folder on. */
+  private static String nameOf(Path folder, Optional<RosPackage> owner, Path file) {
+    String path = owner.map(RosPackage::folder).orElse(folder).relativize(file).toString();
+    String name = path.replace('\\', '/');
+    return owner.map(it -> it.name() + "/" + name).orElse(name);
+  }
+
+  private void take(Path file, String name, Set<String> ofThisFolder) {
+    String type = name.substring(0, name.length() - SUFFIX.length());
+    boolean isMessage = name.endsWith(SUFFIX) || name.endsWith(IDL_SUFFIX);
+    if (name.endsWith(ServiceParser.SUFFIX) && ServiceParser.isService(type)) {
+      ServiceParser.messages(type).forEach(part -> filesOfServices.put(part, file));
+    } else if (isMessage && RosNames.isFullMessageType(type)) {
+      place(type, file, ofThisFolder.add(type));
+    } else {
+      misplaced.add(file);
     }
   }
 
@@ -125,8 +134,7 @@ public final class MessageCatalog {
   /** Returns whether a file has the name of a definition, ignoring case. */
   private static boolean isDefinition(Path file) {
     String name = file.toString().toLowerCase(Locale.ROOT);
-    return Stream.of(SUFFIX, IDL_SUFFIX, ServiceParser.SUFFIX).anyMatch(name::endsWith)
-        && !Files.isDirectory(file);
+    return Stream.of(SUFFIX, IDL_SUFFIX, ServiceParser.SUFFIX).anyMatch(name::endsWith);
   }
 
   private static DiagnosticException unreadable(Path folder, String reason) {
@@ -173,7 +181,7 @@ public final class MessageCatalog {
                   "This is not read: no message type has this file.",
                   SourceLocation.of(file))
               .withHint(
-                  "Name it %s, within the folder of definitions."
+                  "Name it %s, within the folder of definitions or of workspaces; there, PACKAGE is a folder with a package.xml."
                       .formatted(
                           file.toString().endsWith(ServiceParser.SUFFIX)
                               ? "PACKAGE/srv/NAME.srv"
@@ -317,7 +325,12 @@ public final class MessageCatalog {
           DiagnosticException.Reason.INPUT,
           Diagnostic.of(
                   MessageRules.CONFLICT,
-                  file.getFileName() + " next to this file defines " + name + " differently.",
+                  (file.getParent().equals(beside.getParent())
+                          ? file.getFileName() + " next to this file"
+                          : SourceLocation.of(file).file())
+                      + " defines "
+                      + name
+                      + " differently.",
                   SourceLocation.of(beside))
               .withHint("Remove one of them, or regenerate it from the other."));
     }

@@ -18,12 +18,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class MessageCatalogTest {
 
@@ -191,6 +193,67 @@ class MessageCatalogTest {
     DiagnosticException failure =
         assertThrows(DiagnosticException.class, () -> MessageCatalog.of(folders));
     assertEquals("file.unreadable", failure.diagnostics().get(0).id());
+  }
+
+  /** A colcon workspace: packages at any depth, and what colcon passes over. */
+  @Test
+  void messagesOfAWorkspaceAreReadAtAnyDepth(@TempDir Path workspace) throws IOException {
+    write(workspace.resolve("src/group/track/package.xml"), manifest("track_msgs"));
+    write(workspace.resolve("src/group/track/msg/Track.msg"), "other_msgs/Other other\n");
+    write(workspace.resolve("src/group/track/test/Fake.msg"), "int8 a\n");
+    write(workspace.resolve("src/other_msgs/package.xml"), manifest("other_msgs"));
+    write(workspace.resolve("src/other_msgs/msg/Other.msg"), "int8 a\n");
+    Files.createSymbolicLink(workspace.resolve("src/group/again"), workspace.resolve("src"));
+    for (String passed : List.of("old/COLCON_IGNORE", "older/AMENT_IGNORE", ".git/config")) {
+      Path folder = workspace.resolve("src").resolve(passed).getParent();
+      write(workspace.resolve("src").resolve(passed), "");
+      write(folder.resolve("package.xml"), manifest("old_msgs"));
+      write(folder.resolve("msg/Old.msg"), "no definition");
+    }
+    write(workspace.resolve("install/track_msgs/share/track_msgs/package.xml"), manifest("a_msgs"));
+    write(workspace.resolve("install/track_msgs/share/track_msgs/msg/Track.msg"), "int8 b\n");
+    write(workspace.resolve("build/x/package.xml"), "no manifest");
+    MessageCatalog catalog = MessageCatalog.of(List.of(workspace));
+    assertEquals(Set.of("other_msgs/msg/Other", "track_msgs/msg/Track"), catalog.ownNames());
+    assertEquals(
+        List.of(workspace.resolve("src/group/track/test/Fake.msg").toString()),
+        catalog.diagnostics().stream().map(it -> it.location().file()).toList());
+    assertTrue(
+        catalog.find("track_msgs/Track").orElseThrow().resolve("other.a").type().isPresent());
+  }
+
+  /** Without a readable manifest, a folder is what its name says, or nothing. */
+  @ParameterizedTest
+  @ValueSource(strings = {"", "<package>", "<package><name>No Name</name></package>", "\0\1"})
+  void aBrokenManifestNamesNoPackage(String text, @TempDir Path folder) throws IOException {
+    write(folder.resolve("src/track/package.xml"), text);
+    write(folder.resolve("src/track/msg/Track.msg"), "int8 a\n");
+    write(folder.resolve("other/package.xml"), text);
+    write(folder.resolve("other/msg/Other.msg"), "int8 a\n");
+    MessageCatalog catalog = MessageCatalog.of(List.of(folder));
+    assertEquals(Set.of("other/msg/Other"), catalog.ownNames());
+    assertEquals(1, catalog.diagnostics().size());
+  }
+
+  /** Two packages of one name are one, unless they contradict each other. */
+  @Test
+  void packagesOfOneNameMustNotContradict(@TempDir Path folder) throws IOException {
+    for (String name : List.of("first", "second")) {
+      write(folder.resolve(name + "/package.xml"), manifest("track_msgs"));
+      write(folder.resolve(name + "/msg/Track.msg"), "int8 " + name + "\n");
+    }
+    String found = DiagnosticFormat.TEXT.render(MessageCatalog.of(List.of(folder)).diagnostics());
+    assertTrue(
+        found.contains("second/msg/Track.msg defines track_msgs/msg/Track differently"), found);
+  }
+
+  private static String manifest(String name) {
+    return "<?xml version='1.0'?>\n<package format='3'>\n <name>" + name + "</name>\n</package>\n";
+  }
+
+  private static void write(Path file, String text) throws IOException {
+    Files.createDirectories(file.getParent());
+    Files.writeString(file, text);
   }
 
   @Test
