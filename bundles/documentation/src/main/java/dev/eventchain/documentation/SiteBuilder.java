@@ -25,6 +25,7 @@ public final class SiteBuilder {
           Map.entry("installation", "Installation"),
           Map.entry("tutorial", "Tutorial"),
           Map.entry("projects", "Projects"),
+          Map.entry("ros2-workspaces", "ROS 2 workspaces"),
           Map.entry("simulation", "Simulation"),
           Map.entry("scenarios", "Bench, scenarios, formulas"),
           Map.entry("campaigns", "Campaigns"),

@@ -59,6 +59,11 @@ class DocumentationTest {
   }
 
   @Test
+  void ros2Workspaces() throws Exception {
+    assertTrue(run("ros2-workspaces.md") >= 3);
+  }
+
+  @Test
   void modelsOfAnyMetamodel() throws Exception {
     assertTrue(run("constraints.md") >= 2);
     assertTrue(run("templates.md") >= 1);
@@ -113,6 +118,7 @@ class DocumentationTest {
               "diagrams.md",
               "formats.md",
               "projects.md",
+              "ros2-workspaces.md",
               "simulation.md",
               "templates.md",
               "tutorial.md"),

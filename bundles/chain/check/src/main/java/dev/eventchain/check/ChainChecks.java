@@ -10,6 +10,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.project.OpenQuestions;
 import dev.eventchain.project.ProjectFileNames;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.SoftwareBase;
@@ -142,8 +143,8 @@ public final class ChainChecks {
   }
 
   /**
-   * Returns findings about unchecked input: design rules without constraints, and documents that
-   * are not read.
+   * Returns findings about unchecked input: design rules without constraints, documents that are
+   * not read, and what is not known of the software base.
    *
    * @param output the folder of the project's results
    */
@@ -152,6 +153,7 @@ public final class ChainChecks {
     List<Diagnostic> found =
         new ArrayList<>(constraints.uncovered(rules, more -> folder.command(output, more)));
     found.addAll(ProjectFileNames.unreadConstraints(folder, output));
+    found.addAll(OpenQuestions.read(folder));
     return found;
   }
 

@@ -107,6 +107,7 @@ public final class ProjectValidation {
     files.add(folder.designRulesFile());
     files.add(folder.requirements());
     files.addAll(folder.softwareBaseFiles());
+    files.add(folder.questionsFile());
     files.addAll(folder.messageFiles());
     Sha256 digest = new Sha256();
     for (Path file : files) {

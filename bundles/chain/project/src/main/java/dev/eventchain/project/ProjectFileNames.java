@@ -38,6 +38,7 @@ public final class ProjectFileNames {
           "software-base",
           "software-base/components.json",
           "software-base/msg",
+          "software-base/questions.json",
           "software-base/signals.json",
           "tests");
 

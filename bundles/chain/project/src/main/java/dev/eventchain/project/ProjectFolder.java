@@ -169,6 +169,11 @@ public class ProjectFolder {
         softwareBase().resolve("components.json"), softwareBase().resolve("signals.json"));
   }
 
+  /** Returns the file of open questions about the software base, which may be absent. */
+  public final Path questionsFile() {
+    return softwareBase().resolve("questions.json");
+  }
+
   /** Returns the edited chain model, if there is one; then it is the source. */
   public Optional<Path> editedModel() {
     return existing("model/chain.xmi");

@@ -24,6 +24,8 @@ final class ProjectRules {
   static final Rule PROJECT_CONSTRAINTS_UNREAD = Rule.warning("project.constraints.unread");
   static final Rule PROJECT_FILE_MISNAMED = Rule.error("project.file.misnamed");
   static final Rule PROJECT_MISSING = Rule.error("project.missing");
+  static final Rule PROJECT_QUESTION = Rule.warning("project.question");
+  static final Rule PROJECT_QUESTIONS = Rule.error("project.questions");
   static final Rule SUPPRESSION_INVALID =
       Rule.error("suppression.invalid", CommonTrait.UNSUPPRESSIBLE);
 

@@ -44,6 +44,7 @@ class ProjectCasesTest {
     try {
       return switch (kind) {
         case "base" -> base(folder);
+        case "questions" -> render(OpenQuestions.read(new ProjectFolder(folder)), folder);
         case "requirements" -> requirements(folder);
         default -> throw new IllegalArgumentException(kind);
       };

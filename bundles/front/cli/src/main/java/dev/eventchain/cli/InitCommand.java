@@ -1,12 +1,19 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.pipeline.ExitCode;
 import dev.eventchain.pipeline.ProjectBench;
 import dev.eventchain.pipeline.start.ProjectStart;
+import dev.eventchain.pipeline.start.WorkspaceStart;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
 
 /** {@code init}: creates a project. */
 @Command(
@@ -19,12 +26,33 @@ import picocli.CommandLine.Parameters;
           + " missing files of a project are added, with bench.yaml filled in from the signals, and"
           + " model/chain.xmi from software-base/components.json if these components form a"
           + " complete chain.",
+      "With --from-workspace, it is a project around the nodes of a ROS 2 workspace, whose sources"
+          + " are read and not run; what they do not say is asked, in"
+          + " software-base/questions.json.",
       "Existing files are not changed."
     })
 final class InitCommand implements Callable<Integer> {
 
   @Parameters(paramLabel = "DIR", description = "The project's folder.")
   private Path folder;
+
+  @Option(
+      names = "--from-workspace",
+      paramLabel = "WS",
+      description =
+          "A colcon workspace, or a folder of packages: its nodes in Python, those in C++ as far as"
+              + " their topics are literals, and its launch files.")
+  private Path workspace;
+
+  @Option(
+      names = "--launch",
+      paramLabel = "FILE",
+      description =
+          "The launch file of the workspace that starts the software. By default the only one that"
+              + " no other one includes.")
+  private Path launch;
+
+  @Spec private CommandSpec spec;
 
   private final Console console;
 
@@ -34,7 +62,7 @@ final class InitCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    ProjectStart.Started started = ProjectStart.create(folder, ProjectBench::proposal);
+    ProjectStart.Started started = start();
     started.files().forEach(file -> console.out().println(folder.resolve(file)));
     console.out().println();
     started
@@ -53,7 +81,24 @@ final class InitCommand implements Callable<Integer> {
     console.out().println("Next: eventchain bench " + name + "; eventchain run " + name);
     console.out().println("Once it passes: eventchain accept " + name);
     console.out().flush();
+    console.err().print(DiagnosticFormat.TEXT.render(started.questions()));
+    console.err().flush();
     return ExitCode.FINE;
+  }
+
+  private ProjectStart.Started start() {
+    if (workspace == null) {
+      if (launch != null) {
+        throw new ParameterException(spec.commandLine(), "--launch is about --from-workspace");
+      }
+      return ProjectStart.create(folder, ProjectBench::proposal);
+    }
+    return WorkspaceStart.create(
+        folder,
+        workspace,
+        Optional.ofNullable(launch),
+        ProjectBench::proposal,
+        said -> console.err().println(said));
   }
 
   /** Returns the name quoted for a shell. */

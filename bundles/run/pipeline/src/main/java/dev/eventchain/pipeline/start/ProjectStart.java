@@ -18,6 +18,7 @@ import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.files.SourceFile;
+import dev.eventchain.project.OpenQuestions;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.ProjectSettings;
 import dev.eventchain.project.Requirements;
@@ -39,6 +40,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.SortedMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -88,8 +90,9 @@ public final class ProjectStart {
    * @param files the written files, relative to the folder
    * @param unfed the reason why there is no chain although there are components: one of them reads
    *     a topic that nobody writes, so that design is incomplete; empty otherwise
+   * @param questions findings about what is not known of existing software
    */
-  public record Started(List<String> files, Optional<String> unfed) {}
+  public record Started(List<String> files, Optional<String> unfed, List<Diagnostic> questions) {}
 
   private final Path folder;
   private final BenchProposal bench;
@@ -125,6 +128,25 @@ public final class ProjectStart {
     return new ProjectStart(folder, bench).create();
   }
 
+  /**
+   * Writes a project around existing software into a new or empty folder.
+   *
+   * @param software the files of its software base
+   * @throws DiagnosticException as {@link #create(Path, BenchProposal)}
+   */
+  static Started around(SortedMap<String, String> software, Path folder, BenchProposal bench) {
+    ProjectStart start = new ProjectStart(folder, bench);
+    if (!start.isEmpty()) {
+      throw start.refused(
+          StartRules.FOREIGN, "The folder is not empty.", "Name a new folder for the project.");
+    }
+    software.forEach(start::write);
+    Started around = start.create();
+    List<String> files = new ArrayList<>(software.keySet());
+    files.addAll(around.files());
+    return new Started(files, around.unfed(), OpenQuestions.read(new ProjectFolder(folder)));
+  }
+
   private Started create() {
     if (exists("eventchain.yaml")) {
       throw refused(StartRules.EXISTS, "This is already a project.", "Run it: eventchain run DIR");
@@ -148,7 +170,7 @@ public final class ProjectStart {
             written.add(name);
           }
         });
-    return new Started(written, unfed);
+    return new Started(written, unfed, List.of());
   }
 
   private boolean exists(String name) {

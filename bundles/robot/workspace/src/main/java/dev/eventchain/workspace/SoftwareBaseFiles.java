@@ -1,0 +1,175 @@
+package dev.eventchain.workspace;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.JsonLayout;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.MessageType;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+
+/**
+ * The files of a software base that describe software which exists: signals, components that are
+ * nodes, the definitions of their messages, and the questions that are open.
+ */
+public final class SoftwareBaseFiles {
+
+  private final MessageCatalog messages;
+  private final MessageFields fields;
+  private final List<OpenQuestion> questions;
+  private final SortedMap<String, String> files = new TreeMap<>();
+
+  private SoftwareBaseFiles(MessageCatalog messages, List<OpenQuestion> questions) {
+    this.messages = messages;
+    this.fields = new MessageFields(messages);
+    this.questions = new ArrayList<>(questions);
+  }
+
+  /**
+   * Returns the texts of the files, by their paths in the project.
+   *
+   * @param messages the definitions of the types that the software uses
+   */
+  public static SortedMap<String, String> of(FoundSoftware software, MessageCatalog messages) {
+    return new SoftwareBaseFiles(messages, software.questions()).write(software.nodes());
+  }
+
+  private SortedMap<String, String> write(List<FoundNode> found) {
+    List<DescribedNode> nodes = new ArrayList<>();
+    Map<String, String> names = ComponentNames.of(found);
+    for (FoundNode node : found) {
+      List<DescribedEndpoint> endpoints = endpoints(node);
+      if (endpoints.isEmpty()) {
+        ask("What does %s read and write? No topic of it is known.".formatted(node.name()), node);
+      } else {
+        nodes.add(new DescribedNode(names.get(node.name()), node, endpoints));
+      }
+    }
+    List<DescribedNode> components = nodes.stream().filter(this::isOfAChain).toList();
+    components.forEach(this::askAbout);
+    files.put("software-base/components.json", components(components));
+    files.put("software-base/signals.json", SignalsJson.of(nodes, components));
+    files.put("software-base/questions.json", questions());
+    return files;
+  }
+
+  /** Returns whether a node has inputs and outputs, or may have: others begin or end a chain. */
+  private boolean isOfAChain(DescribedNode node) {
+    boolean reads = node.endpoints().stream().anyMatch(each -> !each.isOutput());
+    boolean writes = node.endpoints().stream().anyMatch(DescribedEndpoint::isOutput);
+    if ((reads && writes) || !node.node().isComplete()) {
+      return true;
+    }
+    ask(
+        "Is %s a part of the vehicle? It %s, and is left out of the chain."
+            .formatted(node.node().name(), reads ? "only reads" : "only writes"),
+        node.node());
+    return false;
+  }
+
+  private static String components(List<DescribedNode> nodes) {
+    ArrayNode json = JsonNodeFactory.instance.arrayNode();
+    FlowOrder.of(nodes).forEach(node -> json.add(node.json()));
+    return JsonLayout.of(json) + "\n";
+  }
+
+  /** Returns the endpoints whose types are known; those with equal topic and type are one. */
+  private List<DescribedEndpoint> endpoints(FoundNode node) {
+    List<DescribedEndpoint> all = new ArrayList<>();
+    for (FoundEndpoint endpoint : node.endpoints()) {
+      type(endpoint)
+          .ifPresent(
+              type -> {
+                Optional<List<MessageFields.Leaf>> used =
+                    endpoint.fields().flatMap(paths -> fields.of(type, paths));
+                if (used.isEmpty() && fields.all(type).size() > 1) {
+                  ask(
+                      "Which fields of %s on %s does %s use? All are taken."
+                          .formatted(endpoint.type(), endpoint.topic(), node.name()),
+                      endpoint.file(),
+                      endpoint.line());
+                }
+                DescribedEndpoint.add(endpoint, used.orElseGet(() -> fields.all(type)), all);
+              });
+    }
+    return all;
+  }
+
+  private Optional<MessageType> type(FoundEndpoint endpoint) {
+    String problem = "There is no such definition";
+    try {
+      Optional<MessageType> type = messages.find(endpoint.type());
+      if (type.isPresent()) {
+        keep(type.get());
+        return type;
+      }
+    } catch (DiagnosticException e) {
+      problem = e.diagnostics().get(0).message().replaceFirst("\\.$", "");
+    }
+    ask(
+        "What is %s, the type of %s? %s; put it into software-base/msg, and the topic into components.json."
+            .formatted(endpoint.type(), endpoint.topic(), problem),
+        endpoint.file(),
+        endpoint.line());
+    return Optional.empty();
+  }
+
+  /** Adds the definition of a type of the workspace, and those that it uses. */
+  private void keep(MessageType type) {
+    Optional<Path> file = messages.file(type.name());
+    if (file.isPresent()) {
+      String name = file.get().getFileName().toString();
+      String ending = name.substring(name.lastIndexOf('.'));
+      files.put("software-base/msg/" + type.name() + ending, SourceText.read(file.get()).text());
+    }
+    type.fields().forEach(field -> field.type().message().ifPresent(this::keep));
+  }
+
+  private void askAbout(DescribedNode node) {
+    long inputs = node.endpoints().stream().filter(each -> !each.isOutput()).count();
+    long outputs = node.endpoints().size() - inputs;
+    if (inputs * outputs > 1) {
+      ask(
+          "Which input of %s causes which output? Each is taken to cause each."
+              .formatted(node.component()),
+          node.node());
+    }
+    if (node.node().frequency().isEmpty()) {
+      ask(
+          "How often does %s act? It has no timer, and its frequency is that of eventchain.yaml."
+              .formatted(node.component()),
+          node.node());
+    }
+  }
+
+  private void ask(String text, FoundNode node) {
+    ask(text, node.file(), node.line());
+  }
+
+  private void ask(String text, String file, int line) {
+    OpenQuestion question = new OpenQuestion(text, file, line);
+    if (!questions.contains(question)) {
+      questions.add(question);
+    }
+  }
+
+  private String questions() {
+    ArrayNode json = JsonNodeFactory.instance.arrayNode();
+    for (OpenQuestion question : questions) {
+      ObjectNode entry = json.addObject().put("question", question.text());
+      entry.put("file", question.file());
+      if (question.line() > 0) {
+        entry.put("line", question.line());
+      }
+    }
+    return JsonLayout.of(json) + "\n";
+  }
+}

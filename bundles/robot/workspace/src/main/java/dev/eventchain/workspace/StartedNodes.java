@@ -1,0 +1,192 @@
+package dev.eventchain.workspace;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.messages.QosSettings;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.stream.DoubleStream;
+import java.util.stream.StreamSupport;
+
+/** The nodes of the sources, under the names under which they are started. */
+final class StartedNodes {
+
+  private final JsonNode facts;
+  private final Set<String> packages;
+  private final List<OpenQuestion> questions;
+  private final Set<Integer> asked = new LinkedHashSet<>();
+
+  /**
+   * Creates it.
+   *
+   * @param facts what the reader of sources says
+   * @param packages the names of the packages of the workspace
+   * @param questions receives what is not known
+   */
+  StartedNodes(JsonNode facts, Set<String> packages, List<OpenQuestion> questions) {
+    this.facts = facts;
+    this.packages = packages;
+    this.questions = questions;
+  }
+
+  /** Returns the nodes of all executables, each by itself. */
+  List<FoundNode> alone() {
+    List<FoundNode> found = new ArrayList<>();
+    Set<Integer> taken = new LinkedHashSet<>();
+    for (JsonNode executable : facts.path("executables")) {
+      executable.path("nodes").forEach(number -> taken.add(number.asInt()));
+    }
+    for (int number : taken) {
+      JsonNode node = facts.path("nodes").path(number);
+      found.add(node(number, text(node, "name"), Optional.of("/"), List.of()));
+    }
+    return found;
+  }
+
+  /** Returns the nodes that a launch file starts. */
+  List<FoundNode> launched(List<LaunchRun.Started> all) {
+    List<FoundNode> found = new ArrayList<>();
+    for (LaunchRun.Started started : all) {
+      List<Integer> numbers = nodesOf(started);
+      if (numbers.isEmpty()) {
+        ask(
+            packages.contains(started.owner())
+                ? "What does the node '%s' of %s read and write? Its source was not understood."
+                    .formatted(started.executable(), started.owner())
+                : "What does the node '%s' read and write? The package %s is not in the workspace."
+                    .formatted(started.executable(), started.owner()),
+            started.file(),
+            started.line());
+      }
+      for (int number : numbers) {
+        Optional<String> own = text(facts.path("nodes").path(number), "name");
+        Optional<String> name =
+            started.isNameUnknown() ? Optional.empty() : started.name().or(() -> own);
+        found.add(node(number, name, started.namespace(), started.remaps()));
+      }
+    }
+    return found;
+  }
+
+  private List<Integer> nodesOf(LaunchRun.Started started) {
+    List<Integer> found = new ArrayList<>();
+    for (JsonNode executable : facts.path("executables")) {
+      if (executable.path("package").asText().equals(started.owner())
+          && executable.path("name").asText().equals(started.executable())) {
+        executable.path("nodes").forEach(number -> found.add(number.asInt()));
+      }
+    }
+    return found;
+  }
+
+  private FoundNode node(
+      int number, Optional<String> name, Optional<String> launched, List<TopicNames.Remap> remaps) {
+    JsonNode node = facts.path("nodes").path(number);
+    if (asked.add(number)) {
+      node.path("questions").forEach(each -> questions.add(OpenQuestion.of(each)));
+    }
+    String own = node.path("namespace").asText();
+    Optional<String> namespace =
+        launched
+            .filter(space -> own.isEmpty() || !space.equals("/"))
+            .or(() -> launched.map(space -> TopicNames.join(space, own)));
+    TopicNames names = new TopicNames(namespace, name, remaps);
+    List<FoundEndpoint> endpoints = new ArrayList<>();
+    for (JsonNode endpoint : node.path("endpoints")) {
+      endpoint(endpoint, names).ifPresent(endpoints::add);
+    }
+    String file = node.path("file").asText();
+    int line = node.path("line").asInt();
+    String simple = name.orElse(node.path("class").asText());
+    return new FoundNode(
+        TopicNames.join(namespace.orElse("/"), simple),
+        node.path("description").asText(),
+        frequency(node, simple),
+        List.copyOf(endpoints),
+        node.path("questions").isEmpty() && endpoints.size() == node.path("endpoints").size(),
+        file,
+        line);
+  }
+
+  private Optional<FoundEndpoint> endpoint(JsonNode json, TopicNames names) {
+    String file = json.path("file").asText();
+    int line = json.path("line").asInt();
+    String written = json.path("topic").asText();
+    Optional<String> topic = names.resolve(written);
+    if (topic.isEmpty()) {
+      ask("What is the full name of the topic '" + written + "' of this node?", file, line);
+      return Optional.empty();
+    }
+    Optional<List<String>> fields =
+        json.path("fields").isArray()
+            ? Optional.of(
+                StreamSupport.stream(json.path("fields").spliterator(), false)
+                    .map(JsonNode::asText)
+                    .toList())
+            : Optional.empty();
+    return Optional.of(
+        new FoundEndpoint(
+            json.path("kind").asText().equals("publisher"),
+            topic.get(),
+            json.path("type").asText(),
+            qos(json, topic.get(), file, line),
+            fields,
+            file,
+            line));
+  }
+
+  private Optional<QosSettings> qos(JsonNode json, String topic, String file, int line) {
+    JsonNode written = json.path("qos");
+    if (!written.isObject()) {
+      return Optional.empty(); // the reader of sources has asked
+    }
+    Optional<QosSettings> read = SourceQos.read(written);
+    if (read.isEmpty()) {
+      ask(
+          "What is the quality of service of '%s'? It is %s.".formatted(topic, written),
+          file,
+          line);
+    }
+    return read;
+  }
+
+  /** Returns the frequency of the fastest timer. */
+  private OptionalDouble frequency(JsonNode node, String name) {
+    JsonNode timers = node.path("timers");
+    double[] periods =
+        StreamSupport.stream(timers.spliterator(), false)
+            .mapToDouble(timer -> timer.path("period").asDouble())
+            .distinct()
+            .sorted()
+            .toArray();
+    if (periods.length > 1) {
+      ask(
+          "At which frequency does %s act? It has several timers; that of the fastest is taken."
+              .formatted(name),
+          node.path("file").asText(),
+          timers.path(0).path("line").asInt());
+    }
+    return DoubleStream.of(periods).limit(1).map(StartedNodes::frequency).findFirst();
+  }
+
+  /**
+   * Returns the frequency of a period in s, without the digits that are not those of the source.
+   */
+  private static double frequency(double period) {
+    return Math.round(1e9 / period) / 1e9;
+  }
+
+  private static Optional<String> text(JsonNode json, String name) {
+    return json.path(name).isTextual() ? Optional.of(json.path(name).asText()) : Optional.empty();
+  }
+
+  private void ask(String text, String file, int line) {
+    OpenQuestion question = new OpenQuestion(text, file, line);
+    if (!questions.contains(question)) {
+      questions.add(question);
+    }
+  }
+}

@@ -1,0 +1,51 @@
+package dev.eventchain.workspace;
+
+import dev.eventchain.messages.RosNames;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Full names of topics in a node, by its namespace, name and remappings (design.ros2.org, "Topic
+ * and Service name mapping to DDS" and "Remapping Names").
+ *
+ * @param namespace begins with a slash; empty if it is not known
+ * @param name empty if it is not known
+ */
+record TopicNames(Optional<String> namespace, Optional<String> name, List<Remap> remaps) {
+
+  /** A rule for names: what is called {@code from} in the node is {@code to} outside. */
+  record Remap(String from, String to) {}
+
+  /** Returns the full name of a topic; empty if it depends on what is not known, or is no name. */
+  Optional<String> resolve(String topic) {
+    Optional<String> full = expand(topic);
+    for (Remap remap : remaps) {
+      if (full.isPresent() && full.equals(expand(remap.from()))) {
+        return expand(remap.to());
+      }
+    }
+    return full;
+  }
+
+  /** Returns the full name of a topic before remapping. */
+  private Optional<String> expand(String topic) {
+    if (!RosNames.isTopic(topic)) {
+      return Optional.empty();
+    }
+    if (topic.startsWith("/")) {
+      return Optional.of(topic);
+    }
+    if (RosNames.isPrivate(topic)) {
+      return namespace.flatMap(space -> name.map(it -> join(join(space, it), topic.substring(2))));
+    }
+    return namespace.map(space -> join(space, topic));
+  }
+
+  /** Returns a name in a namespace; an absolute one stays as it is. */
+  static String join(String namespace, String name) {
+    if (name.startsWith("/")) {
+      return name;
+    }
+    return (namespace.endsWith("/") ? namespace : namespace + "/") + name;
+  }
+}

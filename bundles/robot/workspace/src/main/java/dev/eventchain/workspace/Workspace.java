@@ -1,0 +1,168 @@
+package dev.eventchain.workspace;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileRules;
+import dev.eventchain.diagnostics.Rule;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.DocumentFormat;
+import dev.eventchain.documents.DocumentRules;
+import dev.eventchain.documents.XmlElement;
+import dev.eventchain.messages.RosFolder;
+import dev.eventchain.sandbox.PythonEnvironment;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/**
+ * Reader of a workspace of ROS 2: its nodes in Python, those in C++ as far as their tokens go, and
+ * how a launch file starts them. Nothing of the workspace is run or imported.
+ */
+public final class Workspace {
+
+  private final Path root;
+  private final List<OpenQuestion> questions = new ArrayList<>();
+
+  private Workspace(Path root) {
+    this.root = root;
+  }
+
+  /**
+   * Reads a workspace.
+   *
+   * @param launch the launch file that starts the software, in the workspace; by default the only
+   *     one that no other one includes
+   * @throws DiagnosticException INPUT if it cannot be read ({@code file.unreadable}, {@code
+   *     workspace.unread}), has no package ({@code workspace.empty}), or not that launch file
+   *     ({@code workspace.launch})
+   */
+  public static FoundSoftware read(
+      Path root, Optional<Path> launch, PythonEnvironment environment) {
+    return new Workspace(root).read(launch, environment);
+  }
+
+  private FoundSoftware read(Optional<Path> launch, PythonEnvironment environment) {
+    RosFolder folder = list();
+    if (folder.packages().isEmpty()) {
+      throw refused(
+          WorkspaceRules.EMPTY,
+          "There is no package of ROS 2 here: no folder has a package.xml with a name.",
+          "Name the folder of a colcon workspace, or one of packages.");
+    }
+    WorkspaceFiles files = WorkspaceFiles.read(root, folder, questions);
+    JsonNode facts = SourceReader.read(environment, root, files.request());
+    facts.path("questions").forEach(each -> questions.add(OpenQuestion.of(each)));
+    LaunchRun.Sources sources =
+        new LaunchRun.Sources(launchFiles(files, facts), folders(files, folder));
+    Optional<String> start =
+        launch.map(file -> named(file, files, sources)).or(() -> only(sources));
+    StartedNodes nodes = new StartedNodes(facts, sources.packages().keySet(), questions);
+    List<FoundNode> found =
+        start.isPresent()
+            ? nodes.launched(LaunchRun.of(start.get(), sources, questions))
+            : nodes.alone();
+    return new FoundSoftware(found, List.copyOf(questions));
+  }
+
+  private RosFolder list() {
+    try {
+      return RosFolder.list(root);
+    } catch (IOException e) {
+      throw refused(
+          FileRules.UNREADABLE,
+          "The workspace cannot be read: " + SourceText.reason(e) + ".",
+          "Check that it exists and that you may read it.");
+    }
+  }
+
+  private DiagnosticException refused(Rule rule, String message, String hint) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT,
+        Diagnostic.of(rule, message, SourceLocation.of(root)).withHint(hint));
+  }
+
+  private static Map<String, String> folders(WorkspaceFiles files, RosFolder folder) {
+    Map<String, String> found = new TreeMap<>();
+    folder.packages().values().forEach(it -> found.put(it.name(), files.name(it.folder())));
+    return found;
+  }
+
+  private Map<String, List<LaunchElement>> launchFiles(WorkspaceFiles files, JsonNode facts) {
+    Map<String, List<LaunchElement>> found = new TreeMap<>();
+    facts
+        .path("launch")
+        .fields()
+        .forEachRemaining(
+            each -> found.put(each.getKey(), LaunchElement.of(each.getKey(), each.getValue())));
+    files
+        .declared()
+        .forEach(
+            (name, text) -> {
+              try {
+                found.put(name, declared(name, text));
+              } catch (DiagnosticException e) {
+                Diagnostic problem = e.diagnostics().get(0);
+                questions.add(
+                    new OpenQuestion(
+                        "What does this file launch? It is not read: " + problem.message(),
+                        name,
+                        problem.location().line()));
+              }
+            });
+    return found;
+  }
+
+  private static List<LaunchElement> declared(String name, SourceText text) {
+    if (name.endsWith(".xml")) {
+      return LaunchElement.of(name, XmlElement.parse(text, WorkspaceRules.LAUNCH));
+    }
+    DocumentRules rules = DocumentRules.all(WorkspaceRules.LAUNCH);
+    List<Diagnostic> problems = new ArrayList<>();
+    Document yaml = Document.parse(text, DocumentFormat.YAML, rules, problems::add);
+    if (!problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
+    }
+    return LaunchElement.of(name, yaml);
+  }
+
+  /** Returns the name of a launch file that was asked for. */
+  private String named(Path file, WorkspaceFiles files, LaunchRun.Sources sources) {
+    List<String> names = new ArrayList<>(List.of(file.toString().replace('\\', '/')));
+    if (file.toAbsolutePath().normalize().startsWith(root.toAbsolutePath().normalize())) {
+      names.add(
+          root.toAbsolutePath()
+              .normalize()
+              .relativize(file.toAbsolutePath().normalize())
+              .toString());
+    }
+    return names.stream()
+        .filter(sources.files()::containsKey)
+        .findFirst()
+        .orElseThrow(
+            () ->
+                refused(
+                    WorkspaceRules.LAUNCH,
+                    "No launch file that can be read is called " + file + " in the workspace.",
+                    "It has " + String.join(", ", sources.files().keySet()) + "."));
+  }
+
+  /** Returns the only launch file that no other one includes; several are asked for. */
+  private Optional<String> only(LaunchRun.Sources sources) {
+    List<String> roots = LaunchRun.roots(sources);
+    if (roots.size() > 1) {
+      String text =
+          "Which launch file starts the software: %s? Without one, each node is taken once, under"
+                  .formatted(String.join(", ", roots))
+              + " its own name; --launch FILE names one.";
+      questions.add(new OpenQuestion(text, roots.get(0), 0));
+    }
+    return roots.size() == 1 ? Optional.of(roots.get(0)) : Optional.empty();
+  }
+}

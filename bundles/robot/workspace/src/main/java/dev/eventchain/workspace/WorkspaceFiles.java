@@ -1,0 +1,137 @@
+package dev.eventchain.workspace;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.messages.RosFolder;
+import dev.eventchain.messages.RosPackage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.regex.Pattern;
+
+/** The files of a workspace that say something about its nodes, as texts. */
+final class WorkspaceFiles {
+
+  private static final ObjectMapper JSON = new ObjectMapper();
+  private static final long LONGEST = 1L << 20;
+  private static final long MOST = 64L << 20;
+  private static final Pattern LAUNCH = Pattern.compile("(.*[._])?launch\\.(py|xml|ya?ml)");
+  private static final Pattern CPP = Pattern.compile(".*\\.(cpp|cc|cxx|hpp|h|hxx)");
+
+  private final Path root;
+  private final RosFolder folder;
+  private final List<OpenQuestion> questions;
+  private final Map<String, SourceText> declared = new TreeMap<>();
+  private final ArrayNode packages = JSON.createArrayNode();
+  private long read;
+
+  private WorkspaceFiles(Path root, RosFolder folder, List<OpenQuestion> questions) {
+    this.root = root;
+    this.folder = folder;
+    this.questions = questions;
+  }
+
+  /**
+   * Reads the files.
+   *
+   * @param questions receives what cannot be read
+   */
+  static WorkspaceFiles read(Path root, RosFolder folder, List<OpenQuestion> questions) {
+    WorkspaceFiles files = new WorkspaceFiles(root, folder, questions);
+    folder.packages().values().forEach(files::add);
+    return files;
+  }
+
+  /** Returns the request to the reader of sources. */
+  ObjectNode request() {
+    ObjectNode request = JSON.createObjectNode();
+    request.set("packages", packages);
+    return request;
+  }
+
+  /** Returns the launch files in XML and YAML, by their names. */
+  Map<String, SourceText> declared() {
+    return declared;
+  }
+
+  /** Returns a file's name relative to the workspace. */
+  String name(Path file) {
+    return root.relativize(file).toString().replace('\\', '/');
+  }
+
+  private void add(RosPackage owner) {
+    ObjectNode json = packages.addObject().put("name", owner.name());
+    for (String part : List.of("python", "setup", "cpp", "cmake", "launch")) {
+      json.putObject(part);
+    }
+    for (Path file : folder.files().tailSet(owner.folder())) {
+      if (!file.startsWith(owner.folder())) {
+        break;
+      }
+      add(owner, file, json);
+    }
+  }
+
+  private void add(RosPackage owner, Path file, ObjectNode json) {
+    String simple = file.getFileName().toString();
+    if (LAUNCH.matcher(simple).matches()) {
+      Optional<SourceText> text = text(file);
+      if (!simple.endsWith(".py")) {
+        text.ifPresent(it -> declared.put(it.name(), it));
+      } else {
+        text.ifPresent(it -> module(json, "launch", it, ""));
+      }
+    } else if (simple.equals("setup.py") || simple.equals("setup.cfg")) {
+      text(file).ifPresent(it -> put(json, "setup", it));
+    } else if (simple.equals("CMakeLists.txt")) {
+      text(file).ifPresent(it -> put(json, "cmake", it));
+    } else if (CPP.matcher(simple).matches()) {
+      text(file).ifPresent(it -> put(json, "cpp", it));
+    } else if (simple.endsWith(".py")) {
+      String path = owner.folder().relativize(file).toString();
+      String name = path.substring(0, path.length() - 3).replace('\\', '/').replace('/', '.');
+      text(file).ifPresent(it -> module(json, "python", it, name));
+    }
+  }
+
+  private static void put(ObjectNode json, String part, SourceText text) {
+    json.withObject("/" + part).put(text.name(), text.text());
+  }
+
+  private static void module(ObjectNode json, String part, SourceText text, String name) {
+    json.withObject("/" + part).putObject(text.name()).put("module", name).put("text", text.text());
+  }
+
+  /** Returns a file's text, under its name in the workspace; what is no text is asked for. */
+  private Optional<SourceText> text(Path file) {
+    String name = name(file);
+    try {
+      if (!file.toRealPath().startsWith(root.toRealPath())) {
+        return unread(name, "It is a link that leads out of the workspace");
+      }
+      long size = Files.size(file);
+      if (size > LONGEST || read + size > MOST) {
+        return unread(name, "It, or all files together, are too large");
+      }
+      read += size;
+      return Optional.of(SourceText.of(name, SourceText.read(file).text()));
+    } catch (IOException e) {
+      return unread(name, "It cannot be read: " + SourceText.reason(e));
+    } catch (DiagnosticException e) {
+      return unread(name, e.diagnostics().get(0).message().replaceFirst("\\.$", ""));
+    }
+  }
+
+  private Optional<SourceText> unread(String name, String reason) {
+    questions.add(
+        new OpenQuestion("What does this file do? " + reason + ", and is not read.", name, 0));
+    return Optional.empty();
+  }
+}

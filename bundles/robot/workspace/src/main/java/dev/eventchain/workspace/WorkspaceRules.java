@@ -1,0 +1,13 @@
+package dev.eventchain.workspace;
+
+import dev.eventchain.diagnostics.Rule;
+
+/** Rules of the findings about workspaces. */
+final class WorkspaceRules {
+
+  static final Rule EMPTY = Rule.error("workspace.empty");
+  static final Rule LAUNCH = Rule.error("workspace.launch");
+  static final Rule UNREAD = Rule.error("workspace.unread");
+
+  private WorkspaceRules() {}
+}

@@ -1,0 +1,191 @@
+"""Launch files in Python, as far as they only declare: as the elements that the same file in XML would have.
+
+An element is an object with ``kind``, ``line``, and as the kind needs ``attributes``, ``remaps`` and ``children``.
+Texts have the substitutions of XML: ``$(var NAME)``, ``$(find-pkg-share PACKAGE)``. What is not known is None.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterable, Iterator
+
+from constants import Constants, Place, UnknownValueError
+from source_modules import FUNCTIONS, Module
+
+Json = dict[str, object]
+
+_IGNORED = frozenset({"LogInfo", "SetEnvironmentVariable", "SetParameter", "SetLaunchConfiguration", "Shutdown"})
+_DECISIONS = (ast.If, ast.For, ast.While, ast.With, ast.Try)
+_NODES = frozenset({"Node", "LifecycleNode"})
+_NAMED = {"package": "pkg", "executable": "exec", "name": "name", "namespace": "namespace"}
+_SHARES = frozenset({"get_package_share_directory", "FindPackageShare", "get_package_share_path"})
+
+
+class LaunchFile:
+    """Reads the description that a launch file returns."""
+
+    def __init__(self, module: Module, constants: Constants) -> None:
+        self._module = module
+        self._constants = constants
+        self._place = Place(module)
+
+    def read(self) -> list[Json]:
+        """Return the elements of the launch description."""
+        function = self._module.functions.get("generate_launch_description")
+        if not isinstance(function, FUNCTIONS):
+            return [_unknown(1, "it has no generate_launch_description()")]
+        self._place = Place(self._module, (), function)
+        found: list[Json] = []
+        for node in ast.walk(function):
+            if isinstance(node, ast.Call) and _last(node.func) == "LaunchDescription":
+                found += self._list(node.args[0], node) if node.args else []
+        for statement in function.body:
+            found += self._statement(statement)
+        return found
+
+    def _statement(self, node: ast.stmt) -> Iterator[Json]:
+        """Return what a statement adds to the description: ``description.add_action(node)``."""
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
+            if _last(node.value.func) in ("add_action", "add_entity") and len(node.value.args) == 1:
+                yield self._element(node.value.args[0])
+        elif isinstance(node, _DECISIONS) and any(isinstance(each, ast.Call) for each in ast.walk(node)):
+            yield _unknown(node.lineno, "what it launches is decided when it runs")
+
+    def _list(self, node: ast.expr, owner: ast.AST) -> list[Json]:
+        if isinstance(node, ast.Name):
+            try:
+                node, self._place = self._constants.definition(node, self._place)
+            except UnknownValueError as problem:
+                return [_unknown(owner, str(problem))]
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+            return [*self._list(node.left, owner), *self._list(node.right, owner)]
+        if isinstance(node, (ast.List, ast.Tuple)):
+            return [self._element(each) for each in node.elts]
+        return [_unknown(owner, f"it launches '{ast.unparse(node)[:60]}'")]
+
+    def _element(self, node: ast.expr, depth: int = 0) -> Json:
+        if isinstance(node, ast.Name) and depth < 20:
+            try:
+                return self._element(self._constants.definition(node, self._place)[0], depth + 1)
+            except UnknownValueError as problem:
+                return _unknown(node, str(problem))
+        if not isinstance(node, ast.Call):
+            return _unknown(node, f"it launches '{ast.unparse(node)[:60]}'")
+        name = _last(node.func)
+        keywords = {each.arg or "": each.value for each in node.keywords}
+        found = self._call(name, node, keywords)
+        if "condition" in keywords and found["kind"] != "ignored":
+            found["condition"] = True
+        return found
+
+    def _call(self, name: str, node: ast.Call, keywords: dict[str, ast.expr]) -> Json:
+        if name in _NODES:
+            attributes = {ours: self._text(keywords[theirs]) for theirs, ours in _NAMED.items() if theirs in keywords}
+            remaps = self._remaps(keywords.get("remappings"), node)
+            return {"kind": "node", "line": node.lineno, "attributes": attributes, "remaps": remaps}
+        if name == "IncludeLaunchDescription" and (node.args or keywords):
+            source = node.args[0] if node.args else next(iter(keywords.values()))
+            inner = source.args[0] if isinstance(source, ast.Call) and source.args else source
+            arguments = self._pairs(keywords.get("launch_arguments"))
+            attributes = {"file": self._text(inner)}
+            return {"kind": "include", "line": node.lineno, "attributes": attributes, "arguments": arguments}
+        if name in ("GroupAction", "TimerAction"):
+            actions = keywords.get("actions") or (node.args[0] if node.args else ast.List([]))
+            return {"kind": "group", "line": node.lineno, "children": self._list(actions, node)}
+        if name == "PushRosNamespace":
+            given = keywords.get("namespace") or (node.args[0] if node.args else ast.Constant(None))
+            attributes = {"namespace": self._text(given)}
+            return {"kind": "push_ros_namespace", "line": node.lineno, "attributes": attributes}
+        if name == "SetRemap":
+            parts = [*node.args, *(keywords[key] for key in ("src", "dst") if key in keywords)]
+            return {"kind": "set_remap", "line": node.lineno, "remaps": [[self._text(each) for each in parts[:2]]]}
+        if name == "DeclareLaunchArgument":
+            argument = keywords.get("name") or (node.args[0] if node.args else ast.Constant(None))
+            default = keywords.get("default_value")
+            attributes = {"name": self._text(argument), "default": self._text(default) if default else None}
+            return {"kind": "arg", "line": node.lineno, "attributes": attributes}
+        if name in _IGNORED:
+            return {"kind": "ignored", "line": node.lineno}
+        return _unknown(node, f"what '{name}' launches is not read")
+
+    def _remaps(self, node: ast.expr | None, owner: ast.AST) -> list[list[str | None]]:
+        if node is None:
+            return []
+        return [[before, after] for before, after in self._pairs(node)]
+
+    def _pairs(self, node: ast.expr | None) -> list[tuple[str | None, str | None]]:
+        """Return pairs of texts: a list of tuples, or the items of a dict; an unknown list is one unknown pair."""
+        if node is None:
+            return []
+        if isinstance(node, ast.Call) and _last(node.func) == "items" and isinstance(node.func, ast.Attribute):
+            node = node.func.value
+        if isinstance(node, ast.Name):
+            try:
+                node = self._constants.definition(node, self._place)[0]
+            except UnknownValueError:
+                return [(None, None)]
+        if isinstance(node, ast.Dict) and all(key is not None for key in node.keys):
+            items = zip(node.keys, node.values, strict=True)
+            return [(self._text(key), self._text(value)) for key, value in items if key]
+        if isinstance(node, (ast.List, ast.Tuple)) and all(_is_pair(each) for each in node.elts):
+            pairs = [each.elts for each in node.elts if isinstance(each, (ast.List, ast.Tuple))]
+            return [(self._text(first), self._text(second)) for first, second in pairs]
+        return [(None, None)]
+
+    def _text(self, node: ast.expr, depth: int = 0) -> str | None:
+        """Return a text with substitutions; None if it is not known."""
+        if depth > 20:
+            return None
+        if isinstance(node, (ast.List, ast.Tuple)):
+            return _joined((self._text(each, depth + 1) for each in node.elts), "")
+        if isinstance(node, ast.Call):
+            return self._substitution(node, depth)
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+            return _joined((self._text(each, depth + 1) for each in (node.left, node.right)), "")
+        try:
+            value = self._constants.value(node, self._place)
+            return value if isinstance(value, str) else None
+        except UnknownValueError:
+            pass
+        if isinstance(node, ast.Name):
+            try:
+                return self._text(self._constants.definition(node, self._place)[0], depth + 1)
+            except UnknownValueError:
+                return None
+        return None
+
+    def _substitution(self, node: ast.Call, depth: int) -> str | None:
+        name = _last(node.func)
+        arguments = [*node.args, *(each.value for each in node.keywords if each.arg in ("text", "package"))]
+        if name == "join" or name == "PathJoinSubstitution":
+            parts = arguments
+            if name == "PathJoinSubstitution" and arguments and isinstance(arguments[0], (ast.List, ast.Tuple)):
+                parts = list(arguments[0].elts)
+            return _joined((self._text(each, depth + 1) for each in parts), "/")
+        first = self._text(arguments[0], depth + 1) if arguments else None
+        if first is None:
+            return None
+        if name == "LaunchConfiguration":
+            return f"$(var {first})"
+        if name in _SHARES:
+            return f"$(find-pkg-share {first})"
+        return first if name in ("TextSubstitution", "str") else None
+
+
+def _is_pair(node: ast.expr) -> bool:
+    return isinstance(node, (ast.List, ast.Tuple)) and len(node.elts) == 2
+
+
+def _joined(parts: Iterable[str | None], separator: str) -> str | None:
+    texts = list(parts)
+    known = [text for text in texts if text is not None]
+    return separator.join(known) if len(known) == len(texts) else None
+
+
+def _last(node: ast.expr) -> str:
+    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
+
+
+def _unknown(place: ast.AST | int, reason: str) -> Json:
+    line = place if isinstance(place, int) else getattr(place, "lineno", 1)
+    return {"kind": "unknown", "line": line, "text": reason}

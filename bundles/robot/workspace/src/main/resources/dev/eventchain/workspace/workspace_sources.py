@@ -1,0 +1,119 @@
+"""Reader of the sources of a ROS 2 workspace. None of their code is run, and none is imported.
+
+As a program: standard input is a JSON object with ``packages``, a list with ``name``, and by their paths the texts of
+``python`` modules, ``setup`` (setup.py and setup.cfg), ``cpp``, ``cmake`` and ``launch``; each path is that of
+questions, and a Python module has its dotted ``module`` name, too. Standard output is a JSON object with the ``nodes``,
+the ``executables`` with the numbers of their nodes, the ``launch`` files with their elements, and the ``questions``.
+"""
+
+from __future__ import annotations
+
+import ast
+import json
+import sys
+from collections.abc import Iterator
+from typing import Any
+
+import cpp_sources
+import executables
+from constants import Constants
+from launch_files import LaunchFile
+from python_nodes import NodeClass, PythonNodes
+from source_modules import Module, Modules, Question
+
+Json = dict[str, Any]
+
+
+class Workspace:
+    """What the sources say."""
+
+    def __init__(self, packages: list[Json]) -> None:
+        self._packages = packages
+        self._questions: list[Question] = []
+        self._nodes: list[Json] = []
+        self._executables: list[Json] = []
+
+    def read(self) -> Json:
+        """Return the facts."""
+        modules = Modules(self._modules("python"))
+        nodes = PythonNodes(modules)
+        classes = nodes.classes()
+        started = self._python(modules, classes)
+        for index, found in enumerate(classes):
+            self._nodes.append(nodes.read(found))
+            if index not in started and not _is_base(found, classes):
+                text = f"What starts the node {found.definition.name}? No executable of this workspace does."
+                self._questions.append(found.module.question(found.definition, text))
+        self._cpp()
+        launch = {
+            module.file: LaunchFile(module, Constants(Modules([module]))).read() for module in self._modules("launch")
+        }
+        return {
+            "nodes": self._nodes,
+            "executables": self._executables,
+            "launch": launch,
+            "questions": [each.json for each in [*self._questions, *nodes.questions]],
+        }
+
+    def _modules(self, key: str) -> Iterator[Module]:
+        for package in self._packages:
+            for file, found in package[key].items():
+                try:
+                    yield Module(file, found["module"], ast.parse(found["text"]))
+                except (SyntaxError, ValueError, RecursionError, MemoryError) as problem:
+                    reason = getattr(problem, "msg", None) or str(problem) or type(problem).__name__
+                    line = getattr(problem, "lineno", None) or 1
+                    text = f"What does this file do? It is not valid Python: {reason}."
+                    self._questions.append(Question(file, line, text))
+
+    def _python(self, modules: Modules, classes: list[NodeClass]) -> set[int]:
+        """Read the executables; return the numbers of the nodes that they make."""
+        started: set[int] = set()
+        for package in self._packages:
+            scripts: list[executables.Executable] = []
+            for file, text in package["setup"].items():
+                read = executables.of_setup_cfg if file.endswith(".cfg") else executables.of_setup_py
+                scripts += read(package["name"], file, text, self._questions)
+            for script in scripts:
+                made = executables.nodes_of(script, modules, classes, self._questions)
+                numbers = [classes.index(each) for each in made]
+                started.update(numbers)
+                self._add(script.package, script.name, numbers, script.file, script.line)
+        return started
+
+    def _cpp(self) -> None:
+        for package in self._packages:
+            sources = {
+                file.rpartition("/")[2]: node
+                for file, text in package["cpp"].items()
+                if (node := cpp_sources.read(file, text, self._questions)) is not None
+            }
+            for file, text in package["cmake"].items():
+                for name, written in cpp_sources.executables(text).items():
+                    found = [
+                        node for source, node in sources.items() if source in {w.rpartition("/")[2] for w in written}
+                    ]
+                    numbers = []
+                    for node in found:
+                        if node not in self._nodes:
+                            self._nodes.append(node)
+                        numbers.append(self._nodes.index(node))
+                    self._add(package["name"], name, numbers, file, 1)
+
+    def _add(self, package: str, name: str, nodes: list[int], file: str, line: int) -> None:
+        self._executables.append({"package": package, "name": name, "nodes": nodes, "file": file, "line": line})
+
+
+def _is_base(node: NodeClass, classes: list[NodeClass]) -> bool:
+    return any((node.module, node.definition) in each.line[1:] for each in classes)
+
+
+def main() -> None:
+    """Read the request from standard input; write the facts to standard output."""
+    sys.setrecursionlimit(3000)
+    request = json.load(sys.stdin)
+    json.dump(Workspace(request["packages"]).read(), sys.stdout)
+
+
+if __name__ == "__main__":
+    main()

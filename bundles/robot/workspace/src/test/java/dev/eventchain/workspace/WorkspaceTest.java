@@ -1,0 +1,156 @@
+package dev.eventchain.workspace;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.node.TextNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.fixtures.ExpectedFile;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.sandbox.PythonEnvironment;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class WorkspaceTest {
+
+  private static final Path RESOURCES = Path.of("src/test/resources");
+  private static final PythonEnvironment PYTHON = PythonEnvironment.ensure(said -> {});
+
+  /** Three packages, two launch files: what is known of them, and what is asked. */
+  @Test
+  void aWorkspaceIsASoftwareBase() throws IOException {
+    Path workspace = RESOURCES.resolve("ws");
+    checkFiles(files(workspace, Optional.empty()), workspace);
+  }
+
+  /** Each construct that is read, and each that is asked for. */
+  @Test
+  void whatIsNotKnownIsAsked() throws IOException {
+    Path workspace = RESOURCES.resolve("corners");
+    checkFiles(
+        files(workspace, Optional.of(Path.of("src/corner_nodes/launch/all.launch.yaml"))),
+        workspace);
+  }
+
+  /** Without a launch file that is the only one, executables are taken, and it is asked for. */
+  @Test
+  void severalLaunchFilesAreAskedFor(@TempDir Path folder) throws IOException {
+    copy("ws", folder);
+    Files.writeString(folder.resolve("src/braking/launch/other.launch.xml"), "<launch/>");
+    FoundSoftware found = Workspace.read(folder, Optional.empty(), PYTHON);
+    assertEquals(
+        List.of("/brake", "/warning", "/tracker"),
+        found.nodes().stream().map(FoundNode::name).toList());
+    String question = found.questions().get(0).text();
+    assertTrue(
+        question.startsWith(
+            "Which launch file starts the software: src/braking/launch/aeb.launch.py,"
+                + " src/braking/launch/other.launch.xml?"),
+        question);
+  }
+
+  @Test
+  void aLaunchFileThatIsNotThereIsRefused() {
+    DiagnosticException refused =
+        assertThrows(
+            DiagnosticException.class,
+            () -> Workspace.read(RESOURCES.resolve("ws"), Optional.of(Path.of("no.py")), PYTHON));
+    Diagnostic found = refused.diagnostics().get(0);
+    assertEquals("workspace.launch", found.id());
+    assertTrue(found.hint().contains("src/braking/launch/aeb.launch.py"), found.hint());
+  }
+
+  @ParameterizedTest
+  @CsvSource({"empty, workspace.empty", "missing, file.unreadable"})
+  void whatIsNoWorkspaceIsRefused(String name, String id, @TempDir Path folder) throws IOException {
+    Files.createDirectories(folder.resolve("empty/src"));
+    DiagnosticException refused =
+        assertThrows(
+            DiagnosticException.class,
+            () -> Workspace.read(folder.resolve(name), Optional.empty(), PYTHON));
+    assertEquals(id, refused.diagnostics().get(0).id());
+  }
+
+  @Test
+  void aReaderThatDoesNotEndWellIsAFinding() {
+    DiagnosticException refused =
+        assertThrows(
+            DiagnosticException.class,
+            () -> SourceReader.read(PYTHON, RESOURCES, TextNode.valueOf("no request")));
+    assertEquals("workspace.unread", refused.diagnostics().get(0).id());
+  }
+
+  /** Nothing of a workspace is run, whatever its files do or are. */
+  @Test
+  void hostileFilesAreAskedForAndNotRun(@TempDir Path folder) throws IOException {
+    Path workspace = folder.resolve("ws");
+    copy("ws", workspace);
+    Path module = workspace.resolve("src/braking/braking");
+    Path seen = folder.resolve("seen");
+    String harmful = "open(" + '"' + seen + '"' + ", 'w')\n";
+    Files.writeString(module.resolve("harmful.py"), harmful);
+    Files.writeString(workspace.resolve("src/braking/setup.py"), harmful);
+    Files.writeString(module.resolve("syntax.py"), "class :\n");
+    Files.writeString(module.resolve("deep.py"), "x = " + "(".repeat(5_000) + ")".repeat(5_000));
+    Files.writeString(module.resolve("sum.py"), "X = 1" + " + 1".repeat(50_000) + "\n");
+    Files.write(module.resolve("binary.py"), new byte[] {0, 1, (byte) 0xff});
+    Files.writeString(module.resolve("huge.py"), "#".repeat((1 << 20) + 1));
+    Files.writeString(folder.resolve("secret.py"), "class Secret: pass\n");
+    Files.createSymbolicLink(module.resolve("outside.py"), folder.resolve("secret.py"));
+    Files.createSymbolicLink(module.resolve("circle"), workspace.resolve("src"));
+    Files.createSymbolicLink(module.resolve("nothing.py"), folder.resolve("nowhere.py"));
+    Files.writeString(
+        workspace.resolve("src/braking/launch/evil.launch.xml"),
+        "<!DOCTYPE a [<!ENTITY b SYSTEM 'file:///etc/passwd'>]><launch>&b;</launch>");
+    FoundSoftware found =
+        Workspace.read(workspace, Optional.of(Path.of("src/braking/launch/aeb.launch.py")), PYTHON);
+    assertFalse(Files.exists(seen));
+    assertEquals(3, found.nodes().size());
+    for (String name : List.of("syntax", "deep", "binary", "huge", "outside", "nothing")) {
+      String file = "src/braking/braking/" + name + ".py";
+      assertTrue(found.questions().stream().anyMatch(it -> it.file().equals(file)), file);
+    }
+    assertTrue(found.questions().stream().anyMatch(it -> it.file().endsWith("evil.launch.xml")));
+  }
+
+  private static Map<String, String> files(Path workspace, Optional<Path> launch) {
+    return SoftwareBaseFiles.of(
+        Workspace.read(workspace, launch, PYTHON), MessageCatalog.of(List.of(workspace)));
+  }
+
+  private static void checkFiles(Map<String, String> files, Path workspace) throws IOException {
+    Path expected = workspace.resolveSibling(workspace.getFileName() + ".expected");
+    assertEquals(
+        files.keySet().stream().filter(name -> name.endsWith(".msg")).count(),
+        files.keySet().size() - 3L);
+    for (String name : List.of("components", "signals", "questions")) {
+      String file = name + ".json";
+      ExpectedFile.check(expected.resolve(file), files.get("software-base/" + file));
+    }
+  }
+
+  private static void copy(String name, Path to) throws IOException {
+    Path from = RESOURCES.resolve(name);
+    try (var files = Files.walk(from)) {
+      for (Path file : files.toList()) {
+        Path target = to.resolve(from.relativize(file).toString());
+        if (Files.isDirectory(file)) {
+          Files.createDirectories(target);
+        } else {
+          Files.copy(file, target);
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,21 @@
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, OpaqueFunction
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    ld = LaunchDescription()
+    ld.add_action(DeclareLaunchArgument("node_name", default_value="from_argument"))
+    ld.add_action(
+        Node(
+            package="corner_nodes",
+            executable="kept",
+            name=LaunchConfiguration("node_name"),
+            remappings=[("kept", "kept_here"), ("output", LaunchConfiguration("nowhere"))],
+        )
+    )
+    for index in range(2):
+        ld.add_action(Node(package="corner_nodes", executable="kept", name=f"kept_{index}"))
+    ld.add_action(OpaqueFunction(function=print))
+    return ld

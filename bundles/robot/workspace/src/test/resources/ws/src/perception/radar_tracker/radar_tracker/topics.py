@@ -1,0 +1,2 @@
+PREFIX = "radar"
+TARGET = f"{PREFIX}/target"

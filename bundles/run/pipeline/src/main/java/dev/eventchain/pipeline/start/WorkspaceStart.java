@@ -1,0 +1,38 @@
+package dev.eventchain.pipeline.start;
+
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.sandbox.PythonEnvironment;
+import dev.eventchain.workspace.FoundSoftware;
+import dev.eventchain.workspace.SoftwareBaseFiles;
+import dev.eventchain.workspace.Workspace;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+
+/** Creates a project around the software of a workspace of ROS 2. */
+public final class WorkspaceStart {
+
+  private WorkspaceStart() {}
+
+  /**
+   * Writes a project into a new or empty folder.
+   *
+   * @param workspace its sources are read, and nothing of them is run
+   * @param launch the launch file that starts the software; by default the only one that no other
+   *     one includes
+   * @param progress receives what is done, if a Python environment has to be made
+   * @throws dev.eventchain.diagnostics.DiagnosticException as {@link Workspace#read} and {@link
+   *     ProjectStart#create}
+   */
+  public static ProjectStart.Started create(
+      Path folder,
+      Path workspace,
+      Optional<Path> launch,
+      ProjectStart.BenchProposal bench,
+      Consumer<String> progress) {
+    FoundSoftware software = Workspace.read(workspace, launch, PythonEnvironment.ensure(progress));
+    MessageCatalog messages = MessageCatalog.of(List.of(workspace));
+    return ProjectStart.around(SoftwareBaseFiles.of(software, messages), folder, bench);
+  }
+}
