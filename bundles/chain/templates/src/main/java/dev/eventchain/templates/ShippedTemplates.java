@@ -20,6 +20,9 @@ public final class ShippedTemplates {
 
   private static final SortedSet<String> SETS = new TreeSet<>(Set.of(DEFAULT, "cyclonedds-python"));
 
+  /** Templates about chains that are no middleware: their main modules are called so. */
+  private static final Set<String> FORMATS = Set.of("nodl");
+
   /** Folder of modules that several sets share. */
   private static final String SHARED = "python";
 
@@ -28,6 +31,11 @@ public final class ShippedTemplates {
   /** Returns the names of the sets for a middleware, in order. */
   public static SortedSet<String> sets() {
     return new TreeSet<>(SETS);
+  }
+
+  /** Returns whether there is a template about any chain with that name, other than a set. */
+  public static boolean isFormat(String name) {
+    return FORMATS.contains(name);
   }
 
   /**

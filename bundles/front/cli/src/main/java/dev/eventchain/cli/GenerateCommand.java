@@ -42,7 +42,12 @@ final class GenerateCommand extends ProjectCommand {
 
   @Mixin private MetamodelOptions given;
 
-  @Option(names = "--template", paramLabel = "FILE", description = "The template's main module.")
+  @Option(
+      names = "--template",
+      paramLabel = "FILE",
+      description =
+          "The template's main module; or nodl, for the interface of each node of an event chain in"
+              + " NoDL 2.")
   private Path template;
 
   @Option(

@@ -6,6 +6,7 @@ import dev.eventchain.pipeline.ProjectBench;
 import dev.eventchain.pipeline.start.ProjectStart;
 import dev.eventchain.pipeline.start.WorkspaceStart;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -29,6 +30,7 @@ import picocli.CommandLine.Spec;
       "With --from-workspace, it is a project around the nodes of a ROS 2 workspace, whose sources"
           + " are read and not run; what they do not say is asked, in"
           + " software-base/questions.json.",
+      "With --nodl, it is one around nodes whose interfaces are described in NoDL 2.",
       "Existing files are not changed."
     })
 final class InitCommand implements Callable<Integer> {
@@ -51,6 +53,22 @@ final class InitCommand implements Callable<Integer> {
           "The launch file of the workspace that starts the software. By default the only one that"
               + " no other one includes.")
   private Path launch;
+
+  @Option(
+      names = "--nodl",
+      paramLabel = "FILE",
+      description =
+          "An interface of a node in NoDL 2, NODE.nodl.yaml; repeat it for each node of the"
+              + " software.")
+  private List<Path> interfaces = List.of();
+
+  @Option(
+      names = "--messages",
+      paramLabel = "FOLDER",
+      description =
+          "With --nodl: holds definitions of messages that are not standard, as PACKAGE/msg/NAME.msg"
+              + " or as a colcon workspace; may be repeated.")
+  private List<Path> messages = List.of();
 
   @Spec private CommandSpec spec;
 
@@ -87,10 +105,19 @@ final class InitCommand implements Callable<Integer> {
   }
 
   private ProjectStart.Started start() {
+    if (workspace != null && !interfaces.isEmpty()) {
+      throw wrongUsage("--from-workspace and --nodl exclude each other");
+    }
+    if (launch != null && workspace == null) {
+      throw wrongUsage("--launch is about --from-workspace");
+    }
+    if (!messages.isEmpty() && interfaces.isEmpty()) {
+      throw wrongUsage("--messages is about --nodl");
+    }
+    if (!interfaces.isEmpty()) {
+      return WorkspaceStart.ofInterfaces(folder, interfaces, messages, ProjectBench::proposal);
+    }
     if (workspace == null) {
-      if (launch != null) {
-        throw new ParameterException(spec.commandLine(), "--launch is about --from-workspace");
-      }
       return ProjectStart.create(folder, ProjectBench::proposal);
     }
     return WorkspaceStart.create(
@@ -99,6 +126,10 @@ final class InitCommand implements Callable<Integer> {
         Optional.ofNullable(launch),
         ProjectBench::proposal,
         said -> console.err().println(said));
+  }
+
+  private ParameterException wrongUsage(String message) {
+    return new ParameterException(spec.commandLine(), message);
   }
 
   /** Returns the name quoted for a shell. */

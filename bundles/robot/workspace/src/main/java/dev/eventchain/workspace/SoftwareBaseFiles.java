@@ -144,7 +144,7 @@ public final class SoftwareBaseFiles {
     }
     if (node.node().frequency().isEmpty()) {
       ask(
-          "How often does %s act? It has no timer, and its frequency is that of eventchain.yaml."
+          "How often does %s act? No timer says so, and its frequency is that of eventchain.yaml."
               .formatted(node.component()),
           node.node());
     }

@@ -18,6 +18,7 @@ import dev.eventchain.output.OutputFolder.OnEdit;
 import dev.eventchain.pipeline.files.WrittenFiles;
 import dev.eventchain.pipeline.generate.MessageModel;
 import dev.eventchain.pipeline.generate.TraceFile;
+import dev.eventchain.pipeline.project.Templates;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.templates.ShippedTemplates;
 import java.nio.file.Files;
@@ -39,7 +40,7 @@ public final class AnyModel {
   /**
    * A template outside of projects, with its dependencies.
    *
-   * @param main the main module
+   * @param main the main module, or the name of a shipped template about chains: {@code nodl}
    * @param sources the source roots of its modules; its own folders need not be named
    * @param services JARs and folders of classes whose methods the templates may call
    * @param properties properties files; the first one with a key takes precedence
@@ -103,8 +104,14 @@ public final class AnyModel {
                   template,
                   withMessages(any.packages()),
                   packages ->
-                      TemplateModule.compile(
-                          template.main(), template.sources(), packages, classes.loader()));
+                      shipped(template, packages)
+                          .orElseGet(
+                              () ->
+                                  TemplateModule.compile(
+                                      template.main(),
+                                      template.sources(),
+                                      packages,
+                                      classes.loader())));
       WrittenFiles files = new WrittenFiles(target.folder());
       files.found(lenient ? milder(any.ecore().diagnostics()) : any.ecore().diagnostics());
       if (!Diagnostic.anyError(suppressions.part(files.diagnostics()).remaining())) {
@@ -169,6 +176,14 @@ public final class AnyModel {
             .filter(each -> each.getESuperPackage() == null)
             .filter(each -> metamodels.isEmpty() || !(each instanceof EventchainPackage))
             .toList());
+  }
+
+  /** Returns a template that ships with the program, if it is named instead of a file. */
+  private static Optional<TemplateModule> shipped(Template template, List<EPackage> packages) {
+    String name = template.main().toString();
+    return ShippedTemplates.isFormat(name) && !Files.exists(template.main())
+        ? Optional.of(Templates.shipped(name, "main", packages))
+        : Optional.empty();
   }
 
   /** Compiles a template; one of a project may import the shipped modules, as in its stages. */

@@ -3,6 +3,7 @@ package dev.eventchain.pipeline.start;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.workspace.FoundSoftware;
+import dev.eventchain.workspace.Nodl;
 import dev.eventchain.workspace.SoftwareBaseFiles;
 import dev.eventchain.workspace.Workspace;
 import java.nio.file.Path;
@@ -10,7 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 
-/** Creates a project around the software of a workspace of ROS 2. */
+/** Creates a project around software of ROS 2 that exists. */
 public final class WorkspaceStart {
 
   private WorkspaceStart() {}
@@ -34,5 +35,21 @@ public final class WorkspaceStart {
     FoundSoftware software = Workspace.read(workspace, launch, PythonEnvironment.ensure(progress));
     MessageCatalog messages = MessageCatalog.of(List.of(workspace));
     return ProjectStart.around(SoftwareBaseFiles.of(software, messages), folder, bench);
+  }
+
+  /**
+   * Writes a project into a new or empty folder, around nodes whose interfaces are described in
+   * NoDL.
+   *
+   * @param documents one for each node, whose name is that of the file
+   * @param messages folders with definitions of messages that are not standard
+   * @throws dev.eventchain.diagnostics.DiagnosticException as {@link Nodl#read} and {@link
+   *     ProjectStart#create}
+   */
+  public static ProjectStart.Started ofInterfaces(
+      Path folder, List<Path> documents, List<Path> messages, ProjectStart.BenchProposal bench) {
+    FoundSoftware software = Nodl.read(documents);
+    MessageCatalog catalog = MessageCatalog.of(messages);
+    return ProjectStart.around(SoftwareBaseFiles.of(software, catalog), folder, bench);
   }
 }
