@@ -198,19 +198,6 @@ class SimulationTest {
   }
 
   @ParameterizedTest
-  @CsvFileSource(resources = "/mutants.csv", numLinesToSkip = 1)
-  void scenarioFailsWrongSoftware(String component, String mutant, String scenario)
-      throws Exception {
-    AebProject project = new AebProject(folder).with(component, "mutants/" + mutant);
-    SimulationResult result = project.simulate(List.of(AebProject.scenario(scenario)));
-    assertFalse(result.passed());
-    Diagnostic finding = result.verdicts().get(0).diagnostics().get(0);
-    assertEquals("simulation.criterion.failed", finding.id());
-    assertTrue(finding.location().file().endsWith(scenario + ".yaml"));
-    assertTrue(finding.location().line() > 0);
-  }
-
-  @ParameterizedTest
   @CsvFileSource(resources = "/failing.csv", numLinesToSkip = 1)
   void failingComponentIsNamedWithItsPlace(String file, String id, int line) throws Exception {
     AebProject project = new AebProject(folder).with("Braking_Decision", "failing/" + file);
