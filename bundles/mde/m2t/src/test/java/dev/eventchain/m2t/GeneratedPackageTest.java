@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.lang.ProcessBuilder.Redirect;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,6 +17,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -35,6 +37,9 @@ class GeneratedPackageTest {
 
   private static final Map<String, Map<String, byte[]>> GENERATED = new HashMap<>();
 
+  /** Python with the tools of the project. */
+  private static String python;
+
   @TempDir Path temporary;
 
   /** Exit code and output of a command. */
@@ -43,6 +48,17 @@ class GeneratedPackageTest {
       assertEquals(expected, code, output);
       return output;
     }
+  }
+
+  /** Asked for once: it takes longer than a test does. */
+  @BeforeAll
+  static void findPython() throws Exception {
+    String environment = ROOT.resolve(ENVIRONMENT).toString();
+    List<String> command = List.of("python3", environment, "--development", "--print-executable");
+    ProcessBuilder builder = new ProcessBuilder(command).redirectError(Redirect.INHERIT);
+    Process process = builder.start();
+    python = new String(process.getInputStream().readAllBytes(), UTF_8).strip();
+    assertEquals(0, process.waitFor());
   }
 
   @ParameterizedTest
@@ -308,9 +324,7 @@ class GeneratedPackageTest {
   }
 
   private static Ended python(Path folder, List<String> arguments) throws Exception {
-    List<String> command =
-        new ArrayList<>(
-            List.of("python3", ROOT.resolve(ENVIRONMENT).toString(), "--development", "--run"));
+    List<String> command = new ArrayList<>(List.of(python));
     command.addAll(arguments);
     ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
     builder.environment().put("PYTHONPATH", RUNTIME + "/python:" + RUNTIME + "/tests");
