@@ -111,13 +111,15 @@ class OpenScenarioTest {
         factors:
           speed: {path: openscenario.parameters.speed_kph, values: [30, 70]}
           aside: {path: openscenario.parameters.aside, values: [0, 3.5]}
+        points: {source: Protocol 1, most: 2, at_impact: if impact < 100 then 0.25 else 0}
         """);
     simulate("--suite", suite)
         .expect(1)
         .says("4 cases: 3 passed, 1 failed")
-        .says("  speed \\ aside       0     3.5")
-        .says("             30  passed  passed")
-        .says("             70  FAILED  passed");
+        .says("points: 6.5 of 8 (Protocol 1)")
+        .says("  speed \\ aside           0       3.5")
+        .says("             30    passed 2  passed 2")
+        .says("             70  FAILED 0.5  passed 2");
     Files.writeString(folder.resolve("suite/rear-end.xosc"), "<OpenSCENARIO>");
     simulate("--suite", suite).expect(2).says("osc.syntax");
     simulate("--suite", "un-r153").expect(2).says("Did you mean 'un-r152'?");
@@ -133,5 +135,20 @@ class OpenScenarioTest {
         .says("un-r152-moving_target: 12 cases: 12 passed")
         .says("un-r152-bend_ahead: 6 cases: 0 passed, 6 failed")
         .says("8 campaigns: errors in un-r152-stationary_target, un-r152-bend_ahead");
+    simulate("--suite", "un-r152-pedestrian")
+        .expect(1)
+        .says("un-r152-pedestrian-crossing: 9 cases: 6 passed, 3 failed")
+        .says("un-r152-pedestrian-beside: 6 cases: 6 passed");
+  }
+
+  /** As above. */
+  @InTurn
+  @Test
+  void theSuiteOfEuroNcapCountsPoints() {
+    simulate("--suite", "euro-ncap-2023-c2c")
+        .expect(1)
+        .says("points: 70 of 70 (Euro NCAP Safety Assist 9.1, AEB in CCRs)")
+        .says("points: 75 of 75 (Euro NCAP Safety Assist 9.1, AEB in CCRm)")
+        .says("             12  passed  FAILED");
   }
 }

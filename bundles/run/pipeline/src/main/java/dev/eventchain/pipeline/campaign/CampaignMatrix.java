@@ -7,13 +7,15 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 
 /**
  * The cases of a campaign as a table for the terminal: a row for each value of the first factor, a
- * column for each one of the second, if there is one. Others have no such table.
+ * column for each one of the second, if there is one, with the points of each case, if there are
+ * any. Others have no such table.
  */
 final class CampaignMatrix {
 
@@ -32,7 +34,7 @@ final class CampaignMatrix {
   private CampaignMatrix() {}
 
   /** Returns the table; empty if the cases do not fit into one. */
-  static String of(CampaignPlan plan, List<CampaignRow> rows) {
+  static String of(CampaignPlan plan, List<CampaignRow> rows, Optional<CampaignPoints> points) {
     int factors = plan.factors().size();
     if (factors > 2 || plan.repetitions() > 1 || plan.boundary().isPresent() || rows.isEmpty()) {
       return "";
@@ -40,13 +42,17 @@ final class CampaignMatrix {
     Set<BigDecimal> lines = new TreeSet<>();
     Set<BigDecimal> columns = new TreeSet<>();
     Map<List<BigDecimal>, String> words = new TreeMap<>((a, b) -> compared(a, b));
-    for (CampaignRow row : rows) {
+    for (int i = 0; i < rows.size(); i++) {
+      CampaignRow row = rows.get(i);
+      int number = i;
       List<BigDecimal> values = row.id().values();
       lines.add(values.get(0));
       if (factors == 2) {
         columns.add(values.get(1));
       }
-      words.put(values, WORDS.get(row.result().label()));
+      words.put(
+          values,
+          WORDS.get(row.result().label()) + points.map(it -> " " + it.of(number)).orElse(""));
     }
     return lines.size() <= TALLEST && columns.size() <= WIDEST
         ? table(plan.names(), lines, columns, words)

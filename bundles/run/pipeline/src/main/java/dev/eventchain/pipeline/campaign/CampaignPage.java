@@ -32,7 +32,7 @@ final class CampaignPage {
   private static final String STYLE =
       """
 
-      .map { border-collapse: collapse; font-variant-numeric: tabular-nums; }
+      .map { width: auto; border-collapse: collapse; font-variant-numeric: tabular-nums; }
       .map td { width: 1.6rem; height: 1.4rem; border: 1px solid Canvas; padding: 0; text-align: center; font-size: .7rem; }
       .map th { font-weight: normal; padding: 0 .4rem; text-align: right; }
       .map thead th { text-align: center; }
@@ -48,6 +48,7 @@ final class CampaignPage {
   private final Shard shard;
   private final List<CampaignRow> rows;
   private final CampaignSummary summary;
+  private final Optional<CampaignPoints> points;
   private final StaticPage page;
   private final PageCharts charts;
 
@@ -57,6 +58,7 @@ final class CampaignPage {
     this.plan = plan;
     this.rows = rows;
     this.summary = new CampaignSummary(plan, rows);
+    this.points = CampaignPoints.of(plan, rows);
     this.page = new StaticPage("Campaign " + plan.name(), STYLE);
     this.charts = new PageCharts(page);
   }
@@ -91,10 +93,12 @@ final class CampaignPage {
     figure("Failed", summary.count(Label.FAILED));
     figure("Not tested", summary.count(Label.UNTESTED));
     figure("Ended by an error", summary.count(Label.ERROR));
+    points.ifPresent(it -> figure("Points", it.total()));
     raw("</dl>\n");
+    points.ifPresent(it -> add("<p class=\"muted\">Points: %s.</p>\n", it.note()));
   }
 
-  private void figure(String name, long value) {
+  private void figure(String name, Object value) {
     add("<div><dt>%s</dt><dd>%s</dd></div>", name, value);
   }
 
@@ -149,7 +153,8 @@ final class CampaignPage {
     List<BigDecimal> across = values(right);
     raw(
         "<p class=\"muted\">Each cell has the cases that did not pass, of all with these values; the");
-    raw(" others differ in the other factors.</p>\n");
+    raw(" others differ in the other factors.");
+    raw(points.isPresent() ? " A cell of one case has its points.</p>\n" : "</p>\n");
     raw("<div class=\"scroll\"><table class=\"map\"><thead><tr><th></th>");
     across.forEach(value -> add("<th>%s</th>", value.toPlainString()));
     raw("</tr></thead><tbody>\n");
@@ -182,6 +187,11 @@ final class CampaignPage {
     long untested = cases.stream().filter(row -> row.is(Label.UNTESTED)).count();
     if (cases.isEmpty()) {
       raw("<td></td>");
+    } else if (cases.size() == 1 && points.isPresent()) {
+      int index = rows.indexOf(cases.get(0));
+      String title = word(cases.get(0)) + ", points: " + points.get().ofMost(index);
+      add("<td class=\"%s\" title=\"%s\">", kind(cases.get(0)), title);
+      add("%s</td>", points.get().of(index));
     } else if (passed == cases.size()) {
       raw("<td class=\"passed\" title=\"passed\"></td>");
     } else if (untested == cases.size()) {
@@ -192,6 +202,10 @@ final class CampaignPage {
       String shown = cases.size() == 1 ? "" : Long.toString(cases.size() - passed);
       add("<td class=\"%s\" title=\"%s\">%s</td>", kind, words, shown);
     }
+  }
+
+  private static String kind(CampaignRow row) {
+    return row.is(Label.PASSED) ? "passed" : row.is(Label.UNTESTED) ? "untested" : "failed";
   }
 
   private void boundary() {
@@ -293,10 +307,11 @@ final class CampaignPage {
   }
 
   private void onceMore(int number) {
+    String only = plan.part().map(name -> " --only " + name).orElse("");
     String part = shard.isAll() ? "" : " --shard " + shard.number() + "/" + shard.count();
     add(
-        "<td><code>eventchain campaign DIR %s%s --case %s</code></td></tr>\n",
-        plan.file(), part, number);
+        "<td><code>eventchain campaign DIR %s%s%s --case %s</code></td></tr>\n",
+        plan.file(), only, part, number);
   }
 
   private void failures() {

@@ -3,12 +3,18 @@ package dev.eventchain.pipeline.campaign;
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.simulation.verdict.CaseResult;
 import java.util.Comparator;
+import java.util.Locale;
 
 /** A case with what became of it. */
 record CampaignRow(CampaignCase id, CaseResult result) {
 
   static final Comparator<CampaignRow> ORDER =
       Comparator.comparing(CampaignRow::id, CampaignCase.ORDER);
+
+  /** Returns the verdict as tables have it. */
+  String word() {
+    return result.label().name().toLowerCase(Locale.ROOT);
+  }
 
   boolean is(CaseResult.Label label) {
     return result.label() == label;

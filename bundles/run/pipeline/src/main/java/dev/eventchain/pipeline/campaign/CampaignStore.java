@@ -32,7 +32,9 @@ final class CampaignStore implements AutoCloseable {
   static final String TABLE = "cases.csv";
   static final String PAGE = "report.html";
 
-  private static final List<String> RESULTS = List.of(CASES, TABLE, PAGE);
+  static final String POINTS = "points.json";
+
+  private static final List<String> RESULTS = List.of(CASES, TABLE, PAGE, POINTS);
   private static final String PARTS = "parts";
   private static final long PAUSE = 500;
 

@@ -167,6 +167,8 @@ final class CampaignSummary {
                         .formatted(
                             Coverage.counted(flips().size(), "flip"),
                             plan.names().get(boundary.factor()))));
-    return text.append(CampaignMatrix.of(plan, rows)).toString();
+    Optional<CampaignPoints> points = CampaignPoints.of(plan, rows);
+    points.ifPresent(it -> text.append("points: %s (%s)%n".formatted(it.total(), it.note())));
+    return text.append(CampaignMatrix.of(plan, rows, points)).toString();
   }
 }

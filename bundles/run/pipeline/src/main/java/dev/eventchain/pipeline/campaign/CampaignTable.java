@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -67,7 +66,7 @@ final class CampaignTable {
     further.values().forEach(column -> cells.add(column.get(number - 1)));
     row.id().values().stream().map(BigDecimal::toPlainString).forEach(cells::add);
     cells.add(Integer.toString(row.id().repetition()));
-    cells.add(result.label().name().toLowerCase(Locale.ROOT));
+    cells.add(row.word());
     cells.add(cell(result.impactSpeed()));
     cells.add(Double.toString(result.end()));
     for (Column column : columns) {

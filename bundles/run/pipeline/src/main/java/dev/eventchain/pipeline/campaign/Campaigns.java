@@ -187,7 +187,9 @@ public final class Campaigns {
     Optional<CampaignComparison> comparison = earlier.map(it -> it.beside(rows));
     CampaignSummary summary = new CampaignSummary(plan, rows);
     CampaignTable table = new CampaignTable(plan.names(), rows);
-    store.write(CampaignStore.TABLE, table.csv());
+    Optional<CampaignPoints> points = CampaignPoints.of(plan, rows);
+    store.write(CampaignStore.TABLE, points.map(it -> it.in(table)).orElse(table).csv());
+    points.ifPresent(it -> store.write(CampaignStore.POINTS, it.json(plan, rows)));
     store.write(
         CampaignStore.PAGE,
         CampaignPage.of(run.project(), plan, options.shard(), rows, comparison)

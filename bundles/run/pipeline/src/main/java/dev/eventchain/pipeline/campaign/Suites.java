@@ -30,6 +30,8 @@ public final class Suites {
   private static final Map<String, List<String>> KNOWN =
       new TreeMap<>(
           Map.of(
+              "euro-ncap-2023-c2c",
+              List.of("ccrb", "ccrm", "ccrs"),
               "un-r152",
               List.of(
                   "bend-ahead",
@@ -39,7 +41,11 @@ public final class Suites {
                   "oncoming",
                   "overhead-sign",
                   "stationary-target",
-                  "steel-plate")));
+                  "steel-plate"),
+              "un-r152-pedestrian",
+              List.of("beside", "crossing"),
+              "un-r157-alks",
+              List.of("cut-in", "cut-out", "deceleration", "next-lane", "pedestrian")));
 
   private Suites() {}
 

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
+import dev.eventchain.pipeline.campaign.plan.CaseList;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.nio.file.Path;
@@ -20,12 +21,15 @@ class SuitesTest {
 
   @Test
   void eachSuiteHasItsScenarios() {
-    assertEquals(List.of("un-r152"), Suites.names());
+    assertEquals(
+        List.of("euro-ncap-2023-c2c", "un-r152", "un-r152-pedestrian", "un-r157-alks"),
+        Suites.names());
     for (String name : Suites.names()) {
       List<CampaignPlan> plans = CampaignReader.read(Suites.file(name, folder));
       assertFalse(plans.isEmpty());
       for (CampaignPlan plan : plans) {
         Scenario scenario = Scenario.read(plan.scenarioFile().orElseThrow(), Bench.carla());
+        assertFalse(new CaseList(plan).cases().isEmpty(), plan.name());
         assertTrue(plan.scenario().startsWith(scenario.name() + "."), plan.scenario());
         assertTrue(
             scenario.criteria().stream().anyMatch(each -> !each.isOfEveryScenario()),

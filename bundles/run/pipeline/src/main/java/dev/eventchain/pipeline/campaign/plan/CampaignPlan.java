@@ -3,6 +3,7 @@ package dev.eventchain.pipeline.campaign.plan;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.simulation.verdict.CaseResult;
 import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -21,6 +22,7 @@ import java.util.Optional;
  * @param repetitions of each combination, with other seeds
  * @param seed of what is drawn
  * @param search what a search does with it
+ * @param points how a protocol counts its cases; empty if none does
  */
 public record CampaignPlan(
     Path file,
@@ -34,7 +36,8 @@ public record CampaignPlan(
     int repetitions,
     long seed,
     Optional<Boundary> boundary,
-    SearchSettings search) {
+    SearchSettings search,
+    Optional<Points> points) {
 
   /**
    * A search for the values at which the verdict flips.
@@ -71,7 +74,8 @@ public record CampaignPlan(
         1,
         seed,
         Optional.empty(),
-        search);
+        search,
+        Optional.empty());
   }
 
   public List<String> names() {
@@ -107,6 +111,34 @@ public record CampaignPlan(
       BigDecimal value = each.values().get(i);
       factors.get(i).paths().forEach(path -> settings.put(path, value));
     }
+    Map<String, Double> numbers = allNumbers(each);
+    for (Computed next : computed) {
+      BigDecimal number = BigDecimal.valueOf(numbers.get(next.name()));
+      next.paths().forEach(path -> settings.put(path, number));
+    }
+    return settings;
+  }
+
+  /**
+   * Returns the points of a case.
+   *
+   * @throws DiagnosticException (INPUT) if a formula has no value
+   */
+  public Optional<Points.Score> score(CampaignCase each, CaseResult result) {
+    return points.map(it -> it.of(allNumbers(each), result));
+  }
+
+  /**
+   * Requires of what counts points that it has some for a case, whatever becomes of it.
+   *
+   * @throws DiagnosticException (INPUT) if it has none
+   */
+  public void requirePoints(CampaignCase each) {
+    points.ifPresent(it -> it.require(allNumbers(each)));
+  }
+
+  /** Returns the values of the factors of a case, and what is computed from them. */
+  private Map<String, Double> allNumbers(CampaignCase each) {
     Map<String, Double> numbers = numbers(each);
     for (Computed next : computed) {
       double value = next.formula().value().applyAsDouble(numbers);
@@ -117,9 +149,7 @@ public record CampaignPlan(
             Diagnostic.of(CampaignRules.FORMULA, message, next.place()));
       }
       numbers.put(next.name(), value);
-      BigDecimal number = BigDecimal.valueOf(value);
-      next.paths().forEach(path -> settings.put(path, number));
     }
-    return settings;
+    return numbers;
   }
 }

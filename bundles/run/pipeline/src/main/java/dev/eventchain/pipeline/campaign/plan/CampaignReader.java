@@ -3,25 +3,19 @@ package dev.eventchain.pipeline.campaign.plan;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
-import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
-import dev.eventchain.simulation.scenario.NumberFormulas;
 import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.Set;
 
 /** Reads campaign files. */
 public final class CampaignReader {
@@ -97,22 +91,21 @@ public final class CampaignReader {
     String scenario = section.requiredText("scenario");
     section.text("description"); // for people
     List<Factor> factors = section.requiredObject("factors").map(this::factors).orElse(List.of());
-    Sampling sampling = section.object("sampling").map(this::sampling).orElse(Sampling.USUAL);
-    requireFit(section, factors, sampling);
-    List<Computed> computed = computedOf(section, factors);
+    Sampling sampling = sampling(section, factors);
+    FormulasOfCases formulas = new FormulasOfCases(section, factors);
+    List<Computed> computed = formulas.computed();
+    Optional<Points> points = formulas.points();
     List<SourceRange> conditions = conditions(section);
     int repetitions = (int) section.wholeNumber("repetitions", REPETITIONS).orElse(1);
     long seed = section.wholeNumber("seed", SEED).orElse(1);
     Optional<CampaignPlan.Boundary> boundary =
         section.object("boundary").flatMap(it -> boundary(it, factors, sampling));
-    SearchSettings search =
-        section.object("search").map(SearchSettings::read).orElse(SearchSettings.USUAL);
+    Optional<SearchSettings> search = section.object("search").map(SearchSettings::read);
     section.refuseOthers();
-    String name = file.getFileName().toString().replaceFirst("\\.ya?ml$", "");
     return new CampaignPlan(
         file,
         part,
-        part.map(own -> name + "-" + own).orElse(name),
+        name(part),
         scenario,
         factors,
         computed,
@@ -121,7 +114,20 @@ public final class CampaignReader {
         repetitions,
         seed,
         boundary,
-        search);
+        search.orElse(SearchSettings.USUAL),
+        points);
+  }
+
+  /** Returns the name of a campaign's results. */
+  private String name(Optional<String> part) {
+    String name = file.getFileName().toString().replaceFirst("\\.ya?ml$", "");
+    return part.map(own -> name + "-" + own).orElse(name);
+  }
+
+  private Sampling sampling(ObjectReader section, List<Factor> factors) {
+    Sampling sampling = section.object("sampling").map(this::sampling).orElse(Sampling.USUAL);
+    requireFit(section, factors, sampling);
+    return sampling;
   }
 
   /** Requires of the factors that their values can be combined as asked for. */
@@ -137,80 +143,11 @@ public final class CampaignReader {
     }
   }
 
-  private List<Computed> computedOf(ObjectReader section, List<Factor> factors) {
-    Optional<ObjectReader> formulas = section.object("computed");
-    List<Computed> computed = formulas.map(it -> computed(it, factors)).orElse(List.of());
-    if (computed.size() == formulas.map(it -> it.names().size()).orElse(0)) {
-      requireUse(section, factors, computed);
-    } // else nobody knows what the formulas read that cannot be read
-    return computed;
-  }
-
   /** Returns how many tables the factors are from; 0 if one is from none. */
   private static long tables(List<Factor> factors) {
     return factors.stream().allMatch(factor -> factor.levels() instanceof Levels.Column)
         ? factors.stream().map(it -> ((Levels.Column) it.levels()).table()).distinct().count()
         : 0;
-  }
-
-  private List<Computed> computed(ObjectReader section, List<Factor> factors) {
-    List<String> known = new ArrayList<>(factors.stream().map(Factor::name).toList());
-    List<Computed> computed = new ArrayList<>();
-    for (String name : section.names()) {
-      requireName(section, name, "A factor");
-      if (known.contains(name)) {
-        String message = "There is a factor '" + name + "' already.";
-        section.find(CampaignRules.KEY_DUPLICATE, message, section.atKey(name));
-      }
-      section
-          .object(name)
-          .flatMap(part -> computed(name, part, new NumberFormulas(known)))
-          .ifPresent(computed::add);
-      known.add(name);
-    }
-    return computed;
-  }
-
-  private Optional<Computed> computed(String name, ObjectReader part, NumberFormulas formulas) {
-    List<String> paths = paths(part);
-    String formula = part.requiredText("formula");
-    part.refuseOthers();
-    if (formula.isEmpty()) {
-      return Optional.empty();
-    }
-    try {
-      SourceRange range = SourceText.within(part.at("formula"), formula).whole();
-      return Optional.of(new Computed(name, paths, formulas.quantity(range), part.location()));
-    } catch (DiagnosticException e) {
-      Diagnostic first = e.diagnostics().get(0);
-      part.find(
-          Diagnostic.of(CampaignRules.FORMULA, first.message(), part.at("formula"))
-              .withHint(first.hint()));
-      return Optional.empty();
-    }
-  }
-
-  /** Requires of each factor and of what is computed that the scenario or a formula reads it. */
-  private static void requireUse(
-      ObjectReader section, List<Factor> factors, List<Computed> computed) {
-    Set<String> read = new HashSet<>();
-    computed.forEach(each -> read.addAll(each.formula().names()));
-    Map<String, SourceLocation> idle = new LinkedHashMap<>();
-    factors.stream()
-        .filter(each -> each.paths().isEmpty())
-        .forEach(each -> idle.put(each.name(), each.place()));
-    computed.stream()
-        .filter(each -> each.paths().isEmpty())
-        .forEach(each -> idle.put(each.name(), each.place()));
-    idle.keySet().removeAll(read);
-    idle.values()
-        .forEach(
-            place ->
-                section.find(
-                    Diagnostic.of(CampaignRules.KEY_MISSING, "'path' is missing.", place)
-                        .withHint(
-                            "Write the number of the scenario that it is, such as ego.speed_kmh, or"
-                                + " read it in a formula under `computed`.")));
   }
 
   private static Diagnostic undrawn(Factor factor) {
@@ -244,14 +181,14 @@ public final class CampaignReader {
     return factors;
   }
 
-  private static void requireName(ObjectReader section, String name, String what) {
+  static void requireName(ObjectReader section, String name, String what) {
     if (!name.matches("[A-Za-z_][A-Za-z0-9_]*")) {
       String message = what + " has a name of letters, digits and underscores.";
       section.find(CampaignRules.VALUE_RANGE, message, section.atKey(name));
     }
   }
 
-  private static List<String> paths(ObjectReader part) {
+  static List<String> paths(ObjectReader part) {
     List<String> paths = new ArrayList<>(part.texts("paths"));
     part.text("path").ifPresent(paths::add);
     return paths;

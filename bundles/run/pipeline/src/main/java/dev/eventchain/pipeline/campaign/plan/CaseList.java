@@ -28,7 +28,8 @@ public final class CaseList {
   /**
    * Returns the cases, in the order of their values.
    *
-   * @throws DiagnosticException (INPUT) if there are none, or too many
+   * @throws DiagnosticException (INPUT) if there are none, or too many, or if points cannot be
+   *     counted for one
    */
   public List<CampaignCase> cases() {
     requireFew();
@@ -54,6 +55,7 @@ public final class CaseList {
               .withHint("Loosen a condition under 'where', or add values."));
     }
     cases.sort(CampaignCase.ORDER);
+    cases.forEach(plan::requirePoints);
     return cases;
   }
 

@@ -71,16 +71,19 @@ class CampaignReaderTest {
     all.append("computed: {g: {path: r, paths: [t], formula: 2 * f}}\n");
     all.append("sampling: {grid: true}\nwhere: [f > 0]\nrepetitions: 2\nseed: 3\n");
     all.append("boundary: {factor: f, resolution: 1}\n");
+    all.append("points: {source: p, most: 2 * f, at_impact: if impact < g then 0.5 else 0}\n");
     all.append("search: {criterion: c, method: random, runs: 20, seeds: 2, stop: first_failure}\n");
     CampaignPlan plan =
         CampaignReader.read(Files.writeString(folder.resolve("a.yaml"), all)).get(0);
     assertEquals(List.of("q", "p"), plan.factors().get(0).paths());
     assertEquals(20, plan.search().runs());
     assertTrue(plan.search().stopsAtFirst());
-    schema
-        .at("/properties/search/properties")
-        .fieldNames()
-        .forEachRemaining(key -> assertTrue(all.toString().contains(key + ":"), key));
+    for (String part : List.of("search", "points")) {
+      schema
+          .at("/properties/" + part + "/properties")
+          .fieldNames()
+          .forEachRemaining(key -> assertTrue(all.toString().contains(key + ":"), key));
+    }
     schema
         .path("properties")
         .fieldNames()

@@ -1,0 +1,120 @@
+package dev.eventchain.pipeline.campaign;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
+import dev.eventchain.pipeline.campaign.plan.Points.Score;
+import dev.eventchain.pipeline.results.ResultJson;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * The points of the cases of a campaign, as a protocol counts them.
+ *
+ * @param source the protocol, with its version
+ * @param scores in the order of the cases
+ */
+record CampaignPoints(String source, List<Score> scores) {
+
+  CampaignPoints {
+    scores = List.copyOf(scores);
+  }
+
+  /** Returns the points of cases; empty if the campaign counts none. */
+  static Optional<CampaignPoints> of(CampaignPlan plan, List<CampaignRow> rows) {
+    return plan.points()
+        .map(
+            points ->
+                new CampaignPoints(
+                    points.source(),
+                    rows.stream()
+                        .map(row -> plan.score(row.id(), row.result()).orElseThrow())
+                        .toList()));
+  }
+
+  double sum() {
+    return scores.stream().mapToDouble(each -> each.points().orElse(0.0)).sum();
+  }
+
+  double most() {
+    return scores.stream().mapToDouble(Score::most).sum();
+  }
+
+  /** Returns the number of cases that were not tested, or ended by an error. */
+  private long without() {
+    return scores.stream().filter(each -> each.points().isEmpty()).count();
+  }
+
+  /** Returns the sum of all, such as "12.5 of 14". */
+  String total() {
+    return number(sum()) + " of " + number(most());
+  }
+
+  /** Returns what people have to know about the sum. */
+  String note() {
+    return without() == 0
+        ? source
+        : source + "; none for " + Coverage.counted((int) without(), "case") + " without a verdict";
+  }
+
+  /** Returns the points of a case, such as "0.5"; "-" if it has none. */
+  String of(int index) {
+    OptionalDouble points = scores.get(index).points();
+    return points.isPresent() ? number(points.getAsDouble()) : "-";
+  }
+
+  /** Returns the points of a case beside those that it may have, such as "0.5 of 2". */
+  String ofMost(int index) {
+    return of(index) + " of " + number(scores.get(index).most());
+  }
+
+  /** Adds the columns of points. */
+  CampaignTable in(CampaignTable table) {
+    List<String> points = new ArrayList<>();
+    List<String> most = new ArrayList<>();
+    for (Score each : scores) {
+      points.add(each.points().isPresent() ? number(each.points().getAsDouble()) : "");
+      most.add(number(each.most()));
+    }
+    return table.with("points", points).with("most_points", most);
+  }
+
+  /** A case in JSON. */
+  private record Case(
+      int number,
+      Map<String, BigDecimal> values,
+      String verdict,
+      OptionalDouble points,
+      double most) {}
+
+  /** All of them in JSON. */
+  private record Written(
+      String campaign, String source, double points, double most, List<Case> cases) {}
+
+  byte[] json(CampaignPlan plan, List<CampaignRow> rows) {
+    List<Case> cases = new ArrayList<>();
+    for (int i = 0; i < rows.size(); i++) {
+      Map<String, BigDecimal> values = new LinkedHashMap<>();
+      for (int factor = 0; factor < plan.factors().size(); factor++) {
+        values.put(plan.names().get(factor), rows.get(i).id().values().get(factor));
+      }
+      Score score = scores.get(i);
+      String verdict = rows.get(i).word();
+      cases.add(new Case(i + 1, values, verdict, score.points(), score.most()));
+    }
+    return ResultJson.bytes(new Written(plan.name(), source, sum(), most(), cases));
+  }
+
+  /** Returns a number with two digits behind the point at most. */
+  private static String number(double value) {
+    return BigDecimal.valueOf(value)
+        .setScale(2, RoundingMode.HALF_UP)
+        .stripTrailingZeros()
+        .toPlainString();
+  }
+}
