@@ -54,6 +54,9 @@ class ReportInBrowserTest {
     String drawn = dom(browser.get(), page);
     assertEquals(Set.of(), missing(page, text(drawn)));
     assertEquals(List.of(), axesWithoutScale(drawn));
+    String spoken =
+        "Storyboard: target brakes: 1.00\u00a0s to 2.50\u00a0s; the storyboard ends: 2.75\u00a0s";
+    assertTrue(drawn.replace("&nbsp;", "\u00a0").contains("aria-label=\"" + spoken + "\""));
     int height = height(browser.get(), page);
     assertTrue(height > 1_000 && height < MOST_PIXELS, height + " pixels");
   }
@@ -84,7 +87,17 @@ class ReportInBrowserTest {
             "max(0.0, min(1.0, float(braking_force)))",
             "0.1 * max(0.0, min(1.0, float(braking_force)))");
     new Program().run("run", project).expect(1).says("FAILED: 2 of 8 scenarios passed");
-    return project.resolve("out/report.html");
+    return withStoryboard(project.resolve("out/report.html"));
+  }
+
+  /** Adds to the data of each scenario what a storyboard would let happen. */
+  private static Path withStoryboard(Path page) throws IOException {
+    String happened =
+        "\"happened\":[{\"name\":\"target brakes\",\"kind\":\"event\",\"start\":1,\"end\":2.5},"
+            + "{\"name\":\"the storyboard ends\",\"kind\":\"end\",\"start\":2.75}],\"series\":";
+    String text = Files.readString(page);
+    assertTrue(text.contains("\"series\":"));
+    return Files.writeString(page, text.replace("\"series\":", happened));
   }
 
   /** Returns what the data of the page say and the page does not. */
@@ -101,6 +114,7 @@ class ReportInBrowserTest {
         said.add(criterion.path("text").asText());
         said.add(criterion.path("measured").asText());
       }
+      scenario.path("happened").forEach(each -> said.add(each.path("name").asText()));
       for (JsonNode signal : scenario.path("series").path("signals")) {
         said.add(signal.path("name").asText());
       }

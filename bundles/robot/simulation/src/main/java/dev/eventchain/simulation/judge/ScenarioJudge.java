@@ -65,7 +65,6 @@ public final class ScenarioJudge {
             .filter(each -> !worked || !isUnasked(each, run))
             .map(each -> judge(each, run, worked))
             .toList();
-    List<CriterionResult> observed = observed(run, worked);
     boolean passed = criteria.stream().allMatch(CriterionResult::passed);
     boolean failed = criteria.stream().anyMatch(each -> each.tested() && !each.passed());
     boolean tested = failed || criteria.stream().allMatch(CriterionResult::tested);
@@ -77,13 +76,14 @@ public final class ScenarioJudge {
         tested,
         passed,
         criteria,
-        observed,
+        observed(run, worked),
         WhatHappened.figures(trace, signals),
         latency(run.log(), chain),
         chain.latencyConstraints().stream().map(each -> latency(run, each)).toList(),
         MessageFlows.of(List.of(run), chain),
         WhatHappened.series(scenario.situation(), trace, signals),
-        run.samples());
+        run.samples(),
+        WhatHappened.happened(scenario, trace));
   }
 
   /**

@@ -1,15 +1,22 @@
 package dev.eventchain.simulation.judge;
 
 import dev.eventchain.simulation.formula.Signal;
+import dev.eventchain.simulation.scenario.Scenario;
+import dev.eventchain.simulation.verdict.Happened;
+import dev.eventchain.simulation.verdict.Happened.Kind;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Curve;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Figure;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Series;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Statistic;
+import dev.eventchain.simulation.world.Director;
 import dev.eventchain.simulation.world.Situation;
 import dev.eventchain.simulation.world.Trace;
 import dev.eventchain.simulation.world.World;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
 
 /** Figures and curves of the signals of a trace, independent of the tested function. */
 final class WhatHappened {
@@ -51,6 +58,50 @@ final class WhatHappened {
       double value = signal.inUnit(values[found]);
       figures.add(new Figure(signal.name(), signal.unit(), statistic, value, time));
     }
+  }
+
+  /** Returns the events of a storyboard, and when it handed over and ended; nothing without one. */
+  static List<Happened> happened(Scenario scenario, Trace trace) {
+    List<Happened> all = new ArrayList<>();
+    if (scenario.situation().director().isEmpty()) {
+      return all;
+    }
+    for (Director.Happening each : trace.happenings()) {
+      double time = World.seconds(each.time());
+      if (each.begins()) {
+        all.add(new Happened(each.event(), Kind.EVENT, time, OptionalDouble.empty()));
+      } else {
+        end(all, each.event(), time);
+      }
+    }
+    taken(all, "the software takes the pedals", trace.pedalsTaken());
+    taken(all, "the software takes the wheel", trace.wheelTaken());
+    long end = trace.end().time();
+    boolean over = end < World.nanoseconds(scenario.duration()) && trace.impactSpeed().isEmpty();
+    if (over && !trace.isCut() && scenario.situation().end().isEmpty()) {
+      all.add(
+          new Happened(
+              "the storyboard ends", Kind.END, World.seconds(end), OptionalDouble.empty()));
+    }
+    all.sort(Comparator.comparingDouble(Happened::start));
+    return all;
+  }
+
+  /** Ends the last begin of an event, which may happen several times. */
+  private static void end(List<Happened> all, String event, double time) {
+    for (int i = all.size() - 1; i >= 0; i--) {
+      Happened begun = all.get(i);
+      if (begun.name().equals(event) && begun.end().isEmpty()) {
+        all.set(i, new Happened(event, Kind.EVENT, begun.start(), OptionalDouble.of(time)));
+        return;
+      }
+    }
+  }
+
+  private static void taken(List<Happened> all, String words, OptionalLong time) {
+    time.ifPresent(
+        at ->
+            all.add(new Happened(words, Kind.TAKEOVER, World.seconds(at), OptionalDouble.empty())));
   }
 
   /** Returns the curves of the signals, and the scene. */

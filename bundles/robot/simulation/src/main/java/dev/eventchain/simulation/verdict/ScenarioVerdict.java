@@ -27,6 +27,8 @@ import java.util.stream.Stream;
  * @param flow the message flow
  * @param series the curves over time
  * @param samples what the nodes read and wrote, where it was kept
+ * @param happened what a storyboard let happen, and how the run went on by it, in the order of
+ *     time; empty without one
  */
 public record ScenarioVerdict(
     String scenario,
@@ -42,7 +44,8 @@ public record ScenarioVerdict(
     List<Optional<Latency>> latencies,
     MessageFlow flow,
     Series series,
-    List<FieldSamples> samples) {
+    List<FieldSamples> samples,
+    List<Happened> happened) {
 
   /** Copies the lists. */
   public ScenarioVerdict {
@@ -52,6 +55,7 @@ public record ScenarioVerdict(
     latencies = List.copyOf(latencies);
     figures = List.copyOf(figures);
     samples = List.copyOf(samples);
+    happened = List.copyOf(happened);
   }
 
   /** Returns a copy with other latencies of the constraints. */
@@ -70,7 +74,8 @@ public record ScenarioVerdict(
         others,
         flow,
         series,
-        samples);
+        samples,
+        happened);
   }
 
   /**
@@ -113,7 +118,7 @@ public record ScenarioVerdict(
       List<String> requirements,
       Optional<Diagnostic.Cause> cause) {
 
-    private static final String FIRST = "See to it first that there is no impact.";
+    private static final String FIRST = "See first to what ended the run.";
 
     /** Copies the lists. */
     public CriterionResult {

@@ -44,6 +44,7 @@ public final class ReportPage {
       List.of(
           "dom.js",
           "scene.js",
+          "timeline.js",
           "plots.js",
           "chain.js",
           "scenarios.js",

@@ -16,8 +16,8 @@ import java.util.OptionalDouble;
  * @param judges the words of requirements that it judges
  * @param limits the numbers that signals are compared with
  * @param requirements ids of the requirements that it tests; empty if these are its scenario's
- * @param consequence true if it is a consequence of an impact, which another finding is about;
- *     otherwise empty
+ * @param consequence true if it is a consequence of what ended the run, which another finding is
+ *     about; otherwise empty
  */
 public record Criterion(
     String text,

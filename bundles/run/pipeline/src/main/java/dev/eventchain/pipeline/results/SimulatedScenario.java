@@ -4,6 +4,7 @@ import com.fasterxml.jackson.annotation.JsonInclude;
 import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * The result of a scenario, with the curves and the scene that the report draws. Lists of numbers
@@ -14,6 +15,7 @@ import java.util.Optional;
  * @param observed what is only reported, as it counts for no verdict
  * @param measurements the measured figures
  * @param latency the latency of the chain, in ms; empty if it was not measured
+ * @param happened what a storyboard let happen
  */
 public record SimulatedScenario(
     String name,
@@ -27,7 +29,8 @@ public record SimulatedScenario(
     List<Figure> measurements,
     Optional<Statistics> latency,
     Series series,
-    Scene scene) {
+    Scene scene,
+    @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Happened> happened) {
 
   /** Copies the lists. */
   public SimulatedScenario {
@@ -35,7 +38,15 @@ public record SimulatedScenario(
     criteria = List.copyOf(criteria);
     observed = observed == null ? List.of() : List.copyOf(observed);
     measurements = List.copyOf(measurements);
+    happened = happened == null ? List.of() : List.copyOf(happened);
   }
+
+  /**
+   * Something that happened, in s since the start.
+   *
+   * @param kind {@code event}, {@code takeover} or {@code end}
+   */
+  public record Happened(String name, String kind, double start, OptionalDouble end) {}
 
   /**
    * A measured number.

@@ -19,6 +19,7 @@ import dev.eventchain.pipeline.results.Validation;
 import dev.eventchain.pipeline.results.VerdictFile;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.simulation.SimulationResult;
+import dev.eventchain.simulation.verdict.Happened;
 import dev.eventchain.simulation.verdict.Measurements;
 import dev.eventchain.simulation.verdict.MessageFlow;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
@@ -209,7 +210,13 @@ public final class SimulationReport {
         verdict.figures().stream().map(SimulationReport::figure).toList(),
         statistics(verdict.latency()),
         series(verdict.series()),
-        scene(verdict.series().scene()));
+        scene(verdict.series().scene()),
+        verdict.happened().stream().map(SimulationReport::happened).toList());
+  }
+
+  private static SimulatedScenario.Happened happened(Happened it) {
+    String kind = it.kind().name().toLowerCase(Locale.ROOT);
+    return new SimulatedScenario.Happened(it.name(), kind, it.start(), it.end());
   }
 
   private static SimulatedScenario.Figure figure(ScenarioVerdict.Figure figure) {

@@ -337,6 +337,7 @@ function plotsOf(scenario) {
   let above = null;
   let index = instantOfInterest(samples, scenario);
   const scene = sceneOf(scenario, samples);
+  const storyboard = timelineOf(scenario, samples);
   const road = html("div");
   const holder = html("div");
   const range = html("input", {
@@ -348,6 +349,7 @@ function plotsOf(scenario) {
     range.setAttribute("aria-valuetext", spokenInstant(samples, index));
     picture?.move(index);
     above?.move(index);
+    storyboard.move(index);
   };
   const play = playButton(samples, () => index, show);
   const pick = (next) => {
@@ -363,6 +365,7 @@ function plotsOf(scenario) {
     picture = { ...drawPicture(samples, scenario, width), width };
     above = scene ? drawScene(scene, samples, width) : null;
     road.replaceChildren(...(above ? [above.picture] : []));
+    storyboard.draw(width);
     const follow = (event) => {
       const box = picture.picture.getBoundingClientRect();
       pick(nearest(samples.time, picture.toTime(((event.clientX - box.left) / box.width) * width)));
@@ -374,7 +377,7 @@ function plotsOf(scenario) {
   };
   new ResizeObserver(() => holder.clientWidth > 0 && draw()).observe(holder);
   const controls = html("div", { class: "controls" }, play.button, range);
-  const element = html("figure", { class: "plots" }, road, controls, holder, captionOf(samples, scenario), steadyList(samples.steady));
+  const element = html("figure", { class: "plots" }, road, controls, storyboard.element, holder, captionOf(samples, scenario), steadyList(samples.steady));
   return { element, draw };
 }
 

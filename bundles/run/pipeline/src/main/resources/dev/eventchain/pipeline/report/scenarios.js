@@ -51,14 +51,19 @@ function criterionItem(criterion, before) {
     html("span", { class: "measured" + (tone === "good" ? "" : " " + tone) }, measured, marginOf(record(criterion.margin)), beforeOf(criterion, before)));
 }
 
-/** The criteria; those that are consequences of an impact, since the run ended with it, are folded. */
+/** What ended a run before all criteria were decided. */
+function impactOf(scenario) {
+  return eventsOf(scenario).some((each) => text(each.name) === "impact.speed") ? "the impact" : "its duration or a trigger";
+}
+
+/** The criteria; those that are consequences of what ended the run are folded. */
 function criteriaLists(scenario) {
   const all = records(scenario.criteria);
   const left = all.filter((criterion) => criterion.consequence === true);
   const items = (some) => some.map((criterion) => criterionItem(criterion, scenario.before));
   return [html("ul", { class: "criteria", "aria-label": "Criteria" }, items(all.filter((criterion) => !left.includes(criterion)))),
     left.length === 0 ? null : html("details", { class: "observed" },
-      html("summary", null, `Consequences of the impact, which ended the run: ${count(left.length, "criterion", "criteria")}`),
+      html("summary", null, `Consequences of ${impactOf(scenario)}, which ended the run: ${count(left.length, "criterion", "criteria")}`),
       html("ul", { class: "criteria" }, items(left)))];
 }
 

@@ -103,7 +103,8 @@ class SampleTableTest {
                 new Curve("/warn.data", "1", "", gaps),
                 new Curve("still", "m", "", times.stream().map(it -> 1.0).toList())),
             new ScenarioVerdict.Scene(0, 3.5, 20, List.of(), ego, List.of(), List.of())),
-        samples);
+        samples,
+        List.of());
   }
 
   private static CriterionResult decided(double time, Double... otherwise) {

@@ -49,7 +49,8 @@ class EarlierRunTest {
         List.of(),
         Optional.empty(),
         new SimulatedScenario.Series(List.of(), List.of()),
-        new SimulatedScenario.Scene(0, 3, 20, List.of(), ego, List.of(), List.of()));
+        new SimulatedScenario.Scene(0, 3, 20, List.of(), ego, List.of(), List.of()),
+        List.of());
   }
 
   private EarlierRun read(String text) throws IOException {
