@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.openscenario.storyboard.world.RouteSides;
 import dev.eventchain.simulation.stage.PlayedFile;
+import dev.eventchain.simulation.stage.PlayedFiles;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -32,8 +33,9 @@ final class OpenScenarioReader {
    *
    * @param scenario the whole scenario
    * @param file its file, from whose folder paths go
+   * @param files what was read before
    */
-  static List<PlayedFile> read(ObjectReader scenario, Path file) {
+  static List<PlayedFile> read(ObjectReader scenario, Path file, PlayedFiles files) {
     Optional<ObjectReader> section = scenario.requiredObject(KEY);
     for (String key : ELSEWHERE) {
       if (scenario.has(key)) {
@@ -46,14 +48,31 @@ final class OpenScenarioReader {
                 .withHint("Leave it out, or describe all of the situation here."));
       }
     }
-    return section.map(part -> played(part, file)).orElse(List.of());
+    return section.map(part -> played(part, file, files)).orElse(List.of());
   }
 
-  private static List<PlayedFile> played(ObjectReader section, Path scenario) {
+  /** Reads the files to which a scenario leads, as far as they can be read. */
+  static void visit(ObjectReader scenario, Path file) {
+    scenario
+        .object(KEY)
+        .ifPresent(
+            part -> {
+              String played = part.requiredText("file");
+              if (!played.isBlank()) {
+                PlayedFile.visit(
+                    file.resolveSibling(played), parametersOf(part), new PlayedFiles());
+              }
+            });
+  }
+
+  private static Map<String, String> parametersOf(ObjectReader section) {
+    return section.object("parameters").map(OpenScenarioReader::parameters).orElse(Map.of());
+  }
+
+  private static List<PlayedFile> played(ObjectReader section, Path scenario, PlayedFiles files) {
     String file = section.requiredText("file");
     Optional<String> ego = section.text("ego");
-    Map<String, String> parameters =
-        section.object("parameters").map(OpenScenarioReader::parameters).orElse(Map.of());
+    Map<String, String> parameters = parametersOf(section);
     Optional<String> written = section.text(ROUTE_POSITIONS);
     Optional<RouteSides> routeSides = written.flatMap(RouteSides::of);
     if (written.isPresent() && routeSides.isEmpty()) {
@@ -67,7 +86,8 @@ final class OpenScenarioReader {
       return PlayedFile.read(
           scenario.resolveSibling(file),
           new PlayedFile.Choices(parameters, ego, routeSides),
-          section.at("file"));
+          section.at("file"),
+          files);
     } catch (DiagnosticException e) {
       e.diagnostics().forEach(section::find);
       return List.of();

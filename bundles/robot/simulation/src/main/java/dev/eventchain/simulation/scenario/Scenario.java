@@ -7,6 +7,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.bench.BenchReader;
 import dev.eventchain.simulation.formula.Signal;
+import dev.eventchain.simulation.stage.PlayedFiles;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import dev.eventchain.simulation.world.Script;
 import dev.eventchain.simulation.world.Situation;
@@ -166,15 +167,7 @@ public final class Scenario {
 
   /** Reads a text in memory as {@link #read} does. */
   public static Scenario parse(SourceText text, Bench bench) {
-    return ScenarioReader.readOnly(text, bench, true);
-  }
-
-  /**
-   * Reads a scenario of which other numbers were read before, as {@link #parse} does, but a formula
-   * may be true or false whatever the software does.
-   */
-  public static Scenario parseCase(SourceText text, Bench bench) {
-    return ScenarioReader.readOnly(text, bench, false);
+    return ScenarioReader.readOnly(text, bench, true, new PlayedFiles());
   }
 
   /**

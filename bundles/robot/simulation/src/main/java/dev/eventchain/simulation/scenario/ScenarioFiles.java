@@ -26,7 +26,7 @@ record ScenarioFiles(List<Path> files, List<String> accept) {
     List<Scenario> scenarios = new ArrayList<>();
     for (Path file : files) {
       try {
-        scenarios.addAll(ScenarioReader.read(text(file), bench, true, warnings));
+        scenarios.addAll(ScenarioReader.read(text(file), bench, warnings));
       } catch (DiagnosticException e) {
         problems.addAll(e.diagnostics());
       }

@@ -142,7 +142,7 @@ record ScenarioFolder(Path folder) {
       List<Diagnostic> problems,
       List<Diagnostic> warnings) {
     try {
-      scenarios.addAll(ScenarioReader.read(SourceText.read(file), bench, true, warnings::add));
+      scenarios.addAll(ScenarioReader.read(SourceText.read(file), bench, warnings::add));
     } catch (DiagnosticException e) {
       problems.addAll(e.diagnostics());
     }

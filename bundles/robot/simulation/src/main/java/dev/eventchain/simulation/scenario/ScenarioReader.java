@@ -14,6 +14,7 @@ import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.formula.ActorSignals;
 import dev.eventchain.simulation.formula.Range;
 import dev.eventchain.simulation.stage.PlayedFile;
+import dev.eventchain.simulation.stage.PlayedFiles;
 import dev.eventchain.simulation.world.Script;
 import dev.eventchain.simulation.world.Situation;
 import java.nio.file.Path;
@@ -57,9 +58,13 @@ final class ScenarioReader {
     this.sound = sound;
   }
 
-  /** Reads a file that has one scenario; several cases are refused, so that none gets lost. */
-  static Scenario readOnly(SourceText text, Bench bench, boolean varying) {
-    List<Scenario> scenarios = read(text, bench, varying, warning -> {});
+  /**
+   * Reads a file that has one scenario; several cases are refused, so that none gets lost.
+   *
+   * @param files what was read before of others to which it leads
+   */
+  static Scenario readOnly(SourceText text, Bench bench, boolean varying, PlayedFiles files) {
+    List<Scenario> scenarios = read(text, bench, varying, files, warning -> {});
     if (scenarios.size() > 1) {
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT,
@@ -79,14 +84,22 @@ final class ScenarioReader {
    *
    * @param warnings receives what to know about other files to which it leads
    */
-  static List<Scenario> read(
-      SourceText text, Bench bench, boolean varying, Consumer<Diagnostic> warnings) {
+  static List<Scenario> read(SourceText text, Bench bench, Consumer<Diagnostic> warnings) {
+    return read(text, bench, true, new PlayedFiles(), warnings);
+  }
+
+  private static List<Scenario> read(
+      SourceText text,
+      Bench bench,
+      boolean varying,
+      PlayedFiles files,
+      Consumer<Diagnostic> warnings) {
     List<Diagnostic> problems = new ArrayList<>();
     Document document = Document.parse(text, DocumentFormat.YAML, RULES, problems::add);
     List<Optional<PlayedFile>> cases =
         document
             .object("", problems::add)
-            .map(whole -> cases(whole, Path.of(text.name())))
+            .map(whole -> cases(whole, Path.of(text.name()), files))
             .orElse(List.of());
     List<Scenario> scenarios = new ArrayList<>();
     ScenarioReader reader = new ScenarioReader(text, bench, varying, problems::isEmpty);
@@ -109,9 +122,10 @@ final class ScenarioReader {
   }
 
   /** Returns what is played in each case; nothing in the only one of a file that plays nothing. */
-  private static List<Optional<PlayedFile>> cases(ObjectReader whole, Path file) {
+  private static List<Optional<PlayedFile>> cases(
+      ObjectReader whole, Path file, PlayedFiles files) {
     return whole.has(OpenScenarioReader.KEY)
-        ? OpenScenarioReader.read(whole, file).stream().map(Optional::of).toList()
+        ? OpenScenarioReader.read(whole, file, files).stream().map(Optional::of).toList()
         : List.of(Optional.empty());
   }
 
@@ -121,7 +135,7 @@ final class ScenarioReader {
     document
         .object("", finding -> {})
         .filter(section -> section.has(OpenScenarioReader.KEY))
-        .ifPresent(section -> OpenScenarioReader.read(section, Path.of(text.name())));
+        .ifPresent(section -> OpenScenarioReader.visit(section, Path.of(text.name())));
   }
 
   /**

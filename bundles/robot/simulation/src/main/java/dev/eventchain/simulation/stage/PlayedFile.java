@@ -19,7 +19,6 @@ import dev.eventchain.simulation.world.World;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -56,12 +55,6 @@ public final class PlayedFile {
     public Choices {
       parameters = Collections.unmodifiableMap(new LinkedHashMap<>(parameters));
     }
-
-    private Choices with(Map<String, String> more) {
-      Map<String, String> values = new LinkedHashMap<>(parameters);
-      values.putAll(more);
-      return new Choices(values, ego, routeSides);
-    }
   }
 
   private PlayedFile(
@@ -73,46 +66,62 @@ public final class PlayedFile {
     this.words = words;
   }
 
+  /** What is played in a case: the scenario, and what is added to its name and its title. */
+  private record Case(ResolvedScenario scenario, String file, String suffix, String words) {}
+
   /**
    * Reads a scenario, or the cases that a file of distributions has of one.
    *
    * @param place where the file is named
+   * @param files what was read before
    * @throws DiagnosticException with all problems of the file, and of those that it leads to
    */
-  public static List<PlayedFile> read(Path file, Choices choices, SourceLocation place) {
-    ScenarioFile read = ScenarioFile.read(file, file.toAbsolutePath().getRoot());
-    Map<Path, RoadNetwork> networks = new HashMap<>();
+  public static List<PlayedFile> read(
+      Path file, Choices choices, SourceLocation place, PlayedFiles files) {
+    List<PlayedFile> played = new ArrayList<>();
+    for (Case each : cases(file, choices.parameters(), files)) {
+      played.add(played(each, files, choices, place));
+    }
+    return played;
+  }
+
+  /**
+   * Reads all files that a scenario, or the cases of one, leads to, and plays nothing.
+   *
+   * @throws DiagnosticException as for {@link #read}
+   */
+  public static void visit(Path file, Map<String, String> parameters, PlayedFiles files) {
+    cases(file, parameters, files)
+        .forEach(each -> each.scenario().roadFile().ifPresent(files::network));
+  }
+
+  private static List<Case> cases(Path file, Map<String, String> parameters, PlayedFiles files) {
+    ScenarioFile read = files.scenario(file);
     if (read.kind() == ScenarioFile.Kind.SCENARIO) {
-      return List.of(played(read, networks, choices, place, "", ""));
+      return List.of(of(read, parameters, "", ""));
     }
     Variations variations = Variations.of(read);
     Set<String> varied = varied(variations.cases());
-    List<PlayedFile> cases = new ArrayList<>();
+    List<Case> cases = new ArrayList<>();
     int digits = String.valueOf(variations.cases().size()).length();
     for (Map<String, String> each : variations.cases()) {
+      Map<String, String> values = new LinkedHashMap<>(parameters);
+      values.putAll(each);
       String number = String.format(Locale.ROOT, "-%0" + digits + "d", cases.size() + 1);
-      cases.add(
-          played(
-              variations.scenario(),
-              networks,
-              choices.with(each),
-              place,
-              number,
-              words(each, varied)));
+      cases.add(of(variations.scenario(), values, number, words(each, varied)));
     }
     return cases;
   }
 
+  private static Case of(
+      ScenarioFile file, Map<String, String> parameters, String suffix, String words) {
+    return new Case(file.resolve(parameters), file.path().getFileName().toString(), suffix, words);
+  }
+
   private static PlayedFile played(
-      ScenarioFile file,
-      Map<Path, RoadNetwork> networks,
-      Choices choices,
-      SourceLocation place,
-      String suffix,
-      String words) {
-    ResolvedScenario scenario = file.resolve(choices.parameters());
-    Optional<RoadNetwork> network =
-        scenario.roadFile().map(road -> networks.computeIfAbsent(road, RoadNetwork::read));
+      Case own, PlayedFiles files, Choices choices, SourceLocation place) {
+    ResolvedScenario scenario = own.scenario();
+    Optional<RoadNetwork> network = scenario.roadFile().map(files::network);
     String name = ego(scenario, choices.ego(), place);
     Stage stage =
         new Stage(
@@ -124,7 +133,7 @@ public final class PlayedFile {
     List<Diagnostic> warnings = new ArrayList<>(scenario.warnings());
     network.ifPresent(roads -> warnings.addAll(roads.findings()));
     warnings.addAll(stage.findings());
-    return new PlayedFile(stage, file.path().getFileName().toString(), suffix, words, warnings);
+    return new PlayedFile(stage, own.file(), own.suffix(), own.words(), warnings);
   }
 
   /** Returns the names of the parameters that differ between cases. */

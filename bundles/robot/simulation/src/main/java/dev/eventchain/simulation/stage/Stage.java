@@ -173,7 +173,7 @@ final class Stage {
    * @param limit when the storyboard has to be at its end; empty if it need not
    */
   Situation situation(EgoVehicle vehicle, Optional<StoryboardDirector.Limit> limit) {
-    Director.Source source = new Play(this, limit);
+    Director.Source source = new Play(this, vehicle.shape(), limit);
     HumanDriver driver =
         new HumanDriver(
             new SpeedProfile(vehicle.speed(), List.of()),
@@ -184,7 +184,7 @@ final class Stage {
   }
 
   /** Plays the storyboard from its begin. */
-  private record Play(Stage stage, Optional<StoryboardDirector.Limit> limit)
+  private record Play(Stage stage, Shape shape, Optional<StoryboardDirector.Limit> limit)
       implements Director.Source {
 
     @Override
@@ -197,7 +197,8 @@ final class Stage {
               stage.roads,
               name,
               stage.routeSides);
-      return new StoryboardDirector(run, stage.frame, stage.road, name, stage.standing, limit);
+      return new StoryboardDirector(
+          run, stage.frame, stage.road, name, shape, stage.standing, limit);
     }
 
     @Override

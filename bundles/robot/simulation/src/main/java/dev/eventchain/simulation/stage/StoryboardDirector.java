@@ -14,6 +14,7 @@ import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.Body;
 import dev.eventchain.simulation.world.Director;
 import dev.eventchain.simulation.world.Road;
+import dev.eventchain.simulation.world.Shape;
 import dev.eventchain.simulation.world.Track;
 import dev.eventchain.simulation.world.World;
 import java.util.ArrayList;
@@ -38,8 +39,9 @@ final class StoryboardDirector implements Director {
   private final Entity ego;
   private final ScenarioDriver driver;
   private final Map<String, Track> tracks = new LinkedHashMap<>();
-  private final List<Actor> actors = new ArrayList<>();
+  private final Map<String, Actor> actors = new LinkedHashMap<>();
   private final List<Actor> all;
+  private final Shape shape;
   private final Optional<Limit> limit;
   private final List<Happening> happenings = new ArrayList<>();
   private double acceleration;
@@ -60,6 +62,7 @@ final class StoryboardDirector implements Director {
    * Begins a run.
    *
    * @param run at time 0
+   * @param shape that of the ego, which a project may describe otherwise than the scenario
    * @param standing what stands at the road
    * @param limit empty if the run may end at any time
    */
@@ -68,11 +71,13 @@ final class StoryboardDirector implements Director {
       Frame frame,
       Road road,
       String ego,
+      Shape shape,
       List<Actor> standing,
       Optional<Limit> limit) {
     this.run = run;
     this.frame = frame;
     this.limit = limit;
+    this.shape = shape;
     Map<String, Entity> entities = run.entities().objects();
     this.ego = entities.get(ego);
     this.driver = new ScenarioDriver(frame, road, this.ego.box().front());
@@ -80,11 +85,11 @@ final class StoryboardDirector implements Director {
       if (!entity.name().equals(ego) && entity.box().length() > 0.0) {
         Track track = new Track(road);
         tracks.put(entity.name(), track);
-        actors.add(Cast.actor(entity, track));
+        actors.put(entity.name(), Cast.actor(entity, track));
       }
     }
     move(0);
-    all = new ArrayList<>(actors);
+    all = new ArrayList<>(actors.values());
     all.addAll(standing);
   }
 
@@ -108,11 +113,10 @@ final class StoryboardDirector implements Director {
       run.handOver(seen.pedals(), seen.wheel());
     }
     if (moment > 0) {
-      Map<String, Body> bodies = bodies(seen);
       run.advance(
           STEP,
           Optional.of(state(seen)).filter(it -> seen.pedals() || seen.wheel()),
-          (one, other) -> touch(bodies.get(one), bodies.get(other)));
+          (one, other) -> touch(one, other, seen));
     }
     now = moment;
     move(moment);
@@ -172,29 +176,22 @@ final class StoryboardDirector implements Director {
         true);
   }
 
-  /** Returns the bodies that are there at this moment, as they have moved. */
-  private Map<String, Body> bodies(Ego seen) {
-    Map<String, Body> bodies = new LinkedHashMap<>();
-    double seconds = World.seconds((now + 1L) * World.TRACE_STEP);
-    for (Actor actor : actors) {
-      if (actor.exists(seconds)) {
-        bodies.put(actor.name(), actor.body(null, seconds));
-      }
-    }
-    bodies.put(
-        ego.name(),
-        new Body(
-            seen.front().ahead(-ego.box().length() / 2),
-            ego.box().length(),
-            ego.box().width(),
-            0.0,
-            ego.box().height(),
-            0.0f));
-    return bodies;
+  /** Returns whether two entities touch at this moment, as they have moved. */
+  private boolean touch(String one, String other, Ego seen) {
+    Optional<Body> body = body(one, seen);
+    return body.isPresent()
+        && body(other, seen).filter(it -> body.get().separation(it) <= 0.0).isPresent();
   }
 
-  private static boolean touch(Body one, Body other) {
-    return one != null && other != null && one.separation(other) <= 0.0;
+  /** Returns the body of an entity; empty if it is not there, or has none. */
+  private Optional<Body> body(String name, Ego seen) {
+    if (name.equals(ego.name())) {
+      return Optional.of(shape.body(seen.front()));
+    }
+    double seconds = World.seconds((now + 1L) * World.TRACE_STEP);
+    return Optional.ofNullable(actors.get(name))
+        .filter(actor -> actor.exists(seconds))
+        .map(actor -> actor.body(null, seconds));
   }
 
   @Override

@@ -115,14 +115,11 @@ class OpenEndTest {
                 + "<StandStillCondition.*?</ByEntityCondition>",
             "<ByValueCondition><SimulationTimeCondition value=\"2\" rule=\"greaterThan\"/>"
                 + "</ByValueCondition>");
-    Path copy = FILES.resolveSibling("openscenario/../../../../target/too-soon.xosc").normalize();
-    Files.writeString(
-        copy,
-        tooSoon
-            .replace("path=\"catalogs\"", "path=\"../src/test/resources/openscenario/catalogs\"")
-            .replace(
-                "filepath=\"straight.xodr\"",
-                "filepath=\"../src/test/resources/openscenario/straight.xodr\""));
+    Files.createDirectory(folder.resolve("catalogs"));
+    for (String other : List.of("straight.xodr", "catalogs/vehicles.xosc")) {
+      Files.copy(FILES.resolve(other), folder.resolve(other));
+    }
+    Path copy = Files.writeString(folder.resolve("too-soon.xosc"), tooSoon);
     List<Scenario> read =
         Scenario.readFiles(List.of(copy), List.of("no_impact"), Bench.carla(), warning -> {});
     Diagnostic found = ScenarioJudge.openEnd(run(read.get(0), 0.0)).orElseThrow();

@@ -261,10 +261,7 @@ class PlayedScenarioTest {
             text.indexOf("</PrivateAction>", text.indexOf("name=\"slower\"")));
     String jump =
         "<TeleportAction><Position><LanePosition roadId=\"1\" laneId=\"-1\" s=\"300\"/></Position></TeleportAction>";
-    Path file = Files.writeString(folder.resolve("jump.xosc"), jumping(text, action, jump));
-    Files.createDirectory(folder.resolve("catalogs"));
-    Files.copy(FOLDER.resolve("straight.xodr"), folder.resolve("straight.xodr"));
-    Files.copy(FOLDER.resolve("catalogs/vehicles.xosc"), folder.resolve("catalogs/vehicles.xosc"));
+    Path file = beside(folder, jumping(text, action, jump));
     Scenario scenario =
         Scenario.readFiles(List.of(file), List.of("no_impact"), Bench.carla(), warning -> fail())
             .get(0);
@@ -272,6 +269,30 @@ class PlayedScenarioTest {
     DiagnosticException refused = assertThrows(DiagnosticException.class, () -> drive(world, 5));
     assertEquals("scenario.ego.moved", refused.diagnostics().get(0).id());
     assertTrue(refused.getMessage().contains("After 1.00 s"), refused.getMessage());
+  }
+
+  /** Writes a scenario beside copies of all that it leads to. */
+  private static Path beside(Path folder, String scenario) throws IOException {
+    Files.createDirectory(folder.resolve("catalogs"));
+    Files.copy(FOLDER.resolve("straight.xodr"), folder.resolve("straight.xodr"));
+    Files.copy(FOLDER.resolve("catalogs/vehicles.xosc"), folder.resolve("catalogs/vehicles.xosc"));
+    return Files.writeString(folder.resolve("other.xosc"), scenario);
+  }
+
+  /** A project may describe its vehicle otherwise than the scenario, which then meets that one. */
+  @Test
+  void collisionsAreThoseOfTheVehicleAsItIs(@TempDir Path folder) throws IOException {
+    String text = Files.readString(FOLDER.resolve("rear-end.xosc"));
+    String collision = "<CollisionCondition><EntityRef entityRef=\"Target\"/></CollisionCondition>";
+    beside(folder, text.replaceFirst("<StandStillCondition [^>]*>", collision));
+    String passing = scenario("other.xosc", "  parameters: {aside: 1.6}\nego: {width_m: %s}");
+    for (String width : List.of("1.2", "1.8")) {
+      String name = folder.resolve("scenario.yaml").toString();
+      World world =
+          world(Scenario.parse(SourceText.of(name, passing.formatted(width)), Bench.carla()));
+      drive(world, 8);
+      assertEquals(width.equals("1.8"), world.isOver(), width);
+    }
   }
 
   private static String jumping(String text, String action, String jump) {

@@ -21,6 +21,7 @@ import dev.eventchain.pipeline.campaign.plan.Sampling;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.CaseSimulation;
 import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.scenario.CaseReader;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.math.BigDecimal;
 import java.nio.file.Path;
@@ -54,6 +55,7 @@ final class ScenarioTemplate {
   private final ObjectNode scenario;
   private final Optional<ObjectNode> bench;
   private final boolean variesBench;
+  private final CaseReader cases = new CaseReader();
 
   /**
    * Reads the file of a scenario, and the bench.
@@ -208,7 +210,7 @@ final class ScenarioTemplate {
       own = benches.apply(SourceText.of(name, copy.toPrettyString()));
     }
     return new CaseSimulation.Case(
-        Scenario.parseCase(SourceText.of(file.toString(), text(each)), own), own);
+        cases.read(SourceText.of(file.toString(), text(each)), own), own);
   }
 
   /** Returns the scenario of a case as JSON, which is YAML, too. */
