@@ -18,7 +18,7 @@ public record Junction(String id, String name, Kind kind, List<Connection> conne
     COMMON("default"),
     /** Roads that meet directly, as at an exit of a motorway. */
     DIRECT("direct"),
-    /** Roads that leave another one between its ends; paths do not take them. */
+    /** Roads that leave another one between its ends, or join it there. */
     VIRTUAL("virtual"),
     /** A crossing of roads without connections. */
     CROSSING("crossing");

@@ -20,8 +20,8 @@ final class JunctionReader {
       String road = kind == Junction.Kind.DIRECT ? "linkedRoad" : "connectingRoad";
       Junction.Connection connection = connection(child, road, atEnds);
       connections.add(connection);
-      if (atEnds) {
-        links.junctions.add(new PendingLinks.OfJunction(id, connection, child.place()));
+      if (atEnds || kind == Junction.Kind.VIRTUAL) {
+        links.junctions.add(new PendingLinks.OfJunction(id, kind, connection, child.place()));
       }
     }
     return new Junction(id, element.optional("name").orElse(""), kind, connections);

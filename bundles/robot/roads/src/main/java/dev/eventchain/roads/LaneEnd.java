@@ -8,6 +8,11 @@ package dev.eventchain.roads;
  */
 record LaneEnd(Road road, int section, int lane, boolean atEnd) {
 
+  /** Returns whether another end is that at which the next section of the same road begins. */
+  boolean goesOnAt(LaneEnd entry) {
+    return entry.road() == road && entry.section() == section + (atEnd ? 1 : -1);
+  }
+
   /** Returns the other end of the lane. */
   LaneEnd other() {
     return new LaneEnd(road, section, lane, !atEnd);

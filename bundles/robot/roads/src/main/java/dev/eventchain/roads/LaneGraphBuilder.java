@@ -19,6 +19,7 @@ final class LaneGraphBuilder {
   private final Map<String, Junction> junctions;
   private final Problems problems;
   private final LaneGraph graph = new LaneGraph();
+  private VirtualLinks virtual;
 
   LaneGraphBuilder(Map<String, Road> roads, Map<String, Junction> junctions, Problems problems) {
     this.roads = roads;
@@ -28,6 +29,7 @@ final class LaneGraphBuilder {
 
   LaneGraph graph(PendingLinks links) {
     links.roads.forEach(this::check);
+    virtual = new VirtualLinks(roads, links.places.stream().filter(this::check).toList());
     roads.values().forEach(this::addContinuedLanes);
     links.lanes.forEach(this::add);
     links.junctions.forEach(this::add);
@@ -68,6 +70,22 @@ final class LaneGraphBuilder {
     }
   }
 
+  /** Reports a link to a place that is not there; returns whether it is. */
+  private boolean check(PendingLinks.OfPlace each) {
+    Road main = roads.get(each.main());
+    if (main == null) {
+      report(each.place(), "road", each.main(), roads.keySet());
+    } else if (!(each.s() >= 0 && each.s() <= main.length() + Records.ROUNDING)) {
+      problems.add(
+          RoadRules.LINK,
+          each.place().location(),
+          "Road `" + each.main() + "` has no place s = " + each.s() + ".",
+          "It is " + main.length() + " m long. Correct `elementS`, or remove the link.");
+      return false;
+    }
+    return main != null;
+  }
+
   /** Links lanes of which a section of the other side begins beside them. */
   private void addContinuedLanes(Road road) {
     for (int i = 1; i < road.sections().size(); i++) {
@@ -83,8 +101,9 @@ final class LaneGraphBuilder {
 
   private void add(PendingLinks.OfLane each) {
     Road road = roads.get(each.road());
-    LaneEnd from = new LaneEnd(road, each.section(), each.lane(), each.forward());
-    int next = each.section() + (each.forward() ? 1 : -1);
+    int section = virtual.section(each.road(), each.section(), each.forward());
+    LaneEnd from = new LaneEnd(road, section, each.lane(), each.forward());
+    int next = section + (each.forward() ? 1 : -1);
     if (next >= 0 && next < road.sections().size()) {
       link(from, new LaneEnd(road, next, each.target(), !each.forward()), each.place());
       return;
@@ -98,6 +117,10 @@ final class LaneGraphBuilder {
                     from,
                     end(roads.get(found.id()), found.contact().orElseThrow(), each.target()),
                     each.place()));
+    if (link.isEmpty()) {
+      RoadLink.Contact end = each.forward() ? RoadLink.Contact.END : RoadLink.Contact.START;
+      virtual.end(each.road(), end, each.target()).ifPresent(to -> link(from, to, each.place()));
+    }
   }
 
   private static LaneEnd end(Road road, RoadLink.Contact contact, int lane) {
@@ -155,7 +178,9 @@ final class LaneGraphBuilder {
     Junction.Connection connection = each.connection();
     Road incoming = roads.get(connection.incoming());
     Road road = roads.get(connection.road());
-    if (incoming == null) {
+    if (each.kind() == Junction.Kind.VIRTUAL) {
+      addVirtual(each, road);
+    } else if (incoming == null) {
       report(each.place(), "road", connection.incoming(), roads.keySet());
     } else if (road == null) {
       report(each.place(), "road", connection.road(), roads.keySet());
@@ -167,6 +192,16 @@ final class LaneGraphBuilder {
             end(road, connection.contact(), lane.to()),
             each.place());
       }
+    }
+  }
+
+  /** Links the lanes of a road that leaves another one, of which its own end says where. */
+  private void addVirtual(PendingLinks.OfJunction each, Road road) {
+    Junction.Connection connection = each.connection();
+    for (Junction.LaneLink lane : connection.lanes()) {
+      virtual
+          .end(connection.road(), connection.contact(), lane.from())
+          .ifPresent(from -> link(from, end(road, connection.contact(), lane.to()), each.place()));
     }
   }
 

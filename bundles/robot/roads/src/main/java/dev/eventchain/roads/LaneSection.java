@@ -37,6 +37,13 @@ public final class LaneSection {
     this.centre = centre;
   }
 
+  /** Returns the parts before and behind a place inside it, with the same lanes. */
+  List<LaneSection> divided(double s) {
+    return List.of(
+        new LaneSection(start, s, offset, left, right, centre),
+        new LaneSection(s, end, offset, left, right, centre));
+  }
+
   /** Returns s where it begins, in m. */
   public double start() {
     return start;

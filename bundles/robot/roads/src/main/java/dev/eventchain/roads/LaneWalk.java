@@ -17,12 +17,20 @@ final class LaneWalk {
     this.graph = graph;
   }
 
-  /** Returns the end at which the lane that goes on straightest begins; empty if none goes on. */
+  /**
+   * Returns the end at which the lane goes on: on the same road, or else where it goes on
+   * straightest; empty if it does not.
+   */
   Optional<LaneEnd> straightest(LaneEnd exit) {
-    return straightest(graph.from(exit));
+    return straightest(exit, graph.from(exit));
   }
 
-  static Optional<LaneEnd> straightest(List<LaneEnd> entries) {
+  static Optional<LaneEnd> straightest(LaneEnd exit, List<LaneEnd> entries) {
+    for (LaneEnd entry : entries) {
+      if (exit.goesOnAt(entry)) {
+        return Optional.of(entry);
+      }
+    }
     return entries.stream().min(Comparator.comparingDouble(LaneWalk::turn));
   }
 

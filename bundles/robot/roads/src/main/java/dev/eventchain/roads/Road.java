@@ -3,6 +3,7 @@ package dev.eventchain.roads;
 import dev.eventchain.roads.geometry.PlanPoint;
 import dev.eventchain.roads.geometry.Profile;
 import dev.eventchain.roads.geometry.ReferenceLine;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -151,6 +152,16 @@ public final class Road {
   /** Returns the lane section at a place; from where the next one begins on, it is that one. */
   public LaneSection section(double s) {
     return sections.get(sectionIndex(s));
+  }
+
+  /** Returns the same road with a further lane section, which begins at a place. */
+  Road divided(double s) {
+    List<LaneSection> all = new ArrayList<>();
+    for (LaneSection each : sections) {
+      boolean inside = s > each.start() + Records.ROUNDING && s < each.end() - Records.ROUNDING;
+      all.addAll(inside ? each.divided(s) : List.of(each));
+    }
+    return new Road(facts, line, surface, laneOffset, all, furniture);
   }
 
   int sectionIndex(double s) {

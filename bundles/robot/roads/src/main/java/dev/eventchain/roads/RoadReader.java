@@ -108,8 +108,12 @@ final class RoadReader {
     return traffic == Road.Traffic.RIGHT_HAND ? "RHT" : "LHT";
   }
 
-  /** Reads a link; empty also for one to a place between the ends of a road, which none follows. */
+  /** Reads a link; empty also for one to a place between the ends of a road, which is noted. */
   private Optional<RoadLink> link(String id, Optional<XmlElement> element, RoadLink.Contact end) {
+    element
+        .filter(child -> child.optional("elementS").isPresent())
+        .filter(child -> child.optional("elementDir").isPresent())
+        .ifPresent(child -> links.places.add(place(id, child, end)));
     return element
         .filter(child -> child.optional("elementS").isEmpty())
         .map(
@@ -118,6 +122,16 @@ final class RoadReader {
               links.roads.add(new PendingLinks.OfRoad(id, end, link, child.place()));
               return link;
             });
+  }
+
+  private static PendingLinks.OfPlace place(String id, XmlElement element, RoadLink.Contact end) {
+    return new PendingLinks.OfPlace(
+        id,
+        end,
+        element.string("elementId"),
+        element.number("elementS"),
+        element.choice("elementDir", List.of(true, false), along -> along ? "+" : "-"),
+        element.place());
   }
 
   private static RoadLink link(XmlElement element) {

@@ -49,7 +49,7 @@ final class RouteFollower {
   /** Returns the entry behind an exit that is on the route; the straightest behind its end. */
   Optional<LaneEnd> next(LaneEnd exit) {
     Optional<LaneEnd> next = onRoute(exit);
-    if (next.isPresent() && !isWithin(exit, next.get())) {
+    if (next.isPresent() && !exit.goesOnAt(next.get())) {
       leg++;
     }
     return next;
@@ -57,19 +57,16 @@ final class RouteFollower {
 
   private Optional<LaneEnd> onRoute(LaneEnd exit) {
     List<LaneEnd> entries = network.graph().from(exit);
-    Optional<LaneEnd> within = entries.stream().filter(entry -> isWithin(exit, entry)).findFirst();
-    if (within.isPresent() || isLast()) {
-      return within.or(() -> LaneWalk.straightest(entries));
+    if (isLast()) {
+      return LaneWalk.straightest(exit, entries);
+    }
+    boolean leaves = Math.abs(exit.s() - route.legs().get(leg).to()) < Records.ROUNDING;
+    if (!leaves) {
+      return entries.stream().filter(exit::goesOnAt).findFirst();
     }
     Route.Leg next = route.legs().get(leg + 1);
     return entries.stream()
         .filter(entry -> entry.road().id().equals(next.road()) && entry.atEnd() != next.alongS())
         .findFirst();
-  }
-
-  /** Returns whether an entry is of the section that follows an exit on the same road. */
-  private static boolean isWithin(LaneEnd exit, LaneEnd entry) {
-    int next = exit.section() + (exit.atEnd() ? 1 : -1);
-    return entry.road() == exit.road() && entry.section() == next;
   }
 }

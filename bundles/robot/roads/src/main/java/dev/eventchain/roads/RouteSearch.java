@@ -19,25 +19,21 @@ final class RouteSearch {
 
   private final RoadNetwork network;
 
-  /** A road in a direction. */
-  private record Way(Road road, boolean alongS) {
-
-    double start() {
-      return alongS ? 0 : road.length();
-    }
-
-    double end() {
-      return alongS ? road.length() : 0;
-    }
-  }
+  /**
+   * A road in a direction.
+   *
+   * @param entered s from which on it is driven
+   */
+  private record Way(Road road, boolean alongS, double entered) {}
 
   /**
    * A way that has been reached.
    *
-   * @param distance to where it begins, or to the target if it is the last one
+   * @param distance to where it is entered, or to the target if it is the last one
    * @param before null for the first one
+   * @param left s where the way before was left
    */
-  private record Reached(Way way, double distance, Reached before, boolean last) {}
+  private record Reached(Way way, double distance, Reached before, double left, boolean last) {}
 
   RouteSearch(RoadNetwork network) {
     this.network = network;
@@ -76,8 +72,8 @@ final class RouteSearch {
         new PriorityQueue<>(Comparator.comparingDouble(Reached::distance));
     for (Way way : ways(from)) {
       if (sense.isEmpty() || sense.get() == way.alongS) {
-        Reached start = new Reached(way, -Math.abs(from.s() - way.start()), null, false);
-        arrive(start, from.s(), to, queue);
+        Reached start = new Reached(way, 0, null, 0, false);
+        arrive(start, to, queue);
         expand(start, lane, queue);
       }
     }
@@ -85,10 +81,10 @@ final class RouteSearch {
     while (!queue.isEmpty()) {
       Reached next = queue.remove();
       if (next.last) {
-        return Optional.of(legs(next, from, to));
+        return Optional.of(legs(next, to));
       }
       if (done.putIfAbsent(next.way, next.distance) == null) {
-        arrive(next, next.way.start(), to, queue);
+        arrive(next, to, queue);
         expand(next, lane, queue);
       }
     }
@@ -110,58 +106,69 @@ final class RouteSearch {
     List<Way> ways = new ArrayList<>();
     for (boolean alongS : new boolean[] {true, false}) {
       if (!lane.isDrivable() || road.leads(lane, alongS)) {
-        ways.add(new Way(road, alongS));
+        ways.add(new Way(road, alongS, position.s()));
       }
     }
     return ways;
   }
 
   /** Queues the target if it is on a way, behind where the way is entered. */
-  private void arrive(Reached at, double entered, LanePosition to, PriorityQueue<Reached> queue) {
-    boolean behind = at.way.alongS ? to.s() >= entered : to.s() <= entered;
-    if (behind && ways(to).contains(at.way)) {
-      double distance = at.distance + Math.abs(to.s() - at.way.start());
-      queue.add(new Reached(at.way, distance, at, true));
+  private void arrive(Reached at, LanePosition to, PriorityQueue<Reached> queue) {
+    Way way = at.way;
+    boolean behind = way.alongS ? to.s() >= way.entered : to.s() <= way.entered;
+    boolean there =
+        behind
+            && ways(to).stream()
+                .anyMatch(each -> each.road == way.road && each.alongS == way.alongS);
+    if (there) {
+      double distance = at.distance + Math.abs(to.s() - way.entered);
+      queue.add(new Reached(way, distance, at, to.s(), true));
     }
   }
 
-  private void expand(Reached at, Lane lane, PriorityQueue<Reached> queue) {
-    for (Way next : nexts(at.way, lane)) {
-      queue.add(new Reached(next, at.distance + at.way.road.length(), at, false));
+  /** Queues the ways that lanes lead to, at the end of the road and where others leave it. */
+  private void expand(Reached at, Lane kind, PriorityQueue<Reached> queue) {
+    Way way = at.way;
+    List<LaneSection> sections = way.road.sections();
+    for (int section = 0; section < sections.size(); section++) {
+      double left = way.alongS ? sections.get(section).end() : sections.get(section).start();
+      boolean ahead = way.alongS ? left >= way.entered : left <= way.entered;
+      if (ahead) {
+        for (Way next : nexts(way, section, kind)) {
+          double distance = at.distance + Math.abs(left - way.entered);
+          queue.add(new Reached(next, distance, at, left, false));
+        }
+      }
     }
   }
 
-  /** Returns the ways that lanes of a road's end lead to. */
-  private Set<Way> nexts(Way way, Lane kind) {
+  /** Returns the ways that lanes of a section's end lead to, other roads that is. */
+  private Set<Way> nexts(Way way, int section, Lane kind) {
     Set<Way> nexts = new LinkedHashSet<>();
-    int section = way.alongS ? way.road.sections().size() - 1 : 0;
     for (Lane lane : way.road.sections().get(section).lanes()) {
       boolean usable =
           kind.isDrivable()
               ? lane.isDrivable() && way.road.leads(lane, way.alongS)
               : lane.type().equals(kind.type());
       if (lane.id() != 0 && usable) {
-        network.graph().from(new LaneEnd(way.road, section, lane.id(), way.alongS)).stream()
-            .map(entry -> new Way(entry.road(), !entry.atEnd()))
+        LaneEnd exit = new LaneEnd(way.road, section, lane.id(), way.alongS);
+        network.graph().from(exit).stream()
+            .filter(entry -> !exit.goesOnAt(entry))
+            .map(entry -> new Way(entry.road(), !entry.atEnd(), entry.s()))
             .forEach(nexts::add);
       }
     }
     return nexts;
   }
 
-  private static List<Route.Leg> legs(Reached target, LanePosition from, LanePosition to) {
-    List<Way> ways = new ArrayList<>();
-    for (Reached at = target.before; at != null; at = at.before) {
-      ways.add(at.way);
-    }
-    Collections.reverse(ways);
+  private static List<Route.Leg> legs(Reached target, LanePosition to) {
     List<Route.Leg> legs = new ArrayList<>();
-    for (int i = 0; i < ways.size(); i++) {
-      Way way = ways.get(i);
-      double start = i == 0 ? from.s() : way.start();
-      double end = i == ways.size() - 1 ? to.s() : way.end();
-      legs.add(new Route.Leg(way.road.id(), way.alongS, start, end));
+    double end = to.s();
+    for (Reached at = target.before; at != null; at = at.before) {
+      legs.add(new Route.Leg(at.way.road.id(), at.way.alongS, at.way.entered, end));
+      end = at.left;
     }
+    Collections.reverse(legs);
     return legs;
   }
 }

@@ -2,12 +2,16 @@ package dev.eventchain.roads;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceText;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class LanePathTest {
@@ -106,6 +110,64 @@ class LanePathTest {
     Pose target = LEAVING.pose(to).orElseThrow();
     double across = path.station(target.x(), target.y(), path.length()).across();
     assertEquals(0, across, 1e-6);
+  }
+
+  @Test
+  void routesLeaveAndJoinARoadBetweenItsEnds() {
+    RoadNetwork network = Networks.read("side-street");
+    double turn = 10 * Math.PI;
+    LanePosition from = new LanePosition("1", -1, 10, 0);
+    Route off = network.route(List.of(from, new LanePosition("3", -1, 20, 0))).orElseThrow();
+    assertEquals(
+        List.of(
+            new Route.Leg("1", true, 10, 100),
+            new Route.Leg("2", true, 0, turn),
+            new Route.Leg("3", true, 0, 20)),
+        off.legs());
+    LanePath path = network.path(from, off, 0).orElseThrow();
+    assertEquals(List.of("1", "2", "3"), roads(path));
+    requireContinuous(path);
+    LanePosition back = new LanePosition("3", 1, 30, 0);
+    Route onto = network.route(List.of(back, new LanePosition("1", -1, 180, 0))).orElseThrow();
+    assertEquals(
+        List.of(
+            new Route.Leg("3", false, 30, 0),
+            new Route.Leg("5", true, 0, turn),
+            new Route.Leg("1", true, 140, 180)),
+        onto.legs());
+    requireContinuous(network.path(back, onto, 0).orElseThrow());
+    LanePosition oncoming = new LanePosition("1", 1, 190, 0);
+    assertEquals(
+        Optional.empty(), network.route(List.of(oncoming, new LanePosition("3", -1, 20, 0))));
+  }
+
+  @Test
+  void pathsStayOnARoadThatOthersLeave() {
+    RoadNetwork network = Networks.read("side-street");
+    LanePath path = network.path(new LanePosition("1", -1, 80, 0), 70, 100).orElseThrow();
+    assertEquals(List.of("1"), roads(path));
+    assertEquals(3, network.road("1").orElseThrow().sections().size());
+    assertEquals(200, path.length(), 1e-9);
+    assertEquals(
+        new LanePosition("1", -1, 150, 0),
+        network.relative(new LanePosition("1", -1, 80, 0), 0, 70).orElseThrow());
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "elementS=\"100\", elementS=\"201\", 'Road `1` has no place s = 201.0.'",
+    "elementId=\"1\" elementS=\"140\", elementId=\"7\" elementS=\"140\", There is no road `7`.",
+    "laneLink from=\"-1\", laneLink from=\"-2\", 'Road `1` has no lane -2 at s = 100.0.'",
+  })
+  void placesThatRoadsLeaveAreThere(String right, String wrong, String message) {
+    SourceText text = SourceText.read(Networks.FOLDER.resolve("side-street.xodr"));
+    DiagnosticException refused =
+        assertThrows(
+            DiagnosticException.class,
+            () ->
+                RoadNetwork.parse(SourceText.of("wrong.xodr", text.text().replace(right, wrong))));
+    assertEquals("road.link", refused.diagnostics().get(0).id());
+    assertEquals(message, refused.diagnostics().get(0).message());
   }
 
   private static void requireContinuous(LanePath path) {
