@@ -205,7 +205,7 @@ public final class XmlElement {
     boolean plain = !value.isEmpty();
     for (int i = 0; plain && i < value.length(); i++) {
       char each = value.charAt(i);
-      plain = each >= '0' && each <= '9' || "+-.eE".indexOf(each) >= 0;
+      plain = (each >= '0' && each <= '9') || "+-.eE".indexOf(each) >= 0;
     }
     try {
       return plain ? Double.parseDouble(value) : Double.NaN;
