@@ -149,6 +149,14 @@ class NetworkRoadsTest {
     assertEquals(0, place.y(), 1e-3);
     String radians = "<GeoPosition latitude='0.837758040957' longitude='0.191986217719'/>";
     assertEquals(0, state(placed(radians, roads), "Ego").pose().x(), 1e-3);
+    assertEquals(
+        "There is no latitude of 2750.1974166279515 degrees.",
+        assertThrows(
+                DiagnosticException.class,
+                () -> placed("<GeoPosition latitude='48' longitude='11'/>", roads))
+            .diagnostics()
+            .get(0)
+            .message());
     Diagnostic finding =
         assertThrows(
                 DiagnosticException.class, () -> placed(second, roads(reference.formatted("merc"))))

@@ -29,6 +29,9 @@ import java.util.TreeSet;
 public record VariedScenario(
     Path scenario, Map<String, String> fixed, List<Parameter> parameters, List<List<String>> rows) {
 
+  /** Digits of a number with which sums are computed at once. */
+  private static final int MOST_DIGITS = 400;
+
   /** Values of a parameter of a whole type that a campaign goes through. */
   private static final int MOST_WHOLE = 1000;
 
@@ -48,6 +51,11 @@ public record VariedScenario(
     /** Returns whether all values are numbers, which those of a factor are. */
     public boolean isNumeric() {
       return values.stream().allMatch(value -> number(value).isPresent());
+    }
+
+    /** Returns the values as numbers, which they have to be. */
+    public List<NumericNode> numbers() {
+      return values.stream().map(value -> node(number(value).orElseThrow())).toList();
     }
   }
 
@@ -97,7 +105,7 @@ public record VariedScenario(
   }
 
   /** Returns a number without a fraction of zeros, which whole types do not take. */
-  public static NumericNode node(BigDecimal number) {
+  private static NumericNode node(BigDecimal number) {
     BigDecimal plain = number.stripTrailingZeros();
     return plain.scale() <= 0
         ? BigIntegerNode.valueOf(plain.toBigIntegerExact())
@@ -130,7 +138,7 @@ public record VariedScenario(
         });
     List<List<String>> rows =
         variations.cases().stream()
-            .map(each -> parameters.stream().map(it -> each.get(it.name())).toList())
+            .map(each -> parameters.stream().map(it -> each.get(it.name()).strip()).toList())
             .toList();
     return new VariedScenario(
         variations.scenario().path(),
@@ -167,7 +175,9 @@ public record VariedScenario(
 
   private static Optional<BigDecimal> number(String text) {
     try {
-      return Optional.of(new BigDecimal(text.strip()));
+      BigDecimal number = new BigDecimal(text.strip());
+      boolean usual = Math.abs((double) number.scale()) <= MOST_DIGITS;
+      return Optional.of(number).filter(each -> usual && each.precision() <= MOST_DIGITS);
     } catch (NumberFormatException e) {
       return Optional.empty();
     }

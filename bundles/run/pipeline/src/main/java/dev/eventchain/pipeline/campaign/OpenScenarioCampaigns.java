@@ -11,7 +11,6 @@ import dev.eventchain.documents.YamlLayout;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.campaign.plan.CampaignRules;
 import dev.eventchain.simulation.scenario.VariedScenario;
-import java.math.BigDecimal;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -159,7 +158,7 @@ public final class OpenScenarioCampaigns {
       return;
     }
     ArrayNode values = factor.putArray(parameter.isRange() ? "uniform" : "values");
-    parameter.values().forEach(each -> values.add(VariedScenario.node(new BigDecimal(each))));
+    parameter.numbers().forEach(values::add);
   }
 
   private String rows() {

@@ -76,6 +76,13 @@ final class WorldPositions {
             position.location(),
             "Give the position as a WorldPosition or a LanePosition.");
       }
+      if (!(Math.abs(latitude) <= 90)) {
+        throw StoryboardRules.failure(
+            StoryboardRules.NO_PLACE,
+            "There is no latitude of " + latitude + " degrees.",
+            position.location(),
+            "Give latitude and longitude in rad, latitudeDeg and longitudeDeg in degrees.");
+      }
       Pose place = scene.roads().geo(latitude, longitude, altitude);
       return grounded(scene, Orientation.of(position).at(place, place));
     };
