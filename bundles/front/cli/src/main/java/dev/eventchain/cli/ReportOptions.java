@@ -38,7 +38,7 @@ final class ReportOptions {
               + "may be repeated. Missing folders are created. It is written even when "
               + "the command fails. Besides the formats of findings, 'run' and 'simulate' have those"
               + " of the evidence for requirements: 'evidence' (JUnit XML for tools of"
-              + " requirements), 'lobster' (a folder), 'needs' (needs.json of sphinx-needs) and"
+              + " requirements), 'lobster' (a folder), 'needs' (needs.json of sphinx-needs), 'reqif' and"
               + " 'matrix' (a .csv or .html file).")
   List<ReportTarget> targets = List.of();
 
@@ -95,7 +95,7 @@ final class ReportOptions {
               spec.commandLine(), "two reports would go to the same file: " + file);
         }
       }
-      if (!runs && target.evidence().isPresent()) {
+      if (!runs && target.isEvidence()) {
         throw new ParameterException(
             spec.commandLine(),
             "--report "

@@ -72,7 +72,13 @@ public final class XmlText {
     }
   }
 
-  private static Charset charsetOf(byte[] head) {
+  /**
+   * Returns the encoding that the beginning of a document has or declares.
+   *
+   * @throws IllegalCharsetNameException if it declares what is no name of an encoding
+   * @throws UnsupportedCharsetException if it declares one that is unknown here
+   */
+  public static Charset charsetOf(byte[] head) {
     if (head.length > 1 && (head[0] & 0xFF) + (head[1] & 0xFF) == 0xFE + 0xFF) {
       return StandardCharsets.UTF_16;
     }

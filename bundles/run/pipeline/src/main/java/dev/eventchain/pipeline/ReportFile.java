@@ -43,12 +43,15 @@ public final class ReportFile {
       return Optional.empty();
     } catch (IOException e) {
       return Optional.of(
-          Diagnostic.of(
-                  PipelineRules.REPORT_UNWRITABLE,
-                  "The report cannot be written: " + SourceText.reason(e) + ".",
-                  SourceLocation.of(file))
-              .withHint("Name another file with --report " + format + "=FILE."));
+          unwritable(e, file).withHint("Name another file with --report " + format + "=FILE."));
     }
+  }
+
+  static Diagnostic unwritable(IOException problem, Path file) {
+    return Diagnostic.of(
+        PipelineRules.REPORT_UNWRITABLE,
+        "The report cannot be written: " + SourceText.reason(problem) + ".",
+        SourceLocation.of(file));
   }
 
   /**

@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.Report;
 import dev.eventchain.pipeline.evidence.Evidence;
 import dev.eventchain.pipeline.reports.EvidenceFormat;
 import dev.eventchain.pipeline.run.RunResult;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -61,6 +62,11 @@ public record ReportTarget(
     return findings.map(Object::toString).or(() -> evidence.map(Object::toString)).orElseThrow();
   }
 
+  /** Returns whether it is the evidence of a run. */
+  public boolean isEvidence() {
+    return evidence.isPresent();
+  }
+
   /** Returns the files that are written. */
   public List<Path> files() {
     return evidence.map(it -> it.files(file)).orElse(List.of("")).stream()
@@ -88,7 +94,12 @@ public record ReportTarget(
   }
 
   private List<Diagnostic> write(Evidence collected) {
-    Map<String, byte[]> files = evidence.orElseThrow().render(collected, file);
+    Map<String, byte[]> files;
+    try {
+      files = evidence.orElseThrow().render(collected, file);
+    } catch (IOException e) {
+      return List.of(ReportFile.unwritable(e, file));
+    }
     List<Diagnostic> unwritten = new ArrayList<>();
     files.forEach(
         (name, content) ->

@@ -72,10 +72,7 @@ final class Conclusion {
   }
 
   RunResult conclude() {
-    List<Diagnostic> all = all(StageOutcome::diagnostics);
-    all.addAll(run.takeFindings());
-    // Stages that need a valid model report the validation's findings.
-    List<Diagnostic> found = new ArrayList<>(new LinkedHashSet<>(all));
+    List<Diagnostic> found = found();
     List<Suppressed> suppressed =
         List.copyOf(new LinkedHashSet<>(all(outcome -> outcome.found().suppressed())));
     Coverage coverage =
@@ -86,9 +83,7 @@ final class Conclusion {
     requireReason(verdict, scenarios, suppressed);
     String summary = summary(verdict, scenarios, found) + suppressedText(suppressed) + attached();
     Optional<Path> report = report(verdict, summary, found);
-    Evidence evidence =
-        CollectedEvidence.of(
-            run, simulated(), found, outcome(Stage.IMPLEMENT), verdict + ": " + summary);
+    Evidence evidence = evidence(found, verdict + ": " + summary);
     return new RunResult(
         verdict,
         summary,
@@ -105,11 +100,22 @@ final class Conclusion {
         evidence);
   }
 
+  private Evidence evidence(List<Diagnostic> found, String summary) {
+    return CollectedEvidence.of(run, simulated(), found, outcome(Stage.IMPLEMENT), summary);
+  }
+
   private List<Trial> trials(
       Verdict verdict, List<Diagnostic> found, List<Suppressed> suppressed, Evidence evidence) {
     boolean simulates = run.options().runs(Stage.SIMULATE);
     boolean passed = verdict == Verdict.PASSED;
     return RunTrials.of(simulated(), found, suppressed, passed, evidence, simulates);
+  }
+
+  /** Returns all findings once: stages that need a valid model report the validation's, too. */
+  private List<Diagnostic> found() {
+    List<Diagnostic> all = all(StageOutcome::diagnostics);
+    all.addAll(run.takeFindings());
+    return new ArrayList<>(new LinkedHashSet<>(all));
   }
 
   private <T> List<T> all(Function<StageOutcome, List<T>> part) {

@@ -1,6 +1,7 @@
 package dev.eventchain.pipeline.reports;
 
 import dev.eventchain.pipeline.evidence.Evidence;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
@@ -38,6 +39,13 @@ public enum EvidenceFormat {
       return one(NeedsJson.render(evidence));
     }
   },
+  /** A ReqIF document with a verdict on each requirement. */
+  REQIF {
+    @Override
+    public Map<String, byte[]> render(Evidence evidence, Path target) throws IOException {
+      return Map.of("", ReqifSource.of(evidence).withVerdicts(evidence));
+    }
+  },
   /** A table of requirements and their evidence: CSV, or a page if the file is named so. */
   MATRIX {
     @Override
@@ -67,8 +75,9 @@ public enum EvidenceFormat {
    *
    * @param target where the report goes
    * @return by name relative to the target; empty for the target itself
+   * @throws IOException if the report needs a file of the project that cannot be used
    */
-  public abstract Map<String, byte[]> render(Evidence evidence, Path target);
+  public abstract Map<String, byte[]> render(Evidence evidence, Path target) throws IOException;
 
   /** Returns the names of the files, relative to the target; empty for the target itself. */
   public List<String> files(Path target) {
