@@ -13,7 +13,7 @@ PYTHON = BUNDLE / "python"
 RUNTIME = "eventchain_ros2"
 # Each module imports only from the lines above its own, so there are no cycles.
 LAYERS = (
-    {"definitions", "transforms"},
+    {"definitions", "point_clouds", "transforms"},
     {"callback_groups", "clock", "cyclone", "faults", "graph", "logger", "node_sources", "parameters", "refusals"},
     {"node_parameters", "qos", "type_support", "validation"},
     {"best_available", "catalog", "codec", "dds_qos", "processes"},
@@ -34,7 +34,7 @@ MODULES = sorted(PYTHON.glob(f"{RUNTIME}/*.py"))
 # Modules that use the library. A confined process refuses ctypes, so the modules that run in one do not use it.
 WIRE = {"cyclone", "dds_endpoints", "dds_entities", "dds_qos", "discovery", "type_support"}
 CONFINED = ("components", "executors", "simulation")
-PACKAGES = ("cyclonedds", "message_filters", "rclpy", "tf2_geometry_msgs", "tf2_ros")
+PACKAGES = ("cyclonedds", "message_filters", "rclpy", "sensor_msgs_py", "tf2_geometry_msgs", "tf2_ros")
 FACADES = sorted(file for package in PACKAGES for file in PYTHON.glob(f"{package}/**/*.py"))
 
 

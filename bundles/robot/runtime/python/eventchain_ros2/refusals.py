@@ -19,7 +19,6 @@ _PACKAGES = {
     "launch_ros": "launch files: `python -m eventchain_ros2` runs a node file by itself",
     "rclpy_components": "composition: run each node in a process of its own",
     "rosbag2_py": "recording by nodes: `eventchain simulate --mcap` records all topics",
-    "sensor_msgs_py": "helpers for point clouds: read the bytes of sensor_msgs/msg/PointCloud2 with NumPy",
     "tf2_sensor_msgs": "transforms of point clouds: look up the transform, and apply it with NumPy",
 }
 _RCLPY = {
@@ -31,7 +30,7 @@ _RCLPY = {
 }
 _SUFFIXES = ("_interfaces", "_msgs", "_srvs")
 _SUBPACKAGES = {"action": _ACTIONS, "srv": "services of this package: no definition of one was found"}
-_FACADES = ("message_filters", "rclpy", "tf2_geometry_msgs", "tf2_ros")
+_FACADES = ("message_filters", "rclpy", "sensor_msgs_py", "tf2_geometry_msgs", "tf2_ros")
 _RUNTIME = Path(__file__).resolve().parents[1]
 
 

@@ -1,0 +1,21 @@
+"""As `sensor_msgs_py.point_cloud2`."""
+
+from eventchain_ros2 import refusals
+from eventchain_ros2.point_clouds import (
+    create_cloud,
+    create_cloud_xyz32,
+    dtype_from_fields,
+    read_points,
+    read_points_list,
+    read_points_numpy,
+)
+
+__all__ = [
+    "create_cloud",
+    "create_cloud_xyz32",
+    "dtype_from_fields",
+    "read_points",
+    "read_points_list",
+    "read_points_numpy",
+]
+__getattr__ = refusals.of_module(__name__)
