@@ -302,3 +302,29 @@ def test_what_is_best_available_is_decided_by_what_was_discovered(
         assert not offered.deadline.nanoseconds
     finally:
         nodes.stop()
+
+
+def test_a_future_of_another_thread_ends_spinning(world: World, tmp_path: Path) -> None:
+    source = tmp_path / "spinning.py"
+    source.write_text(
+        "import threading, rclpy\n"
+        "from rclpy.duration import Duration\n"
+        "with rclpy.init():\n"
+        "    node = rclpy.create_node('spinning')\n"
+        "    future = rclpy.Future()\n"
+        "    rate = node.create_rate(10)\n"
+        "    def work():\n"
+        "        rate.sleep()\n"
+        "        node.get_clock().sleep_for(Duration(seconds=0.1))\n"
+        "        future.set_result('done')\n"
+        "    threading.Thread(target=work).start()\n"
+        "    rclpy.spin_until_future_complete(node, future)\n"
+        "    print(future.result(), flush=True)\n"
+        "    guard = node.create_guard_condition(lambda: print('triggered', flush=True))\n"
+        "    guard.trigger()\n"
+        "    while True:\n"
+        "        rclpy.spin_once(node, timeout_sec=0.1)\n"
+    )
+    node = world.run(source)
+    assert node.hears("done") == "done"
+    node.hears("triggered")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from threading import get_ident
 from typing import TYPE_CHECKING, Any, NoReturn
 
 from eventchain_ros2 import context
@@ -66,7 +67,9 @@ class Executor:
         return self._is_shutdown
 
     def wake(self) -> None:
-        """Do nothing: what is new is noticed."""
+        """End the current `spin_once` of another thread, or the next; in simulated time there is none."""
+        if self._nodes and context.ok() and not context.is_simulated():
+            context.current().call(self._nodes[0]._eventchain_process, lambda: None)
 
     def create_task(self, callback: Any, *args: Any, **kwargs: Any) -> Task:
         """Run a function or coroutine as a further callback of the executor's first node; return its future.
@@ -120,6 +123,8 @@ class Executor:
 
         """
         unlimited = timeout_sec is None or timeout_sec < 0
+        thread = get_ident()
+        future.add_done_callback(lambda _: None if get_ident() == thread else self.wake())
         end = None if unlimited else context.current().elapsed() + int(timeout_sec * NANOSECONDS_PER_SECOND)  # type: ignore[operator]
         while not future.done():
             left = None if end is None else end - context.current().elapsed()
@@ -132,7 +137,6 @@ class Executor:
     def spin_once_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
         """Run one callback, unless the future is done; see `spin_once`."""
         if not future.done():
-            future.add_done_callback(lambda _: self.wake())
             self.spin_once(timeout_sec)
 
     def wait_for_ready_callbacks(self, *_: object, **__: object) -> NoReturn:

@@ -56,6 +56,7 @@ class Live(Simulation):
         self._timers: list[tuple[Timer, int]] = []  # with their tokens
         self._waits: dict[frozenset[Process], _Turns] = {}
         self._errands: deque[tuple[Process, Callable[[], None]]] = deque()
+        self._lock = threading.Lock()  # of the errands, which any thread may add
         self._is_announced = True
         self._watch = Watch(participant)
         self._handlers: dict[int, Any] = {}
@@ -149,22 +150,25 @@ class Live(Simulation):
 
     def call(self, process: Process, action: Callable[[], None]) -> None:
         """Run a function as a further callback of a process."""
-        self._errands.append((process, action))
+        with self._lock:
+            self._errands.append((process, action))
         for turns in list(self._waits.values()):
             turns.wait_set.wake()
 
     def run_errand(self, processes: frozenset[Process]) -> bool:
         """Run the first function that waits for one of these processes; return whether there was one."""
-        for errand in list(self._errands):
-            if errand[0] in processes:
-                self._errands.remove(errand)
-                errand[1]()
-                return True
-        return False
+        with self._lock:
+            errand = next((each for each in self._errands if each[0] in processes), None)
+            if errand is None:
+                return False
+            self._errands.remove(errand)
+        errand[1]()
+        return True
 
     def errands(self, processes: frozenset[Process]) -> int:
         """Return how many functions wait for these processes."""
-        return sum(process in processes for process, _ in self._errands)
+        with self._lock:
+            return sum(process in processes for process, _ in self._errands)
 
     def sleep(self, nanoseconds: int) -> bool:
         """Wait in this thread; return whether nodes can run after it. With `/clock`, its time counts."""

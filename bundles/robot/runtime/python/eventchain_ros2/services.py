@@ -185,8 +185,12 @@ class Client:
         """
         self._count += 1
         future = Future()
-        self._requests.send(Identity(self._identity, self._count), request)
-        self._pending[self._count] = future
+        self._pending[self._count] = future  # before it is sent: another thread may receive the answer
+        try:
+            self._requests.send(Identity(self._identity, self._count), request)
+        except BaseException:
+            self.remove_pending_request(future)
+            raise
         return future
 
     def call(self, request: Any, timeout_sec: float | None = None) -> Any:

@@ -6,6 +6,7 @@ further callback of its process, in the order of the simulation, so that runs ar
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable, Generator
 from functools import partial
 from types import CoroutineType
@@ -27,6 +28,7 @@ class Future:
         self._result: Any = None
         self._exception: BaseException | None = None
         self._callbacks: list[Callable[[Future], object]] = []
+        self._lock = threading.Lock()
 
     def __await__(self) -> Generator[Future, None, Any]:
         while not self._is_done:
@@ -69,14 +71,17 @@ class Future:
 
     def add_done_callback(self, callback: Callable[[Future], object]) -> None:
         """Call this with the future when it is done, or now if it is."""
-        if self._is_done:
+        with self._lock:
+            is_done = self._is_done
+            if not is_done:
+                self._callbacks.append(callback)
+        if is_done:
             callback(self)
-        else:
-            self._callbacks.append(callback)
 
     def _finish(self) -> None:
-        self._is_done = True
-        callbacks, self._callbacks = self._callbacks, []
+        with self._lock:
+            self._is_done = True
+            callbacks, self._callbacks = self._callbacks, []
         for callback in callbacks:
             callback(self)
 

@@ -7,6 +7,7 @@ coordinates in the frame to coordinates in the parent.
 from __future__ import annotations
 
 import sys
+import threading
 from bisect import bisect_left
 from collections.abc import Callable, Iterator
 from math import acos, isfinite, sin, sqrt
@@ -169,6 +170,7 @@ class Frames:
 
     def __init__(self, cache_time: int = CACHE_TIME) -> None:
         self._cache_time = cache_time
+        self._lock = threading.RLock()  # one thread may listen, and another look up
         self._frames: dict[str, _Frame] = {}
         self._parents: set[str] = set()
         self.changed: list[Callable[[], None]] = []
@@ -194,13 +196,16 @@ class Frames:
         if problem:
             print(f"[ERROR] tf2: {problem}, so it is ignored", file=sys.stderr)
             return False
-        frame = self._frames.get(child)
-        if frame is None or frame.static != static:
-            frame = self._frames[child] = _Frame(static=static)
-        if not self._keep(frame, _Sample(time, parent, transform._replace(rotation=_normalized(transform.rotation)))):
+        sample = _Sample(time, parent, transform._replace(rotation=_normalized(transform.rotation)))
+        with self._lock:
+            frame = self._frames.get(child)
+            if frame is None or frame.static != static:
+                frame = self._frames[child] = _Frame(static=static)
+            is_new = self._keep(frame, sample)
+            self._parents.add(parent)
+        if not is_new:
             print(f"[WARN] tf2: a transform of '{child}' is repeated or too old, so it is ignored", file=sys.stderr)
             return False
-        self._parents.add(parent)
         for callback in list(self.changed):
             callback()
         return True
@@ -230,6 +235,10 @@ class Frames:
             TransformException: there is none; the subclass says why.
 
         """
+        with self._lock:
+            return self._lookup(target, source, time)
+
+    def _lookup(self, target: str, source: str, time: int) -> tuple[Transform, int]:
         for role, name in (("target_frame", target), ("source_frame", source)):
             self._require(name, role)
         if time == 0:

@@ -43,7 +43,8 @@ public final class ProjectFileNames {
           "tests");
 
   /** Suffixes of the files in project folders that are read. */
-  private static final List<String> READ = List.of(".yaml", ".json", ".xmi", ".py", ".msg", ".idl");
+  private static final List<String> READ =
+      List.of(".yaml", ".json", ".xmi", ".py", ".msg", ".idl", ".srv");
 
   private ProjectFileNames() {}
 
