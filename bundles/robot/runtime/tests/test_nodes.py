@@ -16,6 +16,7 @@ from rclpy.exceptions import (
     ParameterNotDeclaredException,
 )
 from rclpy.executors import SingleThreadedExecutor
+from rclpy.logging import LoggingSeverity
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_best_available
@@ -239,6 +240,13 @@ def test_logs_have_the_simulated_time_and_keep_their_conditions(
         "[WARN] [0.010000000] [recorder]: slow",
         "[WARN] [0.040000000] [recorder]: slow",
     ]
+
+
+def test_a_logger_takes_its_level_as_an_argument(simulation: Simulation, capsys: pytest.CaptureFixture[str]) -> None:
+    logger = Recorder().get_logger()
+    assert logger.log("broken", LoggingSeverity.ERROR)
+    assert not logger.log("hidden", LoggingSeverity.DEBUG)
+    assert [line.split(" ", 1)[0] for line in capsys.readouterr().err.splitlines()] == ["[ERROR]"]
 
 
 def test_what_is_missing_is_refused_by_name(simulation: Simulation) -> None:

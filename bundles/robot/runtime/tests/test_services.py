@@ -17,6 +17,7 @@ from eventchain_ros2.messages import Messages, from_cdr, to_cdr
 from eventchain_ros2.simulation import Simulation
 from node_processes import World
 from protocol import MILLISECOND, Failed, HostProcess
+from rclpy.exceptions import InvalidServiceNameException
 from rclpy.node import Node
 from rclpy.service_introspection import ServiceIntrospectionState
 from wire import EVERY, take, wait_until
@@ -110,6 +111,7 @@ def test_coroutines_ask_and_answer(services: Any) -> None:
     ("misuse", "error"),
     [
         (lambda client, types: client.call_async(types.Nothing.Request()), TypeError),
+        (lambda client, types: Node("other").create_client(types.Sum, "1st"), InvalidServiceNameException),
         (lambda client, types: client.call(types.Sum.Request()), RuntimeError),
         (lambda client, types: client.call_async(types.Sum.Request(a=1.5)), AssertionError),
         (

@@ -12,6 +12,7 @@ from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from rclpy.clock import Clock
 from rclpy.context import Context
 from rclpy.duration import Duration
+from rclpy.exceptions import ROSInterruptException
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.publisher import Publisher
@@ -124,6 +125,8 @@ def test_a_guard_condition_waits_for_a_busy_node_and_for_its_executor(simulation
 def test_outside_of_callbacks_rates_and_clocks_let_time_pass(simulation: Simulation) -> None:
     node = rclpy.create_node("node")
     rate = node.create_rate(20)
+    with pytest.raises(ValueError, match="frequency must be > 0"):
+        node.create_rate(0)
     for _ in range(2):
         rate.sleep()
     assert simulation.now == 100 * MILLISECOND
@@ -135,8 +138,12 @@ def test_outside_of_callbacks_rates_and_clocks_let_time_pass(simulation: Simulat
     assert Clock().sleep_until(Clock().now() + Duration(seconds=1))
     assert simulation.now == 1250 * MILLISECOND
     assert node.destroy_rate(rate)
-    with pytest.raises(ValueError, match="frequency must be > 0"):
-        node.create_rate(0)
+    guard = node.create_guard_condition(rclpy.shutdown)
+    guard.trigger()
+    rclpy.spin_once(node)
+    assert not rclpy.ok()
+    with pytest.raises(ROSInterruptException):
+        node.create_rate(10).sleep()
 
 
 @pytest.mark.parametrize("waits", ["rate.sleep()", "clock.sleep_for(second)", "rclpy.spin_once(node)", "client"])

@@ -13,6 +13,10 @@ from eventchain_ros2.simulation import Process, Sample, Simulation
 from eventchain_ros2.simulation import Subscription as Receiver
 
 
+class ROSInterruptException(Exception):  # noqa: N818 - rclpy's name
+    """The nodes were shut down while something waited."""
+
+
 class Publisher:
     """Publishes messages of one type on a topic."""
 
@@ -180,12 +184,13 @@ class Rate:
         """Wait for the end of the period; those that have passed are skipped.
 
         Raises:
+            ROSInterruptException: the nodes were shut down meanwhile.
             RuntimeError: a callback wants to wait in simulated time.
 
         """
         left = self._due - self._now()
-        if left > 0:
-            self._simulation.sleep(left)
+        if left > 0 and not self._simulation.sleep(left):
+            raise ROSInterruptException("the nodes were shut down during a sleep")
         self._due += (1 + max(0, self._now() - self._due) // self._period) * self._period
 
     def destroy(self) -> None:

@@ -70,6 +70,10 @@ class Logger:
         """Log an error that ends the node."""
         return self._log(LoggingSeverity.FATAL, message, conditions)
 
+    def log(self, message: str, severity: LoggingSeverity, **conditions: object) -> bool:
+        """Log with a level."""
+        return self._log(LoggingSeverity(severity), message, conditions)
+
     def _log(self, severity: LoggingSeverity, message: str, conditions: dict[str, object]) -> bool:
         if severity < self._level or (conditions and not self._holds(conditions)):
             return False

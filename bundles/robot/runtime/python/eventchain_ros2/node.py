@@ -29,6 +29,10 @@ class InvalidTopicNameException(ValueError):  # noqa: N818 - rclpy's name
     """An invalid topic name."""
 
 
+class InvalidServiceNameException(ValueError):  # noqa: N818 - rclpy's name
+    """An invalid service name."""
+
+
 class Node(ParameterMethods):
     """A node; it belongs to the process that the lock-step host starts, or to its own one.
 
@@ -220,7 +224,7 @@ class Node(ParameterMethods):
         from eventchain_ros2.services import Service
 
         self.__require(callback_group)
-        name = self.__topic_name(srv_name)
+        name = self.__service_name(srv_name)
         service = Service(self.__simulation, self.__process, _service_type(srv_type), name, callback, qos_profile)
         self.__services.append(service)
         return service
@@ -237,7 +241,7 @@ class Node(ParameterMethods):
         from eventchain_ros2.services import Client
 
         self.__require(callback_group)
-        name = self.__topic_name(srv_name)
+        name = self.__service_name(srv_name)
         client = Client(self.__simulation, self.__process, _service_type(srv_type), name, qos_profile)
         self.__clients.append(client)
         return client
@@ -280,7 +284,13 @@ class Node(ParameterMethods):
 
     def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
         """Return the full name of a service for this node."""
-        return self.__topic_name(service)
+        return self.__service_name(service)
+
+    def __service_name(self, service: str) -> str:
+        try:
+            return self.__topic_name(service)
+        except InvalidTopicNameException:
+            raise InvalidServiceNameException(f"Invalid service name: '{service}'") from None
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
         """Return the full name of a topic for this node."""

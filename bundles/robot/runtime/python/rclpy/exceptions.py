@@ -2,7 +2,8 @@
 
 from eventchain_ros2 import refusals
 from eventchain_ros2.context import NotInitializedException
-from eventchain_ros2.node import InvalidNodeNameException, InvalidTopicNameException
+from eventchain_ros2.endpoints import ROSInterruptException
+from eventchain_ros2.node import InvalidNodeNameException, InvalidServiceNameException, InvalidTopicNameException
 from eventchain_ros2.parameters import (
     InvalidParameterTypeException,
     InvalidParameterValueException,
@@ -16,11 +17,13 @@ __all__ = [
     "InvalidNodeNameException",
     "InvalidParameterTypeException",
     "InvalidParameterValueException",
+    "InvalidServiceNameException",
     "InvalidTopicNameException",
     "NotInitializedException",
     "ParameterAlreadyDeclaredException",
     "ParameterImmutableException",
     "ParameterNotDeclaredException",
     "ParameterUninitializedException",
+    "ROSInterruptException",
 ]
 __getattr__ = refusals.of_module(__name__)
