@@ -29,6 +29,11 @@ def test_topics_and_their_ends_are_found(simulation: Simulation) -> None:
     assert info.qos_profile == qos_profile_sensor_data
     (info,) = listener.get_publishers_info_by_topic("/front/number")
     assert (info.node_name, info.node_namespace, len(info.endpoint_gid)) == ("talker", "/front", 16)
+    ends = [
+        *listener.get_publishers_info_by_topic("/front/number"),
+        *listener.get_subscriptions_info_by_topic("/switch"),
+    ]
+    assert ends[0].endpoint_gid != ends[1].endpoint_gid
     assert listener.get_publisher_names_and_types_by_node("talker", "/front") == [number]
     assert listener.get_publisher_names_and_types_by_node("talker", "/") == []
     assert [name for name, _ in listener.get_subscriber_names_and_types_by_node("listener", "/")] == [

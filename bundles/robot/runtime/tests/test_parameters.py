@@ -197,3 +197,22 @@ def test_parameters_become_messages_and_back() -> None:
             parameter.value if value is None or isinstance(value, bool | int | float | str) else list(parameter.value)
         )
         assert (parameter.name, found) == ("name", value)
+
+
+@pytest.mark.parametrize(
+    ("prefixes", "depth", "names", "parents"),
+    [
+        ([], 1, ["use_sim_time", "a"], []),
+        ([], 0, ["use_sim_time", "a", "b.c", "b.d.e", "bc.d"], ["b", "b.d", "bc"]),
+        (["b"], 1, ["b.c"], ["b"]),
+        (["b"], 0, ["b.c", "b.d.e"], ["b", "b.d"]),
+        (["a", "bc"], 2, ["a", "bc.d"], ["bc"]),
+    ],
+)
+def test_parameters_are_listed(
+    simulation: Simulation, prefixes: list[str], depth: int, names: list[str], parents: list[str]
+) -> None:
+    node = Node("node")
+    node.declare_parameters("", [(name, 1) for name in ("a", "b.c", "b.d.e", "bc.d")])
+    result = node.list_parameters(prefixes, depth)
+    assert (list(result.names), list(result.prefixes)) == (names, parents)

@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 import rclpy
+from eventchain_ros2 import context
 from eventchain_ros2.simulation import Simulation
 from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from rclpy.clock import Clock
@@ -174,14 +175,23 @@ def test_a_message_is_waited_for_without_other_callbacks(simulation: Simulation)
 
 def test_contexts_share_the_life_of_the_nodes(simulation: Simulation) -> None:
     ended: list[str] = []
-    with Context() as context:
-        rclpy.init(["program"], context=context, domain_id=3)
-        context.on_shutdown(lambda: ended.append("context"))
-        node = rclpy.create_node("node", context=context)
-        assert (rclpy.ok(context=context), context.get_domain_id(), ended) == (True, 3, [])
+    with Context() as own:
+        rclpy.init(["program"], context=own, domain_id=3)
+        own.on_shutdown(lambda: ended.append("context"))
+        node = rclpy.create_node("node", context=own)
+        assert (rclpy.ok(context=own), own.get_domain_id(), ended) == (True, 3, [])
         assert node.context is rclpy.get_default_context()
     assert (rclpy.ok(), ended) == (False, ["context"])
-    rclpy.try_shutdown(context=context)
+    rclpy.try_shutdown(context=own)
+
+
+def test_what_an_earlier_run_wanted_at_its_end_is_forgotten(simulation: Simulation) -> None:
+    ended: list[str] = []
+    rclpy.get_default_context().on_shutdown(lambda: ended.append("earlier"))
+    context.enter(Simulation())
+    rclpy.get_default_context().on_shutdown(lambda: ended.append("own"))
+    rclpy.shutdown()
+    assert ended == ["own"]
 
 
 def test_arguments_of_ros_are_taken_away() -> None:

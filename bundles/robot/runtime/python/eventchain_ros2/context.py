@@ -64,6 +64,10 @@ class Context:
         """Call this at the shutdown."""
         self._at_end.append(callback)
 
+    def forget(self) -> None:
+        """Forget what was to be called at the shutdown, by nodes of an earlier simulation."""
+        self._at_end.clear()
+
     def shutdown(self) -> None:
         """End the simulation: no further callback runs.
 
@@ -92,6 +96,7 @@ default = Context()
 def enter(simulation: Simulation) -> None:
     """Use this simulation for new nodes; user code may still call `init` once."""
     _use(simulation)
+    default.forget()
 
 
 def _use(simulation: Simulation) -> None:

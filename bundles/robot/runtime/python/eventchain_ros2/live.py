@@ -188,7 +188,8 @@ class Live(Simulation):
 
     def publishers_of(self, subscription: Subscription) -> int:
         """Return the number of matched publishers."""
-        return self._readers[subscription].matched()
+        reader = self._readers.get(subscription)
+        return 0 if reader is None else reader.matched()
 
     def node_names(self) -> list[tuple[str, str]]:
         """Return the names and namespaces of the nodes that have been discovered, and of those here."""

@@ -355,10 +355,10 @@ _QUERIES = {
 """Methods of `node_graph`, which few nodes need: it is loaded when the first is called."""
 _REFUSED = {
     "add_waitable": "waitables",
+    "create_lifecycle_publisher": "managed nodes",
     "get_servers_info_by_service": "descriptions of services",
     "get_clients_info_by_service": "descriptions of services",
     "handle": "handles of rcl",
-    "list_parameters": "lists of parameters",
     "remove_waitable": "waitables",
     "waitables": "waitables",
 }

@@ -56,6 +56,24 @@ class ParameterMethods:
         names = [name for name in self.__parameters.names() if name.startswith(start)]
         return {name[len(start) :]: self.__parameters.get(name) for name in names}
 
+    def list_parameters(self, prefixes: list[str], depth: int) -> Any:
+        """Return a `rcl_interfaces/msg/ListParametersResult`.
+
+        Args:
+            prefixes: beginnings of names, which end before a dot; empty: all.
+            depth: the largest number of parts of a name behind its prefix; 0: no limit.
+
+        """
+        from rcl_interfaces.msg import ListParametersResult  # type: ignore[import-not-found]
+
+        names = [
+            name
+            for name in self.__parameters.names()
+            if any(_is_below(name, prefix, depth) for prefix in prefixes or [""])
+        ]
+        parents = {name.rpartition(".")[0] for name in names} - {""}
+        return ListParametersResult(names=names, prefixes=sorted(parents))
+
     def get_parameter_type(self, name: str) -> ParameterType:
         """Return the type of a parameter."""
         return self.__parameters.get_type(name)
@@ -70,7 +88,7 @@ class ParameterMethods:
 
     def set_parameters_atomically(self, parameters: list[Parameter]) -> Any:
         """Set declared parameters, all or none; return a `rcl_interfaces/msg/SetParametersResult`."""
-        from rcl_interfaces.msg import SetParametersResult  # type: ignore[import-not-found]
+        from rcl_interfaces.msg import SetParametersResult
 
         reason = self.__parameters.set(parameters)
         return SetParametersResult(successful=not reason, reason=reason)
@@ -113,3 +131,10 @@ class ParameterMethods:
     def remove_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], object]) -> None:
         """Remove a callback."""
         self.__parameters.after.remove(callback)
+
+
+def _is_below(name: str, prefix: str, depth: int) -> bool:
+    if name == prefix:
+        return True
+    start = f"{prefix}." if prefix else ""
+    return name.startswith(start) and (not depth or name[len(start) :].count(".") < depth)

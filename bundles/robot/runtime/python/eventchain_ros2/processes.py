@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import struct
 from collections import deque
 from collections.abc import Callable, Iterator
 from typing import NamedTuple, Protocol
+from zlib import crc32
 
 from eventchain_ros2.faults import NEVER
 from eventchain_ros2.qos import HistoryPolicy, QoSProfile
@@ -130,14 +132,14 @@ class Topic:
 
     def ends(self) -> Iterator[End]:
         """Return its publishers and subscriptions."""
-        for each in self.publishers:
-            yield self._end(each, publishes=True)
-        for other in self.subscriptions:
-            yield self._end(other, publishes=False)
+        for number, publisher in enumerate(self.publishers):
+            yield self._end(publisher, number, publishes=True)
+        for number, subscription in enumerate(self.subscriptions):
+            yield self._end(subscription, number, publishes=False)
 
-    def _end(self, each: Publisher | Subscription, *, publishes: bool) -> End:
+    def _end(self, each: Publisher | Subscription, number: int, *, publishes: bool) -> End:
         owner = each.process
-        gid = id(each).to_bytes(16, "little")
+        gid = struct.pack("<IIII", crc32(self.name.encode()), publishes, owner.index, number)
         return End(self.name, each.type_name, publishes, owner.name or WORLD, owner.namespace, each.qos_profile, gid)
 
 
