@@ -26,6 +26,7 @@ public final class SiteBuilder {
           Map.entry("tutorial", "Tutorial"),
           Map.entry("projects", "Projects"),
           Map.entry("ros2-workspaces", "ROS 2 workspaces"),
+          Map.entry("requirements", "Requirements"),
           Map.entry("simulation", "Simulation"),
           Map.entry("scenarios", "Bench, scenarios, formulas"),
           Map.entry("campaigns", "Campaigns"),

@@ -78,7 +78,13 @@ class DocumentationTest {
 
   static List<String> others() {
     return Thorough.allOrOne(
-        List.of("build-server.md", "campaigns.md", "formats.md", "projects.md", "simulation.md"));
+        List.of(
+            "build-server.md",
+            "campaigns.md",
+            "formats.md",
+            "projects.md",
+            "requirements.md",
+            "simulation.md"));
   }
 
   @InTurn
@@ -119,6 +125,7 @@ class DocumentationTest {
               "formats.md",
               "projects.md",
               "ros2-workspaces.md",
+              "requirements.md",
               "simulation.md",
               "templates.md",
               "tutorial.md"),

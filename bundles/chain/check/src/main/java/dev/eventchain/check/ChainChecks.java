@@ -158,8 +158,7 @@ public final class ChainChecks {
   }
 
   private static List<WrittenRequirement> requirements(ProjectFolder folder) {
-    Path file = folder.requirements();
-    return ProjectFolder.isAbsent(file) ? List.of() : items(file);
+    return folder.hasRequirements() ? folder.readRequirements().items() : List.of();
   }
 
   private static List<WrittenRequirement> items(Path file) {

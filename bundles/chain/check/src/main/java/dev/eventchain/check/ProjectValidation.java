@@ -105,7 +105,7 @@ public final class ProjectValidation {
     List<Path> files = new ArrayList<>(folder.constraintFiles(output));
     files.add(folder.configurationFile());
     files.add(folder.designRulesFile());
-    files.add(folder.requirements());
+    files.addAll(folder.requirementFiles());
     files.addAll(folder.softwareBaseFiles());
     files.add(folder.questionsFile());
     files.addAll(folder.messageFiles());
@@ -144,10 +144,7 @@ public final class ProjectValidation {
             description,
             () ->
                 ChainModel.ofDescription(
-                    description,
-                    settings,
-                    ProjectFolder.readRules(folder.requirements()),
-                    folder.readSoftwareBase()));
+                    description, settings, folder.readRequirements(), folder.readSoftwareBase()));
   }
 
   private Diagnostic missing() {

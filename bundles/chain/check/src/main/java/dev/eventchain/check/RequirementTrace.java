@@ -8,6 +8,7 @@ import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage.Literals;
 import dev.eventchain.model.eventchain.Requirement;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiFunction;
@@ -32,20 +33,18 @@ final class RequirementTrace {
       List<WrittenRequirement> written,
       EventChain chain,
       BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {
-    Map<String, String> texts =
-        written.stream()
-            .collect(
-                Collectors.toMap(WrittenRequirement::id, WrittenRequirement::text, (a, b) -> a));
+    Map<String, WrittenRequirement> byId =
+        written.stream().collect(Collectors.toMap(WrittenRequirement::id, it -> it, (a, b) -> a));
     List<Diagnostic> found = new ArrayList<>();
     if (written.isEmpty()) {
       return found;
     }
     for (Requirement requirement : chain.getRequirements()) {
-      String text = texts.get(requirement.getId());
-      if (text == null) {
-        found.add(unknown(requirement, texts, locator));
-      } else if (!plain(text).equals(plain(requirement.getText()))) {
-        found.add(changed(requirement, text, locator));
+      WrittenRequirement item = byId.get(requirement.getId());
+      if (item == null) {
+        found.add(unknown(requirement, byId, locator));
+      } else if (!plain(item.text()).equals(plain(requirement.getText()))) {
+        found.add(changed(requirement, item, locator));
       }
     }
     return found;
@@ -53,25 +52,37 @@ final class RequirementTrace {
 
   private static Diagnostic unknown(
       Requirement requirement,
-      Map<String, String> texts,
+      Map<String, WrittenRequirement> written,
       BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {
     String id = String.valueOf(requirement.getId());
     return Diagnostic.of(
             CheckRules.PROJECT_REQUIREMENT_UNKNOWN,
-            "The model has the requirement '" + id + "', which requirements.md does not have.",
+            "The model has the requirement '%s', which %s not have."
+                .formatted(id, files(written.values())),
             locator.apply(requirement, Literals.REQUIREMENT__ID))
-        .withHint(NearestName.question(id, texts.keySet()));
+        .withHint(NearestName.question(id, written.keySet()));
   }
 
   private static Diagnostic changed(
       Requirement requirement,
-      String text,
+      WrittenRequirement item,
       BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {
     return Diagnostic.of(
             CheckRules.PROJECT_REQUIREMENT_CHANGED,
-            "requirements.md says this about %s: %s".formatted(requirement.getId(), text),
+            "%s says this about %s: %s".formatted(name(item), requirement.getId(), item.text()),
             locator.apply(requirement, Literals.REQUIREMENT__TEXT))
         .withHint("Write the same into the model, once the components satisfy it.");
+  }
+
+  private static String name(WrittenRequirement item) {
+    String file = item.location().file();
+    return file.substring(file.lastIndexOf('/') + 1);
+  }
+
+  /** Returns the files of requirements as a subject: "requirements.md does". */
+  private static String files(Collection<WrittenRequirement> written) {
+    List<String> files = written.stream().map(RequirementTrace::name).distinct().sorted().toList();
+    return files.size() == 1 ? files.get(0) + " does" : "the files of requirements do";
   }
 
   private static String plain(String text) {

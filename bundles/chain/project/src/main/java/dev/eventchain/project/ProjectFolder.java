@@ -143,9 +143,67 @@ public class ProjectFolder {
         + (more.isEmpty() ? "" : " " + more);
   }
 
-  /** Returns the file of functional requirements, which may be absent. */
+  /** Returns the file of functional requirements in Markdown, which may be absent. */
   public final Path requirements() {
     return folder.resolve("requirements.md");
+  }
+
+  /**
+   * Returns the files and folders of requirements that the configuration names.
+   *
+   * @throws DiagnosticException INPUT if the configuration cannot be read
+   */
+  public RequirementSources requirementSources() {
+    return ProjectSettings.requirements(this);
+  }
+
+  /** Returns whether the project has requirements: a file in Markdown, or named sources. */
+  public final boolean hasRequirements() {
+    return !isAbsent(requirements()) || !requirementSources().isEmpty();
+  }
+
+  /**
+   * Returns the files that the requirements are read from, which need not exist.
+   *
+   * @throws DiagnosticException INPUT if a folder or the configuration cannot be read
+   */
+  public final List<Path> requirementFiles() {
+    List<Path> files = new ArrayList<>(List.of(requirements()));
+    files.addAll(requirementSources().files());
+    return files;
+  }
+
+  /** Returns the first file or folder of requirements, where findings about all of them belong. */
+  public final Path firstRequirements() {
+    return isAbsent(requirements())
+        ? requirementSources().named().stream().findFirst().orElse(requirements())
+        : requirements();
+  }
+
+  /** Returns a place with its line, from the folder if it is inside: {@code requirements.md:3}. */
+  public final String placeOf(SourceLocation location) {
+    String inside = SourceLocation.of(folder).file() + "/";
+    String file = location.file();
+    String shown = file.startsWith(inside) ? file.substring(inside.length()) : file;
+    return location.line() > 0 ? shown + ":" + location.line() : shown;
+  }
+
+  /**
+   * Reads the requirements of all sources.
+   *
+   * @throws DiagnosticException INPUT if one cannot be read, or with all findings if any is an
+   *     error
+   */
+  public final Requirements readRequirements() {
+    RequirementSources sources = requirementSources();
+    boolean onlySources = isAbsent(requirements()) && !sources.isEmpty();
+    Requirements written =
+        onlySources
+            ? new Requirements(List.of(), List.of())
+            : Requirements.read(SourceText.read(requirements()));
+    Requirements all = sources.isEmpty() ? written : written.with(sources);
+    refuseErrors(all.diagnostics());
+    return all;
   }
 
   /** Returns the file of design rules, if it exists. */
@@ -253,7 +311,7 @@ public class ProjectFolder {
     return named.stream()
         .filter(Objects::nonNull)
         .findFirst()
-        .filter(id -> isAbsent(requirements()))
+        .filter(id -> !hasRequirements())
         .map(
             id ->
                 Diagnostic.of(
@@ -287,7 +345,7 @@ public class ProjectFolder {
     return messages;
   }
 
-  private static void refuseErrors(List<Diagnostic> diagnostics) {
+  static void refuseErrors(List<Diagnostic> diagnostics) {
     if (Diagnostic.anyError(diagnostics)) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, diagnostics);
     }

@@ -63,6 +63,11 @@ public record ProjectSettings(String name, double frequency, RosDistribution dis
     return read(folder, ProjectSettings::distribution);
   }
 
+  /** As {@link #read(ProjectFolder)}, but only the sources of requirements. */
+  static RequirementSources requirements(ProjectFolder folder) {
+    return read(folder, settings -> RequirementSources.read(settings, folder.folder()));
+  }
+
   /** Returns the required name; the reader reports an invalid one. */
   public static String name(ObjectReader settings) {
     String name = settings.requiredText("name");

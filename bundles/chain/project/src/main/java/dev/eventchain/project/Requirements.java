@@ -1,15 +1,20 @@
 package dev.eventchain.project;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.project.requirements.RequirementRules;
+import dev.eventchain.project.requirements.RequirementSource;
+import dev.eventchain.project.requirements.SourceRequirements;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
@@ -17,7 +22,8 @@ import java.util.regex.Pattern;
 
 /**
  * Written requirements or design rules: the items {@code - REQ-1: text} of a Markdown file, in
- * their order. An item continues in indented lines; the rest of the file is ignored.
+ * their order, in which an item continues in indented lines and the rest is ignored; and after
+ * them, the requirements of sources in the formats of other tools.
  *
  * @param items the items
  * @param diagnostics the findings: a duplicate id, an item without text, no item at all; as
@@ -40,6 +46,44 @@ public record Requirements(List<WrittenRequirement> items, List<Diagnostic> diag
   /** Reads the items of a file. */
   public static Requirements read(SourceText source) {
     return new Reader(source).read();
+  }
+
+  /**
+   * Returns these requirements, and after them those of other sources. An id may be used once in
+   * all of them; parents may be in any of them.
+   *
+   * @throws DiagnosticException INPUT if a source cannot be read at all
+   */
+  Requirements with(RequirementSources sources) {
+    List<WrittenRequirement> all = new ArrayList<>(items);
+    List<Diagnostic> found = new ArrayList<>(diagnostics);
+    List<String> known = new ArrayList<>(items.stream().map(WrittenRequirement::id).toList());
+    Map<String, WrittenRequirement> seen = new HashMap<>();
+    items.forEach(item -> seen.putIfAbsent(SourceRequirements.plainId(item.id()), item));
+    for (RequirementSource source : sources.all()) {
+      SourceRequirements read = SourceRequirements.read(source);
+      found.addAll(read.diagnostics());
+      known.addAll(read.known());
+      for (WrittenRequirement item : read.items()) {
+        duplicate(item, seen.putIfAbsent(SourceRequirements.plainId(item.id()), item))
+            .ifPresent(found::add);
+        all.add(item);
+      }
+    }
+    found.addAll(SourceRequirements.unknownParents(all, known));
+    return new Requirements(all, found);
+  }
+
+  private static Optional<Diagnostic> duplicate(
+      WrittenRequirement item, WrittenRequirement earlier) {
+    if (earlier == null || item.id().isEmpty()) {
+      return Optional.empty();
+    }
+    String message = "The id %s is already used in %s.".formatted(item.id(), earlier.location());
+    return Optional.of(
+        Diagnostic.of(RequirementRules.DUPLICATE, message, item.location())
+            .withRelated(earlier.location())
+            .withHint("Give each requirement an id of its own, or name only one of the sources."));
   }
 
   private static final class Reader {
@@ -81,26 +125,20 @@ public record Requirements(List<WrittenRequirement> items, List<Diagnostic> diag
     private void check() {
       if (items.isEmpty()) {
         diagnostics.add(
-            Diagnostic.of(
-                    ProjectRules.MODELER_REQUIREMENTS_NONE,
-                    "The file contains no requirement.",
-                    source.at(0))
+            Diagnostic.of(RequirementRules.NONE, "The file contains no requirement.", source.at(0))
                 .withHint("Write each as an item with an id: '- REQ-1: The system shall ...'"));
       }
       Map<String, WrittenRequirement> seen = new HashMap<>();
       for (WrittenRequirement item : items) {
-        WrittenRequirement earlier = seen.putIfAbsent(item.id().toLowerCase(Locale.ROOT), item);
+        WrittenRequirement earlier = seen.putIfAbsent(SourceRequirements.plainId(item.id()), item);
         if (earlier != null) {
           find(
-              ProjectRules.MODELER_REQUIREMENTS_DUPLICATE,
+              RequirementRules.DUPLICATE,
               "The id " + item.id() + " is already used in line " + earlier.location().line() + ".",
               item);
         }
         if (item.text().isEmpty()) {
-          find(
-              ProjectRules.MODELER_REQUIREMENTS_EMPTY,
-              "The item " + item.id() + " has no text.",
-              item);
+          find(RequirementRules.EMPTY, "The item " + item.id() + " has no text.", item);
         }
       }
     }

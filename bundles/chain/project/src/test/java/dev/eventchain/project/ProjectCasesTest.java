@@ -9,6 +9,7 @@ import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.jsonmodels.Modeled;
+import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.EventChain;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -46,6 +47,7 @@ class ProjectCasesTest {
         case "base" -> base(folder);
         case "questions" -> render(OpenQuestions.read(new ProjectFolder(folder)), folder);
         case "requirements" -> requirements(folder);
+        case "sources" -> sources(folder);
         default -> throw new IllegalArgumentException(kind);
       };
     } catch (DiagnosticException e) {
@@ -83,6 +85,31 @@ class ProjectCasesTest {
         + read.items().stream()
             .map(item -> item.location().line() + " " + item.id() + " = " + item.text() + "\n")
             .collect(Collectors.joining());
+  }
+
+  private static String sources(Path folder) {
+    Requirements read = new ProjectFolder(folder).readRequirements();
+    return render(read.diagnostics(), folder)
+        + read.items().stream()
+            .map(item -> described(item).replace(folder + "/", ""))
+            .collect(Collectors.joining());
+  }
+
+  private static String described(WrittenRequirement item) {
+    WrittenRequirement.Details details = item.details();
+    String parents =
+        details.parents().stream()
+            .map(parent -> " <- " + parent.id() + " " + parent.location())
+            .collect(Collectors.joining());
+    return "%s %s = %s (%s, %s, %s)%s%n"
+        .formatted(
+            item.location(),
+            item.id(),
+            item.text(),
+            details.type().orElse("-"),
+            details.status().orElse("-"),
+            details.tags(),
+            parents);
   }
 
   private static SourceText read(Path folder, String file) {

@@ -43,6 +43,7 @@ public final class Main {
           GenerateCommand.class,
           CompileCommand.class,
           StageCommands.Simulate.class,
+          RequirementsCommand.class,
           AcceptCommand.class,
           CampaignCommand.class,
           SearchCommand.class,

@@ -34,7 +34,7 @@ final class PlainComment {
     return ids.stream()
         .filter(
             id ->
-                Pattern.compile("(?<![\\w-])" + Pattern.quote(id) + "(?![\\w-]|[.]\\w)")
+                Pattern.compile("(?<![\\w-]|\\w[./])" + Pattern.quote(id) + "(?![\\w-]|[./]\\w)")
                     .matcher(text)
                     .find())
         .toList();

@@ -161,7 +161,7 @@ class OclRulesTest {
         OclRules.parse(
             List.of(
                 SourceText.of("one.ocl", invariant),
-                SourceText.of("two.ocl", "-- R-2 and R-1.1\n" + invariant)),
+                SourceText.of("two.ocl", "-- R-2, R-1.1, R-1/2, a/R-1 and P.R-1\n" + invariant)),
             List.of(metamodel));
     assertEquals(List.of(), rules.diagnostics());
     assertEquals(Set.of("R-2"), rules.constraints().get(0).named(List.of("R-1", "R-2")));

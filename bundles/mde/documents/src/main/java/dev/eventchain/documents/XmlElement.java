@@ -13,8 +13,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * An element of an XML file, with its place. Prefixes of names are kept as they are written, and
- * text between elements is only that of elements without children. Immutable once it is read.
+ * An element of an XML file, with its place. Prefixes of names are kept as they are written.
+ * Immutable once it is read.
  */
 public final class XmlElement {
 
@@ -22,7 +22,7 @@ public final class XmlElement {
   private final String name;
   private final Map<String, String> attributes;
   private final List<XmlElement> children;
-  private final String text;
+  private final List<String> texts;
   private final int start;
   private final int end;
 
@@ -31,14 +31,14 @@ public final class XmlElement {
       String name,
       Map<String, String> attributes,
       List<XmlElement> children,
-      String text,
+      List<String> texts,
       int start,
       int end) {
     this.source = source;
     this.name = name;
     this.attributes = Collections.unmodifiableMap(new LinkedHashMap<>(attributes));
     this.children = Collections.unmodifiableList(children);
-    this.text = text;
+    this.texts = Collections.unmodifiableList(texts);
     this.start = start;
     this.end = end;
   }
@@ -87,9 +87,19 @@ public final class XmlElement {
     return Optional.empty();
   }
 
-  /** Returns the text of an element without children; empty for others. */
+  /** Returns the text of an element without children, stripped; empty for others. */
   public String text() {
-    return children.isEmpty() ? text : "";
+    return children.isEmpty() ? textBefore(0).strip() : "";
+  }
+
+  /**
+   * Returns the text between two children, as it is written, or empty if it is only white space.
+   *
+   * @param child the index of the child that follows; the number of children for what follows the
+   *     last one
+   */
+  public String textBefore(int child) {
+    return child < texts.size() ? texts.get(child) : "";
   }
 
   /** Returns the place of the start tag. */

@@ -34,9 +34,22 @@ final class XmlReader extends DefaultHandler {
       String name,
       Map<String, String> attributes,
       List<XmlElement> children,
+      List<String> texts,
       StringBuilder text,
       int start,
-      int end) {}
+      int end) {
+
+    /** Keeps the text since the last child, with an index as large as the number of children. */
+    void endText() {
+      if (!text.toString().isBlank()) {
+        while (texts.size() < children.size()) {
+          texts.add("");
+        }
+        texts.add(text.toString());
+      }
+      text.setLength(0);
+    }
+  }
 
   private final SourceText source;
   private final Deque<Open> open = new ArrayDeque<>();
@@ -92,7 +105,12 @@ final class XmlReader extends DefaultHandler {
     // The locator is behind the start tag.
     int end = source.offset(locator.getLineNumber(), locator.getColumnNumber());
     int start = Math.max(0, source.text().lastIndexOf("<" + name, end));
-    open.push(new Open(name, values, new ArrayList<>(), new StringBuilder(), start, end));
+    if (!open.isEmpty()) {
+      open.peek().endText();
+    }
+    open.push(
+        new Open(
+            name, values, new ArrayList<>(), new ArrayList<>(), new StringBuilder(), start, end));
   }
 
   @Override
@@ -103,13 +121,14 @@ final class XmlReader extends DefaultHandler {
   @Override
   public void endElement(String uri, String local, String name) {
     Open done = open.pop();
+    done.endText();
     XmlElement element =
         new XmlElement(
             source,
             done.name(),
             done.attributes(),
             done.children(),
-            done.text().toString().strip(),
+            done.texts(),
             done.start(),
             done.end());
     if (open.isEmpty()) {

@@ -33,9 +33,7 @@ public final class ConstrainStage implements StageWork {
     Optional<Path> edited = run.project().editedModel();
     edited.ifPresent(fingerprint::addFile);
     if (edited.isEmpty()) {
-      fingerprint
-          .addFile(run.file(ProjectFolder.DESCRIPTION))
-          .addFile(run.project().requirements());
+      fingerprint.addFile(run.file(ProjectFolder.DESCRIPTION)).addRequirements();
     }
   }
 

@@ -27,7 +27,7 @@ public final class DesignStage implements StageWork {
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     Project project = run.project();
     AgentReport.fingerprint(run, Stage.DESIGN, fingerprint);
-    fingerprint.addFile(project.requirements()).addFile(project.designRulesFile());
+    fingerprint.addRequirements().addFile(project.designRulesFile());
     fingerprint.addFiles(project.softwareBaseFiles());
     fingerprint.addMessages();
     project.editedModel().ifPresent(fingerprint::addFile);

@@ -39,7 +39,7 @@ public final class ImplementStage implements StageWork {
     AgentReport.fingerprint(run, Stage.IMPLEMENT, fingerprint);
     fingerprint
         .addFile(run.file(ProjectFolder.DESCRIPTION))
-        .addFile(run.project().requirements())
+        .addRequirements()
         .addFile(run.project().softwareBase().resolve("components.json"))
         .add(run.project().configuration().models("test"))
         .addFiles(TestFiles.ofProject(run.project()));

@@ -33,7 +33,7 @@ public final class ModelStage implements StageWork {
     AgentReport.fingerprint(run, Stage.MODEL, fingerprint);
     fingerprint
         .addFile(run.file(ProjectFolder.DESCRIPTION))
-        .addFile(run.project().requirements())
+        .addRequirements()
         .addFile(run.project().softwareBase().resolve("components.json"));
     run.project().editedModel().ifPresent(fingerprint::addFile);
   }

@@ -49,7 +49,7 @@ public final class TestFiles {
   }
 
   /** Returns the tests that people wrote. */
-  static List<Path> ofProject(Project project) {
+  public static List<Path> ofProject(Project project) {
     Path folder = project.folder().resolve(FOLDER);
     return Files.isDirectory(folder)
         ? ProjectFolder.below(folder).stream()

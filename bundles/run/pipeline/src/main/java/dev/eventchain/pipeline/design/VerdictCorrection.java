@@ -132,7 +132,7 @@ public final class VerdictCorrection {
         Diagnostic.of(
                 DesignRules.AGENTS_VERDICT_QUESTION,
                 about + diagnosis.why(),
-                SourceLocation.of(run.project().requirements()))
+                SourceLocation.of(run.project().firstRequirements()))
             .withHint("Decide, change it, and run again; the failed criteria are named above."));
     return Optional.empty();
   }

@@ -43,7 +43,7 @@ import java.util.stream.Collectors;
 /** Runs the requested stages in order, as far as possible. */
 public final class PipelineRun {
 
-  private static final Map<Stage, StageWork> WORK =
+  static final Map<Stage, StageWork> WORK =
       new EnumMap<>(
           Map.of(
               Stage.DESIGN, new DesignStage(),

@@ -8,7 +8,6 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.pipeline.files.SourceFile;
 import dev.eventchain.project.AcceptedTexts;
-import dev.eventchain.project.ProjectFolder;
 import java.time.LocalDate;
 import java.util.List;
 
@@ -27,7 +26,7 @@ public final class Acceptance {
    *     written
    */
   public static AcceptedTexts record(Project project, List<String> ids, String by, LocalDate on) {
-    List<WrittenRequirement> written = ProjectFolder.readRules(project.requirements()).items();
+    List<WrittenRequirement> written = project.readRequirements().items();
     List<String> known = written.stream().map(WrittenRequirement::id).toList();
     List<Diagnostic> unknown =
         ids.stream()
@@ -50,7 +49,7 @@ public final class Acceptance {
     return Diagnostic.of(
             CheckRules.PROJECT_REQUIREMENT_UNKNOWN,
             "'" + id + "' is not a requirement of this project.",
-            SourceLocation.of(project.requirements()))
+            SourceLocation.of(project.firstRequirements()))
         .withHint(NearestName.hint(id, known));
   }
 }

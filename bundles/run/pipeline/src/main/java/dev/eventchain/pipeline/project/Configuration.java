@@ -12,6 +12,7 @@ import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.llm.service.ModelServices;
 import dev.eventchain.messages.RosDistribution;
 import dev.eventchain.project.ProjectSettings;
+import dev.eventchain.project.RequirementSources;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -34,6 +35,7 @@ import java.util.stream.Stream;
  *     cannot be reached
  * @param services the locations and prices of models, and the spending limit of a run
  * @param repairs the number of times that failed checks are sent back to the model
+ * @param requirements the sources of requirements besides {@code requirements.md}
  * @param template the folder of the template set, under templates/, or a file *.mtl of the project
  * @param strength the strength that requirements have to have
  * @param packageFacts the given metadata of the generated package, by template property, such as
@@ -48,6 +50,7 @@ public record Configuration(
     Map<String, List<String>> models,
     ModelServices services,
     int repairs,
+    RequirementSources requirements,
     String template,
     StrengthSettings strength,
     SortedMap<String, String> packageFacts) {
@@ -96,6 +99,7 @@ public record Configuration(
             settings.object("models").map(Configuration::models).orElse(Map.of()),
             ModelServices.read(settings),
             (int) settings.wholeNumber("repairs", REPAIRS).orElse(DEFAULT_REPAIRS),
+            RequirementSources.read(settings, folder),
             template(settings, folder),
             StrengthSettings.read(settings),
             settings.object("package").map(Configuration::facts).orElseGet(TreeMap::new));
@@ -179,6 +183,7 @@ public record Configuration(
         one,
         services,
         repairs,
+        requirements,
         template,
         strength,
         packageFacts);

@@ -2,6 +2,7 @@ package dev.eventchain.pipeline.project;
 
 import dev.eventchain.messages.RosDistribution;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.RequirementSources;
 import dev.eventchain.simulation.bench.Bench;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -49,6 +50,12 @@ public final class Project extends ProjectFolder {
   @Override
   public RosDistribution distribution() {
     return configuration.distribution();
+  }
+
+  /** Returns the sources of requirements as they were read with the rest of the configuration. */
+  @Override
+  public RequirementSources requirementSources() {
+    return configuration.requirements();
   }
 
   public Path recordings() {
@@ -99,7 +106,8 @@ public final class Project extends ProjectFolder {
 
   /** Returns all handwritten files that a run may read, except recordings and the chain. */
   public List<Path> sources() {
-    List<Path> files = new ArrayList<>(List.of(requirements(), designRulesFile()));
+    List<Path> files = new ArrayList<>(requirementFiles());
+    files.add(designRulesFile());
     files.addAll(ownConstraints());
     bench().ifPresent(files::add);
     for (String name : List.of("software-base", "scenarios", "tests")) {

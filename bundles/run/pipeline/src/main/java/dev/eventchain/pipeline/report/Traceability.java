@@ -46,6 +46,8 @@ final class Traceability {
   /**
    * A requirement or design rule.
    *
+   * @param source its file and line
+   * @param parents the ids of the requirements that it is derived from
    * @param components the components that satisfy it
    * @param files the files that implement it
    * @param generated the lines generated for these components; empty for a design rule
@@ -56,6 +58,8 @@ final class Traceability {
   record Row(
       String id,
       String text,
+      String source,
+      List<String> parents,
       List<String> components,
       List<String> files,
       Optional<List<GeneratedLines.Made>> generated,
@@ -99,6 +103,8 @@ final class Traceability {
     return new Row(
         item.id(),
         item.text(),
+        run.project().placeOf(item.location()),
+        item.parentIds(),
         satisfying.stream().map(SoftwareNode::getName).toList(),
         satisfying.stream().map(this::file).toList(),
         Optional.of(
@@ -127,6 +133,8 @@ final class Traceability {
     return new Row(
         item.id(),
         item.text(),
+        run.project().placeOf(item.location()),
+        List.of(),
         List.of(),
         proofs.isEmpty() ? List.of() : List.of(ProjectFolder.GENERATED),
         Optional.empty(),

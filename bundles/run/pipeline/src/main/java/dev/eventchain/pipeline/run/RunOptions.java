@@ -110,6 +110,13 @@ public record RunOptions(
         timeLimit);
   }
 
+  /** Returns options with other suppressions. */
+  public RunOptions accepting(Suppressions accepted) {
+    return new RunOptions(
+        output, first, last, again, llm, record, overwrite, scenarios, driver, mcap, compare,
+        faults, strength, accepted, timeLimit);
+  }
+
   /** Returns whether only some scenarios are simulated, which is not enough for a verdict. */
   public boolean isPartial() {
     return !scenarios.isAll();

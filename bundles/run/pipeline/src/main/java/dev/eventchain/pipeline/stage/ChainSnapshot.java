@@ -47,7 +47,7 @@ public final class ChainSnapshot {
   /** Returns the files that determine the locations of elements, besides the model. */
   private static List<Path> originFiles(RunContext run) {
     List<Path> files = new ArrayList<>(run.project().softwareBaseFiles());
-    files.add(run.project().requirements());
+    files.addAll(run.project().requirementFiles());
     files.add(run.file(ProjectFolder.DESCRIPTION));
     return files;
   }

@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.ContentHash;
 import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.ProjectSettings;
+import dev.eventchain.project.RequirementSources;
 import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -67,6 +68,15 @@ public final class Fingerprint {
     add(files.size());
     files.forEach(this::addFile);
     return this;
+  }
+
+  /** Adds the requirements: the files of all sources, and what counts of them. */
+  public Fingerprint addRequirements() {
+    RequirementSources named = run.project().requirementSources();
+    if (!named.isEmpty()) {
+      addSetting("requirements", named.asValue());
+    }
+    return addFiles(run.project().requirementFiles());
   }
 
   /** Adds the definitions of the messages: the release of ROS 2, and the project's files. */

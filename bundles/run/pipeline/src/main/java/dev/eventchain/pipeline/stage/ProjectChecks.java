@@ -53,7 +53,7 @@ public final class ProjectChecks {
   static List<Path> files(RunContext run) {
     List<Path> files = new ArrayList<>(run.project().constraintFiles(run.options().output()));
     files.add(run.project().designRulesFile());
-    files.add(run.project().requirements());
+    files.addAll(run.project().requirementFiles());
     files.addAll(run.project().softwareBaseFiles());
     files.addAll(run.project().messageFiles());
     return files;

@@ -153,17 +153,17 @@ public final class RunContext {
 
   /** Returns the functional requirements. */
   public Requirements requirements() {
-    return readRules(project.requirements());
+    return snapshots.of("requirements", project.requirementFiles(), project::readRequirements);
   }
 
   /**
-   * Returns the functional requirements; empty if the project has none. Their file does not count
-   * as read: a stage that uses them adds their texts to its fingerprint.
+   * Returns the functional requirements; empty if the project has none. Their files do not count as
+   * read: a stage that uses them adds their texts to its fingerprint.
    */
   public List<WrittenRequirement> writtenRequirements() {
-    return ProjectFolder.isAbsent(project.requirements())
-        ? List.of()
-        : FileReads.unrecorded(() -> requirements().items());
+    return project.hasRequirements()
+        ? FileReads.unrecorded(() -> requirements().items())
+        : List.of();
   }
 
   /** Returns the design rules; empty if the project has no such file. */

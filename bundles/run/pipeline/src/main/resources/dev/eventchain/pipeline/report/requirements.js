@@ -97,6 +97,12 @@ function strengthItem(strength) {
     : html("details", { class: "small" }, html("summary", null, words), html("p", null, "Not noticed:"), html("ul", null, missed));
 }
 
+/** Where a requirement is written, and what it is derived from. */
+function originOf(requirement) {
+  const parents = list(requirement.parents).map(text).flatMap((name, index) => [index > 0 ? ", " : "derived from ", requirementLink(name)]);
+  return html("div", { class: "small muted" }, code(text(requirement.source)), parents.length > 0 ? [", ", ...parents] : null);
+}
+
 /** Adds files and proofs to the requirements of the model, and the design rules, which it does not hold. */
 function completeRequirements() {
   const all = document.getElementById("requirements");
@@ -106,6 +112,9 @@ function completeRequirements() {
     const proved = requirement.proved === true;
     const proofs = records(requirement.proofs);
     row.classList.toggle("unproved", !proved);
+    if (requirement.source) {
+      row.cells[0].append(originOf(requirement));
+    }
     row.cells[2].append(html("ul", null, list(requirement.files).map((file) => html("li", null, code(file)))), ...[generatedFiles(records(requirement.generated))].filter(Boolean));
     row.cells[3].append(...[proved ? null : status("warn", proofs.length === 0 ? "Not proved: nothing tests it" : "Not proved"),
       ...proofList(proofs), strengthItem(requirement.strength)].filter(Boolean));

@@ -1,0 +1,203 @@
+package dev.eventchain.project.requirements;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileRules;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.FileVisitOption;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+
+/** The files of a source, which is one of them or a folder, and the readers of their formats. */
+final class SourceFiles {
+
+  private static final int MOST = 10_000;
+  private static final String NEEDS = "needs.json";
+  private static final List<String> ITEMS = List.of(".yml", ".yaml");
+  private static final List<String> FORMATS =
+      List.of(".reqif", ".reqifz", ".sdoc", ".sgra", ".trlc", ".rsl");
+
+  private SourceFiles() {}
+
+  /**
+   * Returns the files that are read of a source, sorted. They need not exist.
+   *
+   * @throws DiagnosticException INPUT if a folder cannot be read
+   */
+  static List<Path> of(Path source) {
+    if (Files.isDirectory(source)) {
+      return below(source).stream().filter(SourceFiles::isRead).toList();
+    }
+    List<Path> files = new ArrayList<>(List.of(source));
+    Path folder = source.toAbsolutePath().getParent();
+    if (has(source, ".trlc") && Files.isDirectory(folder)) {
+      Path shown = source.getParent() == null ? Path.of("") : source.getParent();
+      below(folder).stream()
+          .filter(each -> has(each, ".rsl"))
+          .forEach(each -> files.add(shown.resolve(folder.relativize(each))));
+    }
+    return files;
+  }
+
+  private static boolean isRead(Path file) {
+    return FORMATS.stream().anyMatch(format -> has(file, format))
+        || file.getFileName().toString().equals(NEEDS)
+        || (isYaml(file) && document(file).isPresent());
+  }
+
+  private static boolean isYaml(Path file) {
+    return ITEMS.stream().anyMatch(suffix -> has(file, suffix));
+  }
+
+  static boolean has(Path file, String suffix) {
+    return file.getFileName().toString().toLowerCase(Locale.ROOT).endsWith(suffix);
+  }
+
+  /** Returns the settings of the Doorstop document whose folder, or a part of it, holds a file. */
+  private static Optional<Path> document(Path file) {
+    Path absolute = file.toAbsolutePath().normalize();
+    for (Path above = absolute.getParent(); above != null; above = above.getParent()) {
+      Path settings = above.resolve(DoorstopReader.SETTINGS);
+      if (Files.exists(settings)) {
+        return Optional.of(settings);
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static List<Path> below(Path folder) {
+    try (Stream<Path> files = Files.walk(folder, FileVisitOption.FOLLOW_LINKS)) {
+      List<Path> found =
+          files
+              .filter(file -> !isHidden(folder.relativize(file)))
+              .filter(Files::isRegularFile)
+              .limit(MOST + 1L)
+              .sorted()
+              .toList();
+      if (found.size() > MOST) {
+        throw Reading.refused(
+            "The folder has more than " + MOST + " files.",
+            SourceLocation.of(folder),
+            "Name a folder of requirements alone.");
+      }
+      return found;
+    } catch (IOException e) {
+      throw unreadable(folder, e);
+    } catch (UncheckedIOException e) {
+      throw unreadable(folder, e.getCause());
+    }
+  }
+
+  private static boolean isHidden(Path file) {
+    for (Path part : file) {
+      boolean settings = part.toString().equals(DoorstopReader.SETTINGS);
+      if (part.toString().startsWith(".") && !settings) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static DiagnosticException unreadable(Path folder, IOException e) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT,
+        Diagnostic.of(
+            FileRules.UNREADABLE,
+            "This cannot be read: " + SourceText.reason(e) + ".",
+            SourceLocation.of(folder)));
+  }
+
+  /** Reads all items of a source. */
+  static void read(RequirementSource source, Reading reading) {
+    List<Path> files = of(source.file());
+    TrlcTypes types = new TrlcTypes();
+    Map<Path, List<Path>> documents = new TreeMap<>();
+    for (Path file : files) {
+      if (has(file, ".rsl")) {
+        Reading.file(file, reading, text -> done(() -> types.read(new TrlcTokens(text))));
+      } else if (isYaml(file)) {
+        document(file).ifPresent(it -> documents.computeIfAbsent(it, key -> new ArrayList<>()));
+        document(file).ifPresent(it -> addItem(documents.get(it), file));
+      }
+    }
+    for (Path file : files) {
+      readFile(file, types, reading);
+    }
+    documents.forEach(
+        (settings, items) -> DoorstopReader.read(shown(settings, source), items, reading));
+    if (files.isEmpty()) {
+      reading.unread(
+          "The folder holds no requirements in a format that is read.",
+          SourceLocation.of(source.file()),
+          "These are .reqif, .reqifz, .sdoc, .trlc, needs.json and the folders of Doorstop.");
+    }
+  }
+
+  private static void addItem(List<Path> items, Path file) {
+    if (!file.getFileName().toString().equals(DoorstopReader.SETTINGS)) {
+      items.add(file);
+    }
+  }
+
+  /** Returns a file as it is displayed: below the source as the project names that. */
+  private static Path shown(Path file, RequirementSource source) {
+    Path base = source.file().toAbsolutePath().normalize();
+    return file.startsWith(base) ? source.file().resolve(base.relativize(file)) : file;
+  }
+
+  private static void readFile(Path file, TrlcTypes types, Reading reading) {
+    if (has(file, ".reqifz")) {
+      try {
+        ReqIfArchive.read(file, reading);
+      } catch (DiagnosticException e) {
+        reading.findings.addAll(e.diagnostics());
+      }
+    } else if (has(file, ".reqif")) {
+      Reading.file(file, reading, text -> done(() -> ReqIfReader.read(text, reading)));
+    } else if (has(file, ".sdoc")) {
+      Reading.file(file, reading, text -> done(() -> sdoc(file, text, reading)));
+    } else if (has(file, ".trlc")) {
+      Reading.file(
+          file, reading, text -> done(() -> TrlcReader.read(new TrlcTokens(text), types, reading)));
+    } else if (has(file, ".json")) {
+      Reading.file(file, reading, text -> done(() -> JsonItems.read(text, reading)));
+    } else if (!isYaml(file) && !has(file, ".rsl") && !has(file, ".sgra")) {
+      unknown(file, reading);
+    } else if (isYaml(file) && document(file).isEmpty()) {
+      unknown(file, reading);
+    }
+  }
+
+  private static void sdoc(Path file, SourceText text, Reading reading) {
+    SdocReader.read(
+        text,
+        name ->
+            Reading.file(file.resolveSibling(name), reading, Optional::of)
+                .map(grammar -> grammar.text().lines().toList()),
+        reading);
+  }
+
+  private static void unknown(Path file, Reading reading) {
+    SourceText.read(file); // says if there is none
+    reading.unread(
+        "This is not a format of requirements that is read.",
+        SourceLocation.of(file),
+        "Name a .reqif, .reqifz, .sdoc, .trlc or .json file, or a folder; requirements.md is read without being"
+            + " named.");
+  }
+
+  private static Optional<Boolean> done(Runnable reading) {
+    reading.run();
+    return Optional.of(true);
+  }
+}

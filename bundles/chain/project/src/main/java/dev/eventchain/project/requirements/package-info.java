@@ -1,0 +1,2 @@
+/** Readers of requirements in the formats of other tools. They know no project. */
+package dev.eventchain.project.requirements;

@@ -1,0 +1,91 @@
+package dev.eventchain.pipeline.requirements;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.constraints.OclConstraint;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.DocumentFormat;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.design.TestFiles;
+import dev.eventchain.pipeline.stage.ProjectChecks;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.project.ProjectSettings;
+import dev.eventchain.simulation.scenario.Scenario;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+
+/** What of a project names a requirement: components, scenarios, constraints, component tests. */
+final class Evidence {
+
+  private final List<SoftwareNode> components;
+  private final List<Scenario> scenarios;
+  private final RunContext run;
+  private final Map<String, Set<String>> tests = new TreeMap<>();
+
+  private Evidence(RunContext run, List<SoftwareNode> components, List<Scenario> scenarios) {
+    this.run = run;
+    this.components = components;
+    this.scenarios = scenarios;
+  }
+
+  /**
+   * Reads scenarios, component tests and constraints, and the chain if there is one.
+   *
+   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if one of them cannot be read
+   */
+  static Evidence of(RunContext run) {
+    boolean chain = run.project().model(run.options().output()).isPresent();
+    Evidence evidence =
+        new Evidence(
+            run,
+            chain ? run.chain().chain().getSoftware() : List.of(),
+            Scenario.readFolder(
+                run.project().scenarios(),
+                chain ? run.chain().bench() : run.bench(),
+                warning -> {}));
+    TestFiles.ofProject(run.project()).forEach(evidence::readTests);
+    return evidence;
+  }
+
+  private void readTests(Path file) {
+    Document document =
+        Document.parse(
+            SourceText.read(file), DocumentFormat.YAML, ProjectSettings.RULES, problem -> {});
+    String name = run.project().folder().relativize(file).toString();
+    for (JsonNode test : document.root().findValues("requirement")) {
+      tests.computeIfAbsent(test.asText(), id -> new TreeSet<>()).add(name);
+    }
+  }
+
+  List<String> components(String requirement) {
+    return components.stream()
+        .filter(
+            node -> node.getSatisfies().stream().anyMatch(each -> requirement.equals(each.getId())))
+        .map(SoftwareNode::getName)
+        .toList();
+  }
+
+  List<String> scenarios(String requirement) {
+    return scenarios.stream()
+        .filter(each -> each.requirements().contains(requirement))
+        .map(Scenario::name)
+        .toList();
+  }
+
+  /** Returns all that names a requirement, each with its kind. */
+  List<String> all(String requirement) {
+    List<String> all = new ArrayList<>();
+    components(requirement).forEach(name -> all.add("component " + name));
+    scenarios(requirement).forEach(name -> all.add("scenario " + name));
+    for (OclConstraint each : ProjectChecks.constraints(run).standingFor(requirement)) {
+      all.add("constraint " + each.name());
+    }
+    all.addAll(tests.getOrDefault(requirement, Set.of()));
+    return all;
+  }
+}
