@@ -26,7 +26,7 @@ final class Bubblewrap {
   private Bubblewrap() {}
 
   /**
-   * Returns the part of the command line before the program.
+   * Returns the command line up to the program, without the separator.
    *
    * @param network true for the network of this machine, false for no network
    */
@@ -56,7 +56,7 @@ final class Bubblewrap {
         shown.add(path);
       }
     }
-    line.addAll(List.of("--remount-ro", "/", "--chdir", workFolder.toString(), "--"));
+    line.addAll(List.of("--remount-ro", "/", "--chdir", workFolder.toString()));
     return line;
   }
 

@@ -131,7 +131,7 @@ public final class ComponentProbe {
     try (ConfinedProcess process =
         ConfinedProcess.on(environment)
             .script(sources.resolve("component_probe.py"))
-            .components(0)
+            .components(0, file)
             .readable(existing ? file.getParent() : file)
             .workFolder(workFolder)
             .limits(new ConfinedProcess.Limits(LONGEST, processorTime, MEMORY_MIB))

@@ -4,12 +4,19 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /** The command line of a confined process: bubblewrap (where used), Python, and confined.py. */
@@ -18,6 +25,8 @@ final class ConfinedCommand {
   private static final ObjectMapper JSON = new ObjectMapper();
   private static final String START =
       "import sys; sys.path.insert(0, sys.argv[1]); import confined; confined.main(sys.argv[2])";
+  private static final Pattern NUMPY =
+      Pattern.compile("^[ \\t]*(?:import|from)[ \\t]+numpy\\b", Pattern.MULTILINE);
   private static final long MIB = 1024 * 1024;
   private static final long FILE_SIZE = 64 * MIB;
   private static final int OPEN_FILES = 256;
@@ -38,6 +47,8 @@ final class ConfinedCommand {
   private boolean components;
   private int turn;
   private int hashSeed;
+  private final Set<String> modules = new HashSet<>();
+  private boolean forks = true;
   private JsonNode preparation;
 
   ConfinedCommand(PythonEnvironment environment) {
@@ -73,12 +84,6 @@ final class ConfinedCommand {
     confinement = chosen;
   }
 
-  void components(int newTurn) {
-    components = true;
-    turn = newTurn;
-    pythonPath.add(harness);
-  }
-
   void preparation(String module, JsonNode settings) {
     ObjectNode described = JSON.createObjectNode();
     described.put("module", module).set("settings", settings);
@@ -89,6 +94,28 @@ final class ConfinedCommand {
     hashSeed = seed;
   }
 
+  void components(int newTurn, Collection<Path> files) {
+    components = true;
+    turn = newTurn;
+    pythonPath.add(harness);
+    if (files.stream().anyMatch(ConfinedCommand::importsNumPy)) {
+      modules.add("numpy");
+    }
+  }
+
+  /** As {@code fork_server.py} looks for it. */
+  private static boolean importsNumPy(Path file) {
+    try {
+      return NUMPY.matcher(Files.readString(file, StandardCharsets.ISO_8859_1)).find();
+    } catch (IOException e) {
+      return false; // whoever loads it reports that
+    }
+  }
+
+  void withoutTemplate() {
+    forks = false;
+  }
+
   void withoutKernel() {
     kernel = false;
   }
@@ -97,11 +124,20 @@ final class ConfinedCommand {
     hooks = false;
   }
 
-  /** Returns the complete environment of the process. */
+  /** Returns the folder of our own sources. */
+  Path harness() {
+    return harness;
+  }
+
+  /** Returns the complete environment of a new interpreter. */
   Map<String, String> settings() {
+    return settings(workFolder.toString(), hashSeed);
+  }
+
+  static Map<String, String> settings(String folder, int hashSeed) {
     return Map.of(
-        "HOME", workFolder.toString(),
-        "TMPDIR", workFolder.toString(),
+        "HOME", folder,
+        "TMPDIR", folder,
         "LC_ALL", "C.UTF-8",
         "PYTHONUTF8", "1",
         "PYTHONHASHSEED", Integer.toString(hashSeed),
@@ -111,25 +147,57 @@ final class ConfinedCommand {
         "OPENBLAS_NUM_THREADS", "1");
   }
 
+  /** Returns the command of a new interpreter. */
   List<String> line() {
-    Objects.requireNonNull(workFolder, "a confined process needs a work folder");
-    Bytecode.compile(environment, harness);
-    pythonPath.forEach(folder -> Bytecode.compile(environment, folder));
-    Confinement chosen = confinement == null ? Confinement.detect() : confinement;
-    List<String> line = new ArrayList<>();
-    if (chosen == Confinement.BUBBLEWRAP) {
-      List<Path> visible = new ArrayList<>(environment.installation());
-      visible.add(harness);
-      visible.addAll(pythonPath);
-      visible.addAll(readable);
-      line.addAll(Bubblewrap.command(visible, workFolder, preparation != null));
-    }
+    List<String> line = new ArrayList<>(enclosure());
+    line.addAll(line.isEmpty() ? List.of() : List.of("--"));
     line.add(environment.executable().toString());
-    line.addAll(List.of("-c", START, harness.toString(), description(chosen)));
+    line.addAll(List.of("-c", START, harness.toString(), description()));
     return line;
   }
 
-  private String description(Confinement chosen) {
+  /** Returns the command of bubblewrap, without a program; empty if it is not used. */
+  List<String> enclosure() {
+    if (chosen() != Confinement.BUBBLEWRAP) {
+      return List.of();
+    }
+    List<Path> visible = new ArrayList<>(environment.installation());
+    visible.add(harness);
+    visible.addAll(pythonPath);
+    visible.addAll(readable);
+    return Bubblewrap.command(visible, workFolder, preparation != null);
+  }
+
+  private Confinement chosen() {
+    return confinement == null ? Confinement.detect() : confinement;
+  }
+
+  /** Compiles the sources ahead of time. */
+  void compile() {
+    Objects.requireNonNull(workFolder, "a confined process needs a work folder");
+    Bytecode.compile(environment, harness);
+    pythonPath.forEach(folder -> Bytecode.compile(environment, folder));
+  }
+
+  /**
+   * Returns the template of such processes; empty if there cannot be one, since a preparation has
+   * to come first.
+   */
+  Optional<Template.Kind> template() {
+    return preparation == null && forks
+        ? Optional.of(
+            new Template.Kind(
+                environment.executable(),
+                harness,
+                hashSeed,
+                List.copyOf(pythonPath),
+                Set.copyOf(modules)))
+        : Optional.empty();
+  }
+
+  /** Returns the text for {@code confined.main}. */
+  String description() {
+    Confinement chosen = chosen();
     ObjectNode description = JSON.createObjectNode();
     description.put("work", workFolder.toString());
     description.put(programKind, program);

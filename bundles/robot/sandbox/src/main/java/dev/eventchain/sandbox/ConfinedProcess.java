@@ -5,12 +5,14 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import java.io.Closeable;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
@@ -116,6 +118,11 @@ public final class ConfinedProcess implements AutoCloseable {
     return processes().anyMatch(handle -> ProcessState.of(handle.pid()).isStopped());
   }
 
+  /** Returns whether it is a fork of a {@link Template}. */
+  boolean isForked() {
+    return process instanceof ForkedProcess;
+  }
+
   /** Returns the process and its descendants. */
   Stream<ProcessHandle> processes() {
     return Stream.concat(Stream.of(process.toHandle()), process.descendants());
@@ -154,6 +161,16 @@ public final class ConfinedProcess implements AutoCloseable {
     }
     if (interrupted) {
       Thread.currentThread().interrupt();
+    }
+    closeQuietly(process.getOutputStream());
+    closeQuietly(process.getInputStream());
+  }
+
+  private static void closeQuietly(Closeable stream) {
+    try {
+      stream.close();
+    } catch (IOException e) {
+      // Its other end is closed, so that nothing is lost.
     }
   }
 
@@ -196,9 +213,11 @@ public final class ConfinedProcess implements AutoCloseable {
      *
      * @param turn index among several such processes: each is pinned to one processor, ideally a
      *     different one
+     * @param files those of the components that are known: what takes long to import, and is
+     *     imported by one of them, is imported ahead
      */
-    public Builder components(int turn) {
-      command.components(turn);
+    public Builder components(int turn, Path... files) {
+      command.components(turn, List.of(files));
       return this;
     }
 
@@ -262,6 +281,12 @@ public final class ConfinedProcess implements AutoCloseable {
       return this;
     }
 
+    /** Starts a new interpreter in any case, for tests and comparisons. */
+    Builder withoutTemplate() {
+      command.withoutTemplate();
+      return this;
+    }
+
     /** Disables the kernel's layer, for tests of the other layers. */
     Builder withoutKernel() {
       command.withoutKernel();
@@ -280,18 +305,26 @@ public final class ConfinedProcess implements AutoCloseable {
      * @throws DiagnosticException {@code python.unavailable}: the process cannot be started
      */
     public ConfinedProcess start() {
-      ProcessBuilder builder = new ProcessBuilder(command.line());
+      command.compile();
+      Optional<Process> forked = command.template().flatMap(it -> Template.start(it, command));
+      return new ConfinedProcess(forked.orElseGet(this::startInterpreter), wallTime);
+    }
+
+    private Process startInterpreter() {
+      List<String> line = command.line();
+      ProcessBuilder builder = new ProcessBuilder(line);
       builder.environment().clear();
       builder.environment().putAll(command.settings());
+      builder.directory(command.harness().toFile()); // some Pythons import from the current folder
       try {
-        return new ConfinedProcess(ProcessThreads.start(builder), wallTime);
+        return ProcessThreads.start(builder);
       } catch (IOException e) {
         throw new DiagnosticException(
             DiagnosticException.Reason.UNAVAILABLE,
             Diagnostic.of(
                 PythonRules.PYTHON_UNAVAILABLE,
                 "A confined Python cannot be started: " + SourceText.reason(e) + ".",
-                SourceLocation.of(Path.of(command.line().get(0)))));
+                SourceLocation.of(Path.of(line.get(0)))));
       }
     }
   }

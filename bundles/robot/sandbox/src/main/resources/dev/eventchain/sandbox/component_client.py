@@ -20,9 +20,6 @@ import component_values
 from component_results import VALUE_HINT
 from component_values import LONGEST, NO_OBJECTS, MalformedError, Objects
 
-CONTROL = "EVENTCHAIN_FORK_SERVER"
-"""The environment variable with the file descriptor of the :class:`ForkServer`."""
-
 _HEADER = struct.Struct("<I4s")
 _TOKEN_BYTES = 4
 _FIRST_READ = 1 << 16
@@ -91,7 +88,9 @@ class ForkServer:
     @classmethod
     def inherited(cls) -> ForkServer:
         """Return the server that started this process."""
-        return cls(_inherited())
+        if _INHERITED is None:
+            raise RuntimeError("this process was not started by confined.py, which starts those of components")
+        return cls(_INHERITED)
 
     def start(self, description: dict[str, Any]) -> tuple[int, int, int]:
         """Start the process of a component; return its id, and file descriptors of its channel and of its stack."""
@@ -116,14 +115,13 @@ class ForkServer:
         return int(self._control.recv(64))
 
 
-def _inherited() -> socket.socket:
-    if _INHERITED is None:
-        raise RuntimeError("this process was not started by confined.py, which starts those of components")
-    return _INHERITED
+_INHERITED: socket.socket | None = None
 
 
-# Created on import, before audit hooks refuse sockets.
-_INHERITED = socket.socket(fileno=int(os.environ[CONTROL])) if CONTROL in os.environ else None
+def inherit(control: socket.socket) -> None:
+    """Take the socket of the :class:`ForkServer`, made before audit hooks refuse sockets."""
+    global _INHERITED
+    _INHERITED = control
 
 
 # Compiled code by file content, oldest first, with the place of execute().

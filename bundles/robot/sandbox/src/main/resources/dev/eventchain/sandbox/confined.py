@@ -28,7 +28,7 @@ SECONDS_TO_CLEAN_UP = 1
 # Libraries and devices that Python opens by itself.
 SYSTEM = ("/usr", "/lib", "/lib64", "/lib32", "/bin", "/nix/store", "/etc/ld.so.cache", "/etc/localtime")
 DEVICES = ("/dev/null", "/dev/urandom", "/dev/random", "/dev/zero")
-OURS = ("audit", "confined", "fork_server", "kernel")
+OURS = ("audit", "confined", "fork_server", "kernel", "template")
 
 
 def main(description: str) -> None:
@@ -44,6 +44,8 @@ def main(description: str) -> None:
     if component is not None:
         import component_process
 
+        for name in ("component_client", "template"):  # of the program and of where this process comes from
+            sys.modules.pop(name, None)
         channel, stack = component.settle()
         _give_up_rights(settings, component.folder, here)
         component_process.run(channel, stack, component.description)
@@ -78,16 +80,16 @@ def _serve(settings: dict[str, Any]) -> NewProcess | None:
         with contextlib.suppress(ImportError):
             import kernel  # noqa: F401  # once, for all processes that give up their rights
         if not settings["enclosed"]:
-            _die_with_parent(settings["parent"])
+            die_with_parent(settings["parent"])
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
     _take_turns(settings["parent"] + settings["turn"])
     gc.freeze()
     program = os.fork()
     if program == 0:
         ours.close()
-        os.environ["EVENTCHAIN_FORK_SERVER"] = str(theirs.detach())
-        import component_client  # noqa: F401  # takes the socket before it could no longer be made
+        import component_client
 
+        component_client.inherit(theirs)
         return None
     theirs.close()
     nothing = os.open(os.devnull, os.O_RDWR)
@@ -121,6 +123,8 @@ def _give_up_rights(settings: dict[str, Any], work: str, parent: int | None) -> 
     _limit(settings["limits"])
     if settings["kernel"]:
         _ask_kernel(settings["readable"], work, parent)
+    for name in [name for name in sys.modules if name in ("kernel", "_ctypes") or name.startswith("ctypes")]:
+        del sys.modules[name]
     if settings["hooks"]:
         audit.install(settings["readable"], work)
 
@@ -140,7 +144,8 @@ def _limit(limits: dict[str, int]) -> None:
         resource.setrlimit(kind, (lowest, lowest))
 
 
-def _die_with_parent(parent: int) -> None:
+def die_with_parent(parent: int) -> None:
+    """End with this parent, where the kernel can be asked to."""
     try:
         import kernel
     except ImportError:
@@ -157,12 +162,10 @@ def _ask_kernel(readable: list[str], work: str, parent: int | None) -> None:
     except ImportError:
         return
     if parent is not None:
-        _die_with_parent(parent)
+        die_with_parent(parent)
     kernel.restrict_files(readable, [work, "/dev/null"])
     kernel.drop_capabilities()
     kernel.filter_system_calls()
-    for name in [name for name in sys.modules if name in ("kernel", "_ctypes") or name.startswith("ctypes")]:
-        del sys.modules[name]
 
 
 def _become(settings: dict[str, Any]) -> None:

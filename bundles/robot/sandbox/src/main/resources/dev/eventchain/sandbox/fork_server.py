@@ -135,14 +135,8 @@ class ForkServer:
                 wanted.append("numpy")
         if description.get("messages") is not None:
             wanted.append(component_process.MESSAGE_OBJECTS)
-        before = sys.path
         # Excludes the description's path and the program's writable folder, which may have untrusted code.
-        sys.path = [*filter(None, before), *self._path]
-        for name in wanted:
-            if name not in sys.modules:
-                with contextlib.suppress(ImportError):
-                    importlib.import_module(name)
-        sys.path = before
+        import_once(wanted, self._path)
 
     def _signal(self, process: int, number: int) -> None:
         if process in self._folders:
@@ -163,6 +157,17 @@ class ForkServer:
     def _answer(self, number: int) -> None:
         with contextlib.suppress(OSError):
             self._control.send(str(number).encode())
+
+
+def import_once(modules: list[str], path: list[str]) -> None:
+    """Import modules that are in these folders or belong to Python; without those that are missing."""
+    before = sys.path
+    sys.path = [*filter(None, before), *path]
+    for name in modules:
+        if name not in sys.modules:
+            with contextlib.suppress(ImportError):
+                importlib.import_module(name)
+    sys.path = before
 
 
 def _exit_code(status: int) -> int:

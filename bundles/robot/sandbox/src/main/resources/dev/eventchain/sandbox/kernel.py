@@ -22,6 +22,8 @@ PR_SET_NO_NEW_PRIVS = 38
 PR_SCHED_CORE = 62
 SECCOMP_MODE_FILTER = 2
 CLONE_THREAD = 0x00010000
+NAMESPACES = 0x7E020000
+"""All namespaces that bubblewrap makes: of mounts, cgroup, UTS, IPC, users, processes and network (sched.h)."""
 
 _library = ctypes.CDLL(None, use_errno=True)
 
@@ -225,6 +227,26 @@ def die_with_parent() -> None:
     _library.prctl(PR_SET_PDEATHSIG, int(signal.SIGKILL), 0, 0, 0)
 
 
+def enter_namespaces(process: int) -> None:
+    """Enter the namespaces of this process; from then on, children are in its namespace of processes.
+
+    Raises:
+        OSError: they cannot be entered.
+
+    """
+    descriptor = os.pidfd_open(process)
+    try:
+        if int(_library.setns(descriptor, NAMESPACES)) != 0:
+            raise OSError(ctypes.get_errno(), "setns")
+    finally:
+        os.close(descriptor)
+
+
+def gain_no_privileges() -> None:
+    """Refuse, permanently, privileges by the execution of a file."""
+    _library.prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)
+
+
 def drop_capabilities() -> bool:
     """Give up the capabilities of root except those for its own files."""
     header = struct.pack("<Ii", 0x20080522, 0)
@@ -242,7 +264,7 @@ def filter_system_calls() -> bool:
         return False
     buffer = ctypes.create_string_buffer(program)
     header = struct.pack("@HP", len(program) // 8, ctypes.addressof(buffer))
-    _library.prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)
+    gain_no_privileges()
     return int(_library.prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, header, 0, 0)) == 0
 
 
@@ -343,7 +365,7 @@ def restrict_files(readable: Iterable[str], writable: Iterable[str]) -> bool:
         _allow(rules, path, handled & (READ_FILE | READ_DIR | EXECUTE))
     for path in writable:
         _allow(rules, path, handled & ~(EXECUTE | MAKE_CHAR | MAKE_BLOCK | MAKE_SOCK | IOCTL))
-    _library.prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)
+    gain_no_privileges()
     restricted = int(_library.syscall(RESTRICT_SELF, rules, 0)) == 0
     os.close(rules)
     return restricted

@@ -81,14 +81,25 @@ class ConfinementEscapeTest {
   @ParameterizedTest(name = "{0} in {1}")
   @MethodSource("escapes")
   void attemptIsRefused(String program, Layer layer) throws IOException {
+    check(builder(ESCAPES.resolve(program), layer));
+  }
+
+  /** Each attempt in each layer; outside of the profile {@code thorough} in one layer a day. */
+  static Stream<Arguments> escapesFromInterpreters() throws IOException {
+    return combine(ESCAPES, Thorough.allOrOne(layers()));
+  }
+
+  @ParameterizedTest(name = "{0} in {1}")
+  @MethodSource("escapesFromInterpreters")
+  void attemptInANewInterpreterIsRefused(String program, Layer layer) throws IOException {
+    check(builder(ESCAPES.resolve(program), layer).withoutTemplate());
+  }
+
+  private void check(ConfinedProcess.Builder builder) throws IOException {
     Path outside = outside();
     Map<String, String> before = state(outside);
     String output;
-    try (ConfinedProcess process =
-        builder(ESCAPES.resolve(program), layer)
-            .arguments(outside.toString())
-            .limits(LIMITS)
-            .start()) {
+    try (ConfinedProcess process = builder.arguments(outside.toString()).limits(LIMITS).start()) {
       output = new String(process.stdout().readAllBytes(), StandardCharsets.UTF_8);
       assertEquals(ConfinedProcess.Cause.EXITED, process.await().cause());
       assertFalse(output.contains("ESCAPED"), output);

@@ -53,9 +53,16 @@ public record HostProgram(
         .readable(generated.messages(), generated.folder())
         .readable(generated.variants().toArray(Path[]::new))
         .workFolder(workFolder.path())
-        .components(turn)
+        .components(turn, componentFiles())
         .hashSeed(hashSeed)
         .limits(new ConfinedProcess.Limits(longest, longest, MEMORY_MIB))
         .confinement(confinement);
+  }
+
+  private Path[] componentFiles() {
+    return generated.manifest().nodes().stream()
+        .filter(node -> node.component() != null)
+        .map(generated::componentFile)
+        .toArray(Path[]::new);
   }
 }
