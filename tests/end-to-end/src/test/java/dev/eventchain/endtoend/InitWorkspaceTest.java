@@ -6,6 +6,7 @@ import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -39,6 +40,25 @@ class InitWorkspaceTest {
     new Program().run("init", known, "--from-workspace", workspace).expect(0);
     new Program().run("validate", known).expect(0).says("How often does Warning act?");
     new Program().run("run", known).expect(2).says("there is nothing to simulate");
+  }
+
+  @Test
+  void aRecordingIsAProjectWithSignals() throws IOException {
+    Path recordings = WORKSPACE.resolveSibling("recordings");
+    for (String name : List.of("peer.mcap", "bag")) {
+      Path project = folder.resolve(name);
+      String option = name.endsWith(".mcap") ? "--from-mcap" : "--from-bag";
+      new Program()
+          .run("init", project, option, recordings.resolve(name))
+          .expect(0)
+          .says("software-base/msg/demo_msgs/msg/Target.msg")
+          .says("Who writes and who reads /radar/target (41 messages, 20.0 Hz on average)?");
+      new Program().run("bench", project).expect(0).says("provides /radar/target");
+    }
+    new Program()
+        .run("init", folder.resolve("no"), "--from-mcap", WORKSPACE)
+        .expect(2)
+        .says("[workspace.recording]");
   }
 
   @Test

@@ -30,7 +30,9 @@ import picocli.CommandLine.Spec;
       "With --from-workspace, it is a project around the nodes of a ROS 2 workspace, whose sources"
           + " are read and not run; what they do not say is asked, in"
           + " software-base/questions.json.",
-      "With --nodl, it is one around nodes whose interfaces are described in NoDL 2.",
+      "With --nodl, it is one around nodes whose interfaces are described in NoDL 2;"
+          + " with --from-mcap or --from-bag around the topics of a recording, which does not say"
+          + " who writes and reads them.",
       "Existing files are not changed."
     })
 final class InitCommand implements Callable<Integer> {
@@ -61,6 +63,12 @@ final class InitCommand implements Callable<Integer> {
           "An interface of a node in NoDL 2, NODE.nodl.yaml; repeat it for each node of the"
               + " software.")
   private List<Path> interfaces = List.of();
+
+  @Option(
+      names = {"--from-mcap", "--from-bag"},
+      paramLabel = "PATH",
+      description = "A recording: an MCAP file, or the folder that rosbag2 wrote.")
+  private Path recording;
 
   @Option(
       names = "--messages",
@@ -105,8 +113,9 @@ final class InitCommand implements Callable<Integer> {
   }
 
   private ProjectStart.Started start() {
-    if (workspace != null && !interfaces.isEmpty()) {
-      throw wrongUsage("--from-workspace and --nodl exclude each other");
+    boolean several = workspace != null && (!interfaces.isEmpty() || recording != null);
+    if (several || (!interfaces.isEmpty() && recording != null)) {
+      throw wrongUsage("--from-workspace, --nodl and --from-mcap exclude each other");
     }
     if (launch != null && workspace == null) {
       throw wrongUsage("--launch is about --from-workspace");
@@ -116,6 +125,9 @@ final class InitCommand implements Callable<Integer> {
     }
     if (!interfaces.isEmpty()) {
       return WorkspaceStart.ofInterfaces(folder, interfaces, messages, ProjectBench::proposal);
+    }
+    if (recording != null) {
+      return WorkspaceStart.ofRecording(folder, recording, ProjectBench::proposal);
     }
     if (workspace == null) {
       return ProjectStart.create(folder, ProjectBench::proposal);

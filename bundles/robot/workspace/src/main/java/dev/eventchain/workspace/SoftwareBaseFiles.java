@@ -57,7 +57,7 @@ public final class SoftwareBaseFiles {
     components.forEach(this::askAbout);
     files.put("software-base/components.json", components(components));
     files.put("software-base/signals.json", SignalsJson.of(nodes, components));
-    files.put("software-base/questions.json", questions());
+    files.put("software-base/questions.json", text(questions));
     return files;
   }
 
@@ -161,7 +161,8 @@ public final class SoftwareBaseFiles {
     }
   }
 
-  private String questions() {
+  /** Returns the text of {@code questions.json}. */
+  static String text(List<OpenQuestion> questions) {
     ArrayNode json = JsonNodeFactory.instance.arrayNode();
     for (OpenQuestion question : questions) {
       ObjectNode entry = json.addObject().put("question", question.text());

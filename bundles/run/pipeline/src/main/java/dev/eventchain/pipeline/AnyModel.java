@@ -103,15 +103,7 @@ public final class AnyModel {
               .compile(
                   template,
                   withMessages(any.packages()),
-                  packages ->
-                      shipped(template, packages)
-                          .orElseGet(
-                              () ->
-                                  TemplateModule.compile(
-                                      template.main(),
-                                      template.sources(),
-                                      packages,
-                                      classes.loader())));
+                  packages -> module(template, packages, classes.loader()));
       WrittenFiles files = new WrittenFiles(target.folder());
       files.found(lenient ? milder(any.ecore().diagnostics()) : any.ecore().diagnostics());
       if (!Diagnostic.anyError(suppressions.part(files.diagnostics()).remaining())) {
@@ -178,12 +170,13 @@ public final class AnyModel {
             .toList());
   }
 
-  /** Returns a template that ships with the program, if it is named instead of a file. */
-  private static Optional<TemplateModule> shipped(Template template, List<EPackage> packages) {
+  /** Compiles a template: one that ships with the program, if it is named instead of a file. */
+  private static TemplateModule module(
+      Template template, List<EPackage> packages, Optional<ClassLoader> services) {
     String name = template.main().toString();
     return ShippedTemplates.isFormat(name) && !Files.exists(template.main())
-        ? Optional.of(Templates.shipped(name, "main", packages))
-        : Optional.empty();
+        ? Templates.shipped(name, "main", packages)
+        : TemplateModule.compile(template.main(), template.sources(), packages, services);
   }
 
   /** Compiles a template; one of a project may import the shipped modules, as in its stages. */

@@ -4,6 +4,8 @@ import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.workspace.FoundSoftware;
 import dev.eventchain.workspace.Nodl;
+import dev.eventchain.workspace.RecordedSignals;
+import dev.eventchain.workspace.Recording;
 import dev.eventchain.workspace.SoftwareBaseFiles;
 import dev.eventchain.workspace.Workspace;
 import java.nio.file.Path;
@@ -51,5 +53,17 @@ public final class WorkspaceStart {
     FoundSoftware software = Nodl.read(documents);
     MessageCatalog catalog = MessageCatalog.of(messages);
     return ProjectStart.around(SoftwareBaseFiles.of(software, catalog), folder, bench);
+  }
+
+  /**
+   * Writes a project into a new or empty folder, around the topics of a recording.
+   *
+   * @param recording an MCAP file, or a folder that rosbag2 wrote
+   * @throws dev.eventchain.diagnostics.DiagnosticException as {@link Recording#read} and {@link
+   *     ProjectStart#create}
+   */
+  public static ProjectStart.Started ofRecording(
+      Path folder, Path recording, ProjectStart.BenchProposal bench) {
+    return ProjectStart.around(RecordedSignals.of(Recording.read(recording)), folder, bench);
   }
 }

@@ -1,0 +1,78 @@
+package dev.eventchain.workspace;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.fixtures.ExpectedFile;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Map;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class RecordingTest {
+
+  private static final Path RECORDINGS = Path.of("src/test/resources/recordings");
+
+  /** peer.mcap was written by another library (write.py), with compressed chunks. */
+  @ParameterizedTest
+  @CsvSource({"peer.mcap, mcap, 2", "bag, bag, 2", "sqlite, sqlite, 0"})
+  void aRecordingIsASoftwareBase(String name, String expected, int definitions) throws IOException {
+    Map<String, String> files = RecordedSignals.of(Recording.read(RECORDINGS.resolve(name)));
+    Path folder = RECORDINGS.resolve("expected");
+    for (String kind : new String[] {"signals", "questions"}) {
+      ExpectedFile.check(
+          folder.resolve(expected + "." + kind + ".json"),
+          files.get("software-base/" + kind + ".json"));
+    }
+    assertEquals("[ ]\n", files.get("software-base/components.json"));
+    assertEquals(
+        definitions, files.keySet().stream().filter(file -> file.endsWith(".msg")).count());
+  }
+
+  @Test
+  void whatIsNoRecordingIsRefused(@TempDir Path folder) throws IOException {
+    assertEquals("workspace.recording", refusal(folder));
+    Path file = folder.resolve("file.mcap");
+    assertEquals("workspace.recording", refusal(file));
+    Files.writeString(file, "no recording");
+    assertEquals("workspace.recording", refusal(file));
+    Files.writeString(folder.resolve("metadata.yaml"), "rosbag2_bagfile_information: {}\n");
+    assertEquals("workspace.recording", refusal(folder));
+  }
+
+  /** A file that is cut off or damaged is refused, or read as far as its summary is sound. */
+  @Test
+  void damagedFilesAreRefusedOrRead(@TempDir Path folder) throws IOException {
+    byte[] whole = Files.readAllBytes(RECORDINGS.resolve("peer.mcap"));
+    Path file = folder.resolve("damaged.mcap");
+    for (int length = 0; length < whole.length; length += 97) {
+      Files.write(file, Arrays.copyOf(whole, length));
+      assertEquals("workspace.recording", refusal(file));
+    }
+    SplittableRandom random = new SplittableRandom(1);
+    for (int i = 0; i < 300; i++) {
+      byte[] damaged = whole.clone();
+      int summary = whole.length / 2;
+      damaged[summary + random.nextInt(whole.length - summary)] = (byte) random.nextInt(256);
+      Files.write(file, damaged);
+      try {
+        RecordedSignals.of(Recording.read(file));
+      } catch (DiagnosticException e) {
+        assertEquals("workspace.recording", e.diagnostics().get(0).id());
+      }
+    }
+  }
+
+  private static String refusal(Path path) {
+    DiagnosticException refused =
+        assertThrows(DiagnosticException.class, () -> RecordedSignals.of(Recording.read(path)));
+    return refused.diagnostics().get(0).id();
+  }
+}
