@@ -1,11 +1,10 @@
 package dev.eventchain.workspace;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 
@@ -18,11 +17,9 @@ final class ComponentNames {
 
   private ComponentNames() {}
 
-  /**
-   * Returns the names by the full names of nodes; those in namespaces have these, too, if needed.
-   */
-  static Map<String, String> of(List<FoundNode> nodes) {
-    Map<String, String> names = new LinkedHashMap<>();
+  /** Returns the name of each node; that of its namespace is in front of it where needed. */
+  static List<String> of(List<FoundNode> nodes) {
+    List<String> names = new ArrayList<>();
     Set<String> taken = new HashSet<>();
     for (FoundNode node : nodes) {
       String full = node.name().substring(1);
@@ -33,7 +30,7 @@ final class ComponentNames {
         unique = name + "_" + i;
       }
       taken.add(unique);
-      names.put(node.name(), unique);
+      names.add(unique);
     }
     return names;
   }

@@ -125,17 +125,7 @@ public final class Recording {
     JsonNode bag = root.path("rosbag2_bagfile_information");
     double duration = bag.path("duration").path("nanoseconds").asDouble() / 1e9;
     for (JsonNode each : bag.path("topics_with_message_count")) {
-      JsonNode topic = each.path("topic_metadata");
-      JsonNode qos = topic.path(QOS);
-      long count = each.path("message_count").asLong();
-      add(
-          new RecordedTopic(
-              topic.path("name").asText(),
-              RosNames.fullMessageType(topic.path("type").asText()),
-              qos.isTextual() ? OfferedQos.read(qos.asText()) : OfferedQos.read(qos),
-              count,
-              RecordedTopic.rate(count, duration),
-              SourceLocation.of(file).file()));
+      add(topic(each, duration, SourceLocation.of(file).file()));
     }
     for (JsonNode relative : bag.path("relative_file_paths")) {
       Path part = folder.resolve(relative.asText()).normalize();
@@ -145,6 +135,19 @@ public final class Recording {
         mcap(part, false);
       }
     }
+  }
+
+  private static RecordedTopic topic(JsonNode json, double duration, String file) {
+    JsonNode topic = json.path("topic_metadata");
+    JsonNode qos = topic.path(QOS);
+    long count = json.path("message_count").asLong();
+    return new RecordedTopic(
+        topic.path("name").asText(),
+        RosNames.fullMessageType(topic.path("type").asText()),
+        qos.isTextual() ? OfferedQos.read(qos.asText()) : OfferedQos.read(qos),
+        count,
+        RecordedTopic.rate(count, duration),
+        file);
   }
 
   /** Adds a topic; services, actions and illegal names are no topics of a chain. */

@@ -11,7 +11,6 @@ import dev.eventchain.messages.MessageType;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -44,13 +43,14 @@ public final class SoftwareBaseFiles {
 
   private SortedMap<String, String> write(List<FoundNode> found) {
     List<DescribedNode> nodes = new ArrayList<>();
-    Map<String, String> names = ComponentNames.of(found);
-    for (FoundNode node : found) {
+    List<String> names = ComponentNames.of(found);
+    for (int i = 0; i < found.size(); i++) {
+      FoundNode node = found.get(i);
       List<DescribedEndpoint> endpoints = endpoints(node);
       if (endpoints.isEmpty()) {
         ask("What does %s read and write? No topic of it is known.".formatted(node.name()), node);
       } else {
-        nodes.add(new DescribedNode(names.get(node.name()), node, endpoints));
+        nodes.add(new DescribedNode(names.get(i), node, endpoints));
       }
     }
     List<DescribedNode> components = nodes.stream().filter(this::isOfAChain).toList();

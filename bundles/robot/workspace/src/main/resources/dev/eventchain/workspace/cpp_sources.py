@@ -14,7 +14,7 @@ Json = dict[str, object]
 _COMMENT = re.compile(r'"(?:\\.|[^"\\\n])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
 _MAKER = re.compile(r"\bcreate_(publisher|subscription)\s*<\s*([\w:]+)\s*>\s*\(")
 _ANY_MAKER = re.compile(r"\bcreate_(?:publisher|subscription|client|service|wall_timer|timer)\s*[<(]")
-_CLASS = re.compile(r"\bclass\s+(\w+)[^;{]*:[^;{]*\b(?:rclcpp|rclcpp_lifecycle)::(?:Lifecycle)?Node\b")
+_CLASS = re.compile(r"\bclass\s+(\w+)[^;{:]{0,80}:[^;{]{0,200}?\b(?:rclcpp|rclcpp_lifecycle)::(?:Lifecycle)?Node\b")
 _NAME = re.compile(r'\b(?:Node|LifecycleNode)\s*\(\s*"([\w]+)"')
 _TYPE = re.compile(r"(?:::)?([a-z]\w*)::msg::([A-Z]\w*)$")
 _TEXT = re.compile(r'"((?:[^"\\]|\\.)*)"$')
@@ -29,7 +29,7 @@ _POLICIES = {
     "durability_volatile": ("durability", "VOLATILE"),
     "keep_all": ("history", "KEEP_ALL"),
 }
-_EXECUTABLE = re.compile(r"\badd_executable\s*\(\s*(\w+)\s+([^)]*)\)")
+_EXECUTABLE = re.compile(r"\badd_executable\s*\(\s*(\w+)\s+([^)]{0,5000})\)")
 
 
 def executables(text: str) -> dict[str, list[str]]:

@@ -6,7 +6,6 @@ A message that goes to where its use cannot be followed has no known fields: all
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
 
 from source_modules import FUNCTIONS, Function, is_self_attribute, parameters
 
@@ -21,12 +20,22 @@ class MessageUse:
 
     def __init__(self, functions: list[Function]) -> None:
         self._functions = functions
-        self._parents = {
-            child: parent
-            for function in functions
-            for parent in ast.walk(function)
-            for child in ast.iter_child_nodes(parent)
-        }
+        self._parents: dict[ast.AST, ast.AST] = {}
+        self._uses: dict[Name, list[ast.expr]] = {}
+        self._published: dict[str, list[tuple[ast.Call, Function]]] = {}
+        for function in functions:
+            for node in ast.walk(function):
+                self._parents.update(dict.fromkeys(ast.iter_child_nodes(node), node))
+                self._index(node, function)
+
+    def _index(self, node: ast.AST, function: Function) -> None:
+        """Keep what reads a variable, and what publishes."""
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
+            self._uses.setdefault((function.name, node.id), []).append(node)
+        elif isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Load) and is_self_attribute(node):
+            self._uses.setdefault((_SELF, node.attr), []).append(node)
+        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "publish":
+            self._published.setdefault(ast.unparse(node.func.value), []).append((node, function))
 
     def read(self, callback: ast.expr) -> list[str] | None:
         """Return the paths that a callback and the methods that it hands its message to read; None if unknown."""
@@ -44,7 +53,7 @@ class MessageUse:
 
         """
         found: list[str] = []
-        calls = [each for function in self._functions for each in self._published(publisher, function)]
+        calls = self._published.get(ast.unparse(publisher), [])
         for call, function in calls:
             paths = self._of_message(call.args[0], function) if len(call.args) == 1 else None
             if paths is None:
@@ -60,12 +69,6 @@ class MessageUse:
         elif isinstance(callback, ast.Name):
             name = callback.id
         return next((function for function in self._functions if function.name == name), None)
-
-    def _published(self, publisher: ast.AST, function: Function) -> Iterator[tuple[ast.Call, Function]]:
-        wanted = f"{ast.unparse(publisher)}.publish"
-        for node in ast.walk(function):
-            if isinstance(node, ast.Call) and ast.unparse(node.func) == wanted:
-                yield node, function
 
     def _of_message(self, node: ast.expr, function: Function) -> list[str] | None:
         """Return the paths that are set in a message that is published."""
@@ -93,7 +96,7 @@ class MessageUse:
         pending, seen = [first], {first}
         while pending:
             name = pending.pop()
-            for use in self._uses(name):
+            for use in self._uses.get(name, []):
                 path = self._path(use)
                 if path:
                     found.append(path)
@@ -105,16 +108,6 @@ class MessageUse:
                 elif not self._is_harmless(use, published):
                     return None
         return found
-
-    def _uses(self, name: Name) -> Iterator[ast.expr]:
-        """Return the expressions that read a variable."""
-        for function in self._functions:
-            for node in ast.walk(function):
-                if isinstance(node, (ast.Name, ast.Attribute)) and isinstance(node.ctx, ast.Load):
-                    local = function.name == name[0] and isinstance(node, ast.Name) and node.id == name[1]
-                    field = name[0] == _SELF and is_self_attribute(node) and ast.unparse(node) == f"self.{name[1]}"
-                    if local or field:
-                        yield node
 
     def _path(self, node: ast.expr) -> str:
         """Return the attributes behind a variable; empty if it is used as a whole."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import functools
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
@@ -130,6 +131,7 @@ def bindings(body: Iterable[ast.AST], function: Function | None) -> dict[str, li
     return found
 
 
+@functools.cache
 def fields(cls: ast.ClassDef) -> dict[str, list[Binding]]:
     """Return what a class assigns to its attributes, in its body and through ``self`` in its methods."""
     found = bindings(cls.body, None)
