@@ -175,8 +175,3 @@ class ROSClock(Clock):
 
     def __init__(self, *, now: Callable[[], int] | None = None) -> None:
         super().__init__(clock_type=ClockType.ROS_TIME, now=now)
-
-    @property
-    def ros_time_is_active(self) -> bool:
-        """Return whether it shows simulated time."""
-        return True
