@@ -15,7 +15,7 @@ final class MatrixPage {
 
   private static final String STYLE =
       """
-      .matrix { width: 100%; border-collapse: collapse; margin-top: 1.5rem; }
+      .matrix { width: 100%; border-collapse: collapse; margin-top: 1.5rem; overflow-wrap: break-word; }
       .matrix th { text-align: left; font-size: .8125rem; color: var(--muted); }
       .matrix th, .matrix td { padding: .5rem .75rem .5rem 0; vertical-align: top; }
       .matrix td { border-top: 1px solid var(--line); }
