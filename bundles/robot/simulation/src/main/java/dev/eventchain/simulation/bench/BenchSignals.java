@@ -31,7 +31,7 @@ public final class BenchSignals implements Signal.Source {
 
   /** Other forms of the pose and its changes, for messages: reported only where they are read. */
   private static final Pattern OTHER_FORM =
-      Pattern.compile("ego\\.(x|y|yaw|orientation\\..|acceleration\\..)");
+      Pattern.compile("ego\\.(x|y|yaw|latitude|longitude|orientation\\..|acceleration\\.(.|left))");
 
   private static final WorldSignals WORLD = new WorldSignals();
 
