@@ -4,13 +4,12 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.diagnostics.XmlEvents;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 
 /**
  * An element of an XML file, with its place. Prefixes of names are kept as they are written.
@@ -24,7 +23,6 @@ public final class XmlElement {
   private final List<XmlElement> children;
   private final List<String> texts;
   private final int start;
-  private final int end;
 
   XmlElement(
       SourceText source,
@@ -32,15 +30,13 @@ public final class XmlElement {
       Map<String, String> attributes,
       List<XmlElement> children,
       List<String> texts,
-      int start,
-      int end) {
+      int start) {
     this.source = source;
     this.name = name;
     this.attributes = Collections.unmodifiableMap(new LinkedHashMap<>(attributes));
     this.children = Collections.unmodifiableList(children);
     this.texts = Collections.unmodifiableList(texts);
     this.start = start;
-    this.end = end;
   }
 
   /**
@@ -109,12 +105,8 @@ public final class XmlElement {
 
   /** Returns the place of an attribute's name; that of the start tag if it is not there. */
   public SourceLocation location(String attribute) {
-    Matcher found =
-        Pattern.compile("\\s(" + Pattern.quote(attribute) + ")\\s*=")
-            .matcher(source.text())
-            .region(start, end);
-    return attributes.containsKey(attribute) && found.find()
-        ? source.at(found.start(1))
+    return attributes.containsKey(attribute)
+        ? source.at(XmlEvents.attribute(source, start, attribute))
         : location();
   }
 

@@ -1,6 +1,6 @@
 package dev.eventchain.roads;
 
-import dev.eventchain.roads.xml.XmlElement;
+import dev.eventchain.roads.xml.CheckedElement;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -9,12 +9,12 @@ final class JunctionReader {
 
   private JunctionReader() {}
 
-  static Junction read(String id, XmlElement element, PendingLinks links) {
+  static Junction read(String id, CheckedElement element, PendingLinks links) {
     Junction.Kind kind =
         element.choice("type", List.of(Junction.Kind.values()), Junction.Kind::spelling);
     boolean meetsEnds = kind == Junction.Kind.COMMON || kind == Junction.Kind.DIRECT;
     List<Junction.Connection> connections = new ArrayList<>();
-    for (XmlElement child : element.children("connection")) {
+    for (CheckedElement child : element.children("connection")) {
       // A virtual connection leaves its road between the ends, and may lack a road.
       boolean atEnds = meetsEnds && child.optional("type").filter("virtual"::equals).isEmpty();
       String road = kind == Junction.Kind.DIRECT ? "linkedRoad" : "connectingRoad";
@@ -27,7 +27,8 @@ final class JunctionReader {
     return new Junction(id, element.optional("name").orElse(""), kind, connections);
   }
 
-  private static Junction.Connection connection(XmlElement element, String road, boolean named) {
+  private static Junction.Connection connection(
+      CheckedElement element, String road, boolean named) {
     return new Junction.Connection(
         element.string("id"),
         named ? element.string("incomingRoad") : element.optional("incomingRoad").orElse(""),

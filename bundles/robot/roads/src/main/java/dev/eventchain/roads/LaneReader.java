@@ -2,8 +2,8 @@ package dev.eventchain.roads;
 
 import dev.eventchain.roads.geometry.Cubic;
 import dev.eventchain.roads.geometry.Profile;
+import dev.eventchain.roads.xml.CheckedElement;
 import dev.eventchain.roads.xml.Problems;
-import dev.eventchain.roads.xml.XmlElement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -28,9 +28,9 @@ final class LaneReader {
    *
    * @param from s of its section
    */
-  Lane read(XmlElement element, int id, double from) {
-    List<XmlElement> widths = element.children("width");
-    List<XmlElement> borders = element.children("border");
+  Lane read(CheckedElement element, int id, double from) {
+    List<CheckedElement> widths = element.children("width");
+    List<CheckedElement> borders = element.children("border");
     Lane.Shape shape =
         new Lane.Shape(
             records.profile(widths, "sOffset", from),
@@ -54,8 +54,8 @@ final class LaneReader {
     return direction.name().toLowerCase(Locale.ROOT);
   }
 
-  private static Profile height(XmlElement element, String attribute, double from) {
-    List<XmlElement> heights = element.children("height");
+  private static Profile height(CheckedElement element, String attribute, double from) {
+    List<CheckedElement> heights = element.children("height");
     if (heights.isEmpty()) {
       return Profile.ZERO;
     }
@@ -69,8 +69,8 @@ final class LaneReader {
             .toList());
   }
 
-  private List<Road.SpeedLimit> limits(XmlElement element, double from) {
-    List<XmlElement> speeds = element.children("speed");
+  private List<Road.SpeedLimit> limits(CheckedElement element, double from) {
+    List<CheckedElement> speeds = element.children("speed");
     if (speeds.isEmpty()) {
       return List.of();
     }
@@ -80,7 +80,7 @@ final class LaneReader {
         .toList();
   }
 
-  private static RoadMark mark(XmlElement element, double from) {
+  private static RoadMark mark(CheckedElement element, double from) {
     return new RoadMark(
         from + element.number("sOffset", 0),
         element.optional("type").orElse("none"),
@@ -91,9 +91,9 @@ final class LaneReader {
         lines(element));
   }
 
-  private static List<RoadMark.Line> lines(XmlElement mark) {
+  private static List<RoadMark.Line> lines(CheckedElement mark) {
     List<RoadMark.Line> lines = new ArrayList<>(0);
-    for (XmlElement line : mark.children("type", "line")) {
+    for (CheckedElement line : mark.children("type", "line")) {
       lines.add(
           new RoadMark.Line(
               line.number("length"),
@@ -106,7 +106,7 @@ final class LaneReader {
   }
 
   /** Reports where the width of a lane is unknown, negative, or on the wrong side. */
-  void requireWidth(XmlElement element, Lane lane, double start, double end) {
+  void requireWidth(CheckedElement element, Lane lane, double start, double end) {
     double[] starts = lane.breaks();
     if (starts.length == 0 || starts[0] > start + Records.ROUNDING) {
       problems.add(

@@ -1,8 +1,8 @@
 package dev.eventchain.roads;
 
 import dev.eventchain.roads.geometry.Profile;
+import dev.eventchain.roads.xml.CheckedElement;
 import dev.eventchain.roads.xml.Problems;
-import dev.eventchain.roads.xml.XmlElement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedSet;
@@ -23,7 +23,7 @@ final class LanesReader {
   private final LaneReader laneReader;
 
   /** The lanes of one side, from inside to outside, with the elements they were read from. */
-  private record Side(double start, List<Lane> lanes, List<XmlElement> elements) {}
+  private record Side(double start, List<Lane> lanes, List<CheckedElement> elements) {}
 
   LanesReader(Problems problems, PendingLinks links, String road, Profile offset, double length) {
     this.problems = problems;
@@ -35,9 +35,9 @@ final class LanesReader {
   }
 
   /** Reads the sections; with problems, which are reported, the result is of no use. */
-  List<LaneSection> read(XmlElement lanes) {
+  List<LaneSection> read(CheckedElement lanes) {
     int before = problems.errors();
-    List<XmlElement> elements = lanes.children("laneSection");
+    List<CheckedElement> elements = lanes.children("laneSection");
     if (elements.isEmpty()) {
       lanes.requiredChild("laneSection");
     }
@@ -45,7 +45,7 @@ final class LanesReader {
     List<Side> left = new ArrayList<>();
     List<Side> right = new ArrayList<>();
     List<Side> centre = new ArrayList<>();
-    for (XmlElement element : elements) {
+    for (CheckedElement element : elements) {
       section(element, left, right, centre);
     }
     if (problems.errors() > before) {
@@ -59,7 +59,8 @@ final class LanesReader {
     return sections;
   }
 
-  private void section(XmlElement element, List<Side> left, List<Side> right, List<Side> centre) {
+  private void section(
+      CheckedElement element, List<Side> left, List<Side> right, List<Side> centre) {
     double start = element.number("s");
     boolean single = element.choice("singleSide", List.of("false", "true"), v -> v).equals("true");
     boolean hasLeft = element.child("left").isPresent();
@@ -78,12 +79,12 @@ final class LanesReader {
                     new Side(start, List.of(laneReader.read(lane, 0, start)), List.of(lane))));
   }
 
-  private Side side(XmlElement section, String name, double start) {
+  private Side side(CheckedElement section, String name, double start) {
     int sign = name.equals("left") ? 1 : -1;
-    List<XmlElement> elements = new ArrayList<>(section.children(name, "lane"));
+    List<CheckedElement> elements = new ArrayList<>(section.children(name, "lane"));
     elements.sort((first, second) -> Integer.compare(distance(first), distance(second)));
     List<Lane> lanes = new ArrayList<>();
-    for (XmlElement element : elements) {
+    for (CheckedElement element : elements) {
       int expected = sign * (lanes.size() + 1);
       int before = problems.errors();
       int id = element.integer("id");
@@ -99,11 +100,11 @@ final class LanesReader {
     return new Side(start, lanes, elements);
   }
 
-  private static int distance(XmlElement lane) {
+  private static int distance(CheckedElement lane) {
     return lane.isNumber("id") ? Math.abs((int) lane.number("id")) : 0;
   }
 
-  private void requireStart(XmlElement first, List<Side> left, List<Side> right) {
+  private void requireStart(CheckedElement first, List<Side> left, List<Side> right) {
     boolean missing =
         Stream.of(left, right)
             .anyMatch(side -> side.isEmpty() || side.get(0).start > Records.ROUNDING);
@@ -116,10 +117,10 @@ final class LanesReader {
     }
   }
 
-  private void requireLengths(List<XmlElement> elements, List<LaneSection> sections) {
+  private void requireLengths(List<CheckedElement> elements, List<LaneSection> sections) {
     for (LaneSection section : sections) {
       if (section.end() <= section.start()) {
-        XmlElement element =
+        CheckedElement element =
             elements.stream()
                 .filter(each -> each.number("s") == section.start())
                 .findFirst()
@@ -172,15 +173,15 @@ final class LanesReader {
       last = sections.get(i).start() < end ? i : last;
     }
     for (int i = 0; i < side.elements.size(); i++) {
-      XmlElement element = side.elements.get(i);
+      CheckedElement element = side.elements.get(i);
       laneReader.requireWidth(element, side.lanes.get(i), side.start, end);
       note(element, side.lanes.get(i).id(), first, "predecessor");
       note(element, side.lanes.get(i).id(), last, "successor");
     }
   }
 
-  private void note(XmlElement element, int lane, int section, String direction) {
-    for (XmlElement link : element.children("link", direction)) {
+  private void note(CheckedElement element, int lane, int section, String direction) {
+    for (CheckedElement link : element.children("link", direction)) {
       links.lanes.add(
           new PendingLinks.OfLane(
               road,

@@ -2,10 +2,10 @@ package dev.eventchain.roads;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.roads.xml.CheckedElement;
 import dev.eventchain.roads.xml.ElementTable;
 import dev.eventchain.roads.xml.Place;
 import dev.eventchain.roads.xml.Problems;
-import dev.eventchain.roads.xml.XmlElement;
 import dev.eventchain.roads.xml.XmlRules;
 import dev.eventchain.roads.xml.XmlStream;
 import java.util.ArrayList;
@@ -34,7 +34,7 @@ final class NetworkReader {
     return reader.network(SourceLocation.of(source.at(0).file()));
   }
 
-  private void handle(XmlElement element) {
+  private void handle(CheckedElement element) {
     ElementTable.check(element, problems);
     switch (element.name()) {
       case "header" -> header = header(element);
@@ -45,7 +45,7 @@ final class NetworkReader {
     }
   }
 
-  private Header header(XmlElement element) {
+  private Header header(CheckedElement element) {
     if (header != null) {
       problems.add(
           RoadRules.DUPLICATE, element, "There is a second `header`.", "Remove one of them.");
@@ -64,7 +64,7 @@ final class NetworkReader {
                         child.number("z", 0),
                         child.number("hdg", 0)))
             .orElse(new Header.Offset(0, 0, 0, 0));
-    String projection = element.child("geoReference").map(XmlElement::text).orElse("");
+    String projection = element.child("geoReference").map(CheckedElement::text).orElse("");
     return new Header(
         (int) minor,
         element.optional("name").orElse(""),
@@ -73,7 +73,7 @@ final class NetworkReader {
         offset);
   }
 
-  private void requireVersion(XmlElement element, double major, double minor) {
+  private void requireVersion(CheckedElement element, double major, double minor) {
     // What is no number is reported where it is read.
     boolean unknown = major < 1 || major > 1 || minor > NEWEST_MINOR || minor < 0;
     if (unknown) {
@@ -91,14 +91,14 @@ final class NetworkReader {
     }
   }
 
-  private void road(XmlElement element) {
+  private void road(CheckedElement element) {
     String id = element.string("id");
     if (isNew("road", id, element)) {
       roadReader.read(id, element).ifPresent(road -> roads.put(id, road));
     }
   }
 
-  private void junction(XmlElement element) {
+  private void junction(CheckedElement element) {
     String id = element.string("id");
     if (isNew("junction", id, element)) {
       junctions.put(id, JunctionReader.read(id, element, links));
@@ -106,7 +106,7 @@ final class NetworkReader {
   }
 
   /** Notes an id; reports one that is used a second time. */
-  private boolean isNew(String kind, String id, XmlElement element) {
+  private boolean isNew(String kind, String id, CheckedElement element) {
     Place before = places.putIfAbsent(kind + " " + id, element.place());
     if (before != null) {
       problems.add(
@@ -118,7 +118,7 @@ final class NetworkReader {
     return before == null;
   }
 
-  private static Signal.Controller controller(XmlElement element) {
+  private static Signal.Controller controller(CheckedElement element) {
     return new Signal.Controller(
         element.string("id"),
         element.optional("name").orElse(""),

@@ -3,8 +3,8 @@ package dev.eventchain.roads;
 import dev.eventchain.roads.RoadObject.Body;
 import dev.eventchain.roads.RoadObject.Corner;
 import dev.eventchain.roads.RoadObject.Outline;
+import dev.eventchain.roads.xml.CheckedElement;
 import dev.eventchain.roads.xml.Problems;
-import dev.eventchain.roads.xml.XmlElement;
 import dev.eventchain.roads.xml.XmlRules;
 import java.util.ArrayList;
 import java.util.List;
@@ -27,13 +27,13 @@ final class ObjectsReader {
     this.road = road;
   }
 
-  List<RoadObject> read(XmlElement element) {
+  List<RoadObject> read(CheckedElement element) {
     return element.children("objects", "object").stream().map(this::object).toList();
   }
 
-  private RoadObject object(XmlElement element) {
+  private RoadObject object(CheckedElement element) {
     List<Body> bodies = new ArrayList<>();
-    List<XmlElement> repeats = element.children("repeat");
+    List<CheckedElement> repeats = element.children("repeat");
     repeats.forEach(repeat -> repeat(element, repeat, bodies));
     if (repeats.isEmpty()) {
       bodies.add(single(element));
@@ -47,7 +47,7 @@ final class ObjectsReader {
         bodies);
   }
 
-  private Body single(XmlElement element) {
+  private Body single(CheckedElement element) {
     double s = element.number("s");
     Pose pose = pose(element, s, element.number("t"), element.number("zOffset", 0));
     Optional<Double> radius = element.optional("radius").map(r -> element.number("radius"));
@@ -60,7 +60,7 @@ final class ObjectsReader {
         outlines(element, pose, 0, 0));
   }
 
-  private Pose pose(XmlElement element, double s, double t, double height) {
+  private Pose pose(CheckedElement element, double s, double t, double height) {
     Pose on = road.pose(s, t, height);
     return new Pose(
         on.x(),
@@ -71,7 +71,7 @@ final class ObjectsReader {
         element.number("roll", 0));
   }
 
-  private void repeat(XmlElement element, XmlElement repeat, List<Body> bodies) {
+  private void repeat(CheckedElement element, CheckedElement repeat, List<Body> bodies) {
     double length = repeat.number("length");
     double distance = repeat.number("distance");
     boolean continuous = distance == 0;
@@ -98,7 +98,7 @@ final class ObjectsReader {
    *
    * @param part the length of a part of a continuous object; 0 for separate ones
    */
-  private Body repeated(XmlElement element, XmlElement repeat, double along, double part) {
+  private Body repeated(CheckedElement element, CheckedElement repeat, double along, double part) {
     double share = along / repeat.number("length");
     double s = repeat.number("s") + along;
     double t = between(repeat, "t", share, element.number("t"));
@@ -115,7 +115,7 @@ final class ObjectsReader {
             : outlines(element, pose, s - element.number("s"), t - element.number("t")));
   }
 
-  private static double between(XmlElement repeat, String name, double share, double absent) {
+  private static double between(CheckedElement repeat, String name, double share, double absent) {
     double start = repeat.number(name + "Start", absent);
     return start + share * (repeat.number(name + "End", start) - start);
   }
@@ -126,8 +126,8 @@ final class ObjectsReader {
    * @param ds the distance along the road to where the object itself is
    * @param dt the same across the road
    */
-  private List<Outline> outlines(XmlElement element, Pose origin, double ds, double dt) {
-    Stream<XmlElement> elements =
+  private List<Outline> outlines(CheckedElement element, Pose origin, double ds, double dt) {
+    Stream<CheckedElement> elements =
         Stream.concat(
             element.children("outline").stream(), element.children("outlines", "outline").stream());
     return elements
@@ -142,7 +142,7 @@ final class ObjectsReader {
         .toList();
   }
 
-  private Corner corner(XmlElement corner, Pose origin, double ds, double dt) {
+  private Corner corner(CheckedElement corner, Pose origin, double ds, double dt) {
     if (corner.name().equals("cornerRoad")) {
       Pose on = road.pose(corner.number("s") + ds, corner.number("t") + dt, corner.number("dz"));
       return new Corner(on.x(), on.y(), on.z(), corner.number("height"));

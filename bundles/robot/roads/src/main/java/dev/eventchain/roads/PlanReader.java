@@ -5,8 +5,8 @@ import dev.eventchain.roads.geometry.PlanCurve;
 import dev.eventchain.roads.geometry.PlanCurves;
 import dev.eventchain.roads.geometry.PlanPoint;
 import dev.eventchain.roads.geometry.ReferenceLine;
+import dev.eventchain.roads.xml.CheckedElement;
 import dev.eventchain.roads.xml.Problems;
-import dev.eventchain.roads.xml.XmlElement;
 import dev.eventchain.roads.xml.XmlRules;
 import java.util.ArrayList;
 import java.util.List;
@@ -35,9 +35,9 @@ final class PlanReader {
   }
 
   /** Reads a line; empty if it has problems, which are reported. */
-  Optional<ReferenceLine> read(XmlElement road, double length) {
+  Optional<ReferenceLine> read(CheckedElement road, double length) {
     int before = problems.errors();
-    List<XmlElement> elements =
+    List<CheckedElement> elements =
         road.requiredChild("planView").map(plan -> plan.children("geometry")).orElse(List.of());
     if (elements.isEmpty() && problems.errors() == before) {
       road.child("planView").ifPresent(plan -> plan.requiredChild("geometry"));
@@ -53,7 +53,7 @@ final class PlanReader {
     return Optional.of(new ReferenceLine(pieces, length));
   }
 
-  private Optional<ReferenceLine.Piece> piece(XmlElement element) {
+  private Optional<ReferenceLine.Piece> piece(CheckedElement element) {
     int before = problems.errors();
     double start = element.number("s");
     double x = element.number("x");
@@ -67,7 +67,7 @@ final class PlanReader {
           "The geometry is " + length + " m long.",
           "Remove the geometry, or export the file again.");
     }
-    Optional<XmlElement> curve =
+    Optional<CheckedElement> curve =
         element.children().stream().filter(child -> KINDS.contains(child.name())).findFirst();
     if (curve.isEmpty()) {
       problems.add(
@@ -83,7 +83,7 @@ final class PlanReader {
         .map(made -> new ReferenceLine.Piece(start, x, y, heading, length, made));
   }
 
-  private Optional<PlanCurve> curve(XmlElement element, double length) {
+  private Optional<PlanCurve> curve(CheckedElement element, double length) {
     int before = problems.errors();
     PlanCurve curve =
         switch (element.name()) {
@@ -107,13 +107,13 @@ final class PlanReader {
     return Optional.of(curve);
   }
 
-  private PlanCurve spiral(XmlElement element, double length) {
+  private PlanCurve spiral(CheckedElement element, double length) {
     double start = bounded(element, "curvStart", length);
     double end = bounded(element, "curvEnd", length);
     return Double.isNaN(start + end) ? new PlanCurve.Line() : PlanCurves.spiral(start, end, length);
   }
 
-  private double bounded(XmlElement element, String attribute, double length) {
+  private double bounded(CheckedElement element, String attribute, double length) {
     double curvature = element.number(attribute);
     if (Math.abs(curvature) * length > MOST_TURNED) {
       problems.add(
@@ -126,12 +126,12 @@ final class PlanReader {
     return curvature;
   }
 
-  private PlanCurve poly3(XmlElement element, double length) {
+  private PlanCurve poly3(CheckedElement element, double length) {
     Cubic v = RoadReader.cubic(element);
     return isFinite(v) ? PlanCurves.cubic(v, length) : new PlanCurve.Line();
   }
 
-  private PlanCurve parametric(XmlElement element, double length) {
+  private PlanCurve parametric(CheckedElement element, double length) {
     Cubic u = cubic(element, "U");
     Cubic v = cubic(element, "V");
     String range = element.choice("pRange", List.of("normalized", "arcLength"), value -> value);
@@ -150,7 +150,7 @@ final class PlanReader {
     return curve;
   }
 
-  private static Cubic cubic(XmlElement element, String suffix) {
+  private static Cubic cubic(CheckedElement element, String suffix) {
     return new Cubic(
         element.number("a" + suffix),
         element.number("b" + suffix),
@@ -162,7 +162,7 @@ final class PlanReader {
     return Double.isFinite(cubic.a() + cubic.b() + cubic.c() + cubic.d());
   }
 
-  private void requireContinuous(List<XmlElement> elements, List<ReferenceLine.Piece> pieces) {
+  private void requireContinuous(List<CheckedElement> elements, List<ReferenceLine.Piece> pieces) {
     for (int i = 1; i < pieces.size(); i++) {
       ReferenceLine.Piece last = pieces.get(i - 1);
       ReferenceLine.Piece next = pieces.get(i);
@@ -185,7 +185,10 @@ final class PlanReader {
   }
 
   private void requireLength(
-      XmlElement road, List<XmlElement> elements, List<ReferenceLine.Piece> pieces, double length) {
+      CheckedElement road,
+      List<CheckedElement> elements,
+      List<ReferenceLine.Piece> pieces,
+      double length) {
     double start = pieces.get(0).start();
     if (start > Records.ROUNDING) {
       problems.add(

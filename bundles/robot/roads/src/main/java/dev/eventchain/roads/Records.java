@@ -1,8 +1,8 @@
 package dev.eventchain.roads;
 
 import dev.eventchain.roads.geometry.Profile;
+import dev.eventchain.roads.xml.CheckedElement;
 import dev.eventchain.roads.xml.Problems;
-import dev.eventchain.roads.xml.XmlElement;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -24,10 +24,10 @@ final class Records {
    * @param attribute the name of the attribute with the start
    * @param from s of the place from which the starts are measured
    */
-  Profile profile(List<XmlElement> elements, String attribute, double from) {
+  Profile profile(List<CheckedElement> elements, String attribute, double from) {
     requireOrder(elements, attribute);
     List<Profile.Piece> pieces = new ArrayList<>();
-    for (XmlElement element : elements) {
+    for (CheckedElement element : elements) {
       double start = from + element.number(attribute);
       pieces.add(new Profile.Piece(start, RoadReader.cubic(element)));
     }
@@ -35,9 +35,9 @@ final class Records {
   }
 
   /** Reports starts that are below 0 or run backwards. */
-  void requireOrder(List<XmlElement> elements, String attribute) {
+  void requireOrder(List<CheckedElement> elements, String attribute) {
     double last = 0;
-    for (XmlElement element : elements) {
+    for (CheckedElement element : elements) {
       double start = element.numberOrNaN(attribute);
       if (Double.isNaN(start)) {
         continue; // Reported where the element is read.

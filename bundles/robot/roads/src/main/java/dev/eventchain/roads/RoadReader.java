@@ -3,8 +3,8 @@ package dev.eventchain.roads;
 import dev.eventchain.roads.geometry.Cubic;
 import dev.eventchain.roads.geometry.Profile;
 import dev.eventchain.roads.geometry.ReferenceLine;
+import dev.eventchain.roads.xml.CheckedElement;
 import dev.eventchain.roads.xml.Problems;
-import dev.eventchain.roads.xml.XmlElement;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -24,7 +24,7 @@ final class RoadReader {
   }
 
   /** Reads a road; empty if it has problems, which are reported. */
-  Optional<Road> read(String id, XmlElement element) {
+  Optional<Road> read(String id, CheckedElement element) {
     int before = problems.errors();
     requireSingle(element);
     Road.Facts facts = facts(id, element);
@@ -35,7 +35,7 @@ final class RoadReader {
     }
     Optional<ReferenceLine> line = new PlanReader(problems).read(element, length);
     RoadSurface surface = new SurfaceReader(problems).read(element);
-    Optional<XmlElement> lanes = element.requiredChild("lanes");
+    Optional<CheckedElement> lanes = element.requiredChild("lanes");
     Profile offset = lanes.map(child -> offset(child)).orElse(Profile.ZERO);
     List<LaneSection> sections =
         lanes
@@ -52,9 +52,9 @@ final class RoadReader {
   }
 
   /** Reports parts of which a road has only one, as only the first would be read. */
-  private void requireSingle(XmlElement road) {
+  private void requireSingle(CheckedElement road) {
     for (String part : List.of("link", "planView", "elevationProfile", "lateralProfile", "lanes")) {
-      List<XmlElement> found = road.children(part);
+      List<CheckedElement> found = road.children(part);
       if (found.size() > 1) {
         problems.add(
             RoadRules.DUPLICATE,
@@ -65,7 +65,7 @@ final class RoadReader {
     }
   }
 
-  private Road.Furniture furniture(Road bare, XmlElement element) {
+  private Road.Furniture furniture(Road bare, CheckedElement element) {
     SignalsReader signals = new SignalsReader(problems, bare);
     element.children("signals", "signalReference").stream()
         .map(each -> new PendingLinks.OfSignal(each.string("id"), each.place()))
@@ -76,13 +76,13 @@ final class RoadReader {
         signals.references(element));
   }
 
-  private Profile offset(XmlElement lanes) {
+  private Profile offset(CheckedElement lanes) {
     return new Records(problems).profile(lanes.children("laneOffset"), "s", 0);
   }
 
-  private Road.Facts facts(String id, XmlElement element) {
+  private Road.Facts facts(String id, CheckedElement element) {
     String junction = element.optional("junction").orElse("-1");
-    Optional<XmlElement> link = element.child("link");
+    Optional<CheckedElement> link = element.child("link");
     return new Road.Facts(
         id,
         element.optional("name").orElse(""),
@@ -95,9 +95,9 @@ final class RoadReader {
   }
 
   /** Returns values by their codes. Data that is not of this form is for others. */
-  private static Map<String, String> userData(XmlElement road) {
+  private static Map<String, String> userData(CheckedElement road) {
     Map<String, String> data = new HashMap<>();
-    for (XmlElement each : road.children("userData")) {
+    for (CheckedElement each : road.children("userData")) {
       Optional<String> value = each.optional("value");
       value.ifPresent(it -> each.optional("code").ifPresent(code -> data.putIfAbsent(code, it)));
     }
@@ -109,7 +109,8 @@ final class RoadReader {
   }
 
   /** Reads a link; empty also for one to a place between the ends of a road, which is noted. */
-  private Optional<RoadLink> link(String id, Optional<XmlElement> element, RoadLink.Contact end) {
+  private Optional<RoadLink> link(
+      String id, Optional<CheckedElement> element, RoadLink.Contact end) {
     element
         .filter(child -> child.optional("elementS").isPresent())
         .filter(child -> child.optional("elementDir").isPresent())
@@ -124,7 +125,8 @@ final class RoadReader {
             });
   }
 
-  private static PendingLinks.OfPlace place(String id, XmlElement element, RoadLink.Contact end) {
+  private static PendingLinks.OfPlace place(
+      String id, CheckedElement element, RoadLink.Contact end) {
     return new PendingLinks.OfPlace(
         id,
         end,
@@ -134,7 +136,7 @@ final class RoadReader {
         element.place());
   }
 
-  private static RoadLink link(XmlElement element) {
+  private static RoadLink link(CheckedElement element) {
     List<String> types = List.of("road", "junction");
     boolean junction = element.choice("elementType", types, v -> v).equals("junction");
     String id = element.string("elementId");
@@ -148,8 +150,8 @@ final class RoadReader {
     return new RoadLink(false, id, Optional.of(contact));
   }
 
-  private List<Road.RoadType> types(XmlElement road) {
-    List<XmlElement> children = road.children("type");
+  private List<Road.RoadType> types(CheckedElement road) {
+    List<CheckedElement> children = road.children("type");
     new Records(problems).requireOrder(children, "s");
     return children.stream()
         .map(
@@ -164,7 +166,7 @@ final class RoadReader {
   }
 
   /** Returns a speed in m/s. */
-  static OptionalDouble speed(XmlElement element) {
+  static OptionalDouble speed(CheckedElement element) {
     String value = element.string("max").strip();
     if (List.of("", "no limit", "undefined").contains(value.toLowerCase(Locale.ROOT))) {
       return OptionalDouble.empty();
@@ -175,7 +177,7 @@ final class RoadReader {
   }
 
   /** Returns a polynomial by its attributes {@code a} to {@code d}. */
-  static Cubic cubic(XmlElement element) {
+  static Cubic cubic(CheckedElement element) {
     return new Cubic(
         element.number("a"), element.number("b"), element.number("c"), element.number("d"));
   }

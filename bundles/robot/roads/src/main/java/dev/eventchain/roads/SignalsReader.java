@@ -1,7 +1,7 @@
 package dev.eventchain.roads;
 
+import dev.eventchain.roads.xml.CheckedElement;
 import dev.eventchain.roads.xml.Problems;
-import dev.eventchain.roads.xml.XmlElement;
 import dev.eventchain.roads.xml.XmlRules;
 import java.util.List;
 import java.util.Optional;
@@ -19,11 +19,11 @@ final class SignalsReader {
     this.road = road;
   }
 
-  List<Signal> read(XmlElement element) {
+  List<Signal> read(CheckedElement element) {
     return element.children("signals", "signal").stream().map(this::signal).toList();
   }
 
-  List<Signal.Reference> references(XmlElement element) {
+  List<Signal.Reference> references(CheckedElement element) {
     return element.children("signals", "signalReference").stream()
         .map(
             reference ->
@@ -36,7 +36,7 @@ final class SignalsReader {
         .toList();
   }
 
-  private Signal signal(XmlElement element) {
+  private Signal signal(CheckedElement element) {
     return new Signal(
         element.string("id"),
         element.optional("name").orElse(""),
@@ -57,16 +57,16 @@ final class SignalsReader {
         lanes(element));
   }
 
-  private static Signal.Orientation orientation(XmlElement element) {
+  private static Signal.Orientation orientation(CheckedElement element) {
     return element.choice(
         "orientation", List.of(Signal.Orientation.values()), Signal.Orientation::spelling);
   }
 
-  private Pose pose(XmlElement element) {
-    Optional<XmlElement> inertial = element.child("positionInertial");
-    Optional<XmlElement> onRoad = element.child("positionRoad");
+  private Pose pose(CheckedElement element) {
+    Optional<CheckedElement> inertial = element.child("positionInertial");
+    Optional<CheckedElement> onRoad = element.child("positionRoad");
     if (inertial.isPresent()) {
-      XmlElement place = inertial.get();
+      CheckedElement place = inertial.get();
       return new Pose(
           place.number("x"),
           place.number("y"),
@@ -82,7 +82,7 @@ final class SignalsReader {
     return pose(element, against ? Math.PI : 0);
   }
 
-  private void requireThisRoad(XmlElement place) {
+  private void requireThisRoad(CheckedElement place) {
     if (!place.string("roadId").equals(road.id())) {
       problems.add(
           XmlRules.ELEMENT_UNSUPPORTED,
@@ -92,7 +92,7 @@ final class SignalsReader {
     }
   }
 
-  private Pose pose(XmlElement element, double turned) {
+  private Pose pose(CheckedElement element, double turned) {
     double height = element.number("zOffset", 0);
     Pose on = road.pose(element.number("s"), element.number("t"), height);
     return new Pose(
@@ -104,8 +104,8 @@ final class SignalsReader {
         element.number("roll", 0));
   }
 
-  private static Optional<List<Integer>> lanes(XmlElement element) {
-    List<XmlElement> validities = element.children("validity");
+  private static Optional<List<Integer>> lanes(CheckedElement element) {
+    List<CheckedElement> validities = element.children("validity");
     return validities.isEmpty()
         ? Optional.empty()
         : Optional.of(

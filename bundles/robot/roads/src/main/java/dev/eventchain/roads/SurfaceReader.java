@@ -1,8 +1,8 @@
 package dev.eventchain.roads;
 
 import dev.eventchain.roads.geometry.Profile;
+import dev.eventchain.roads.xml.CheckedElement;
 import dev.eventchain.roads.xml.Problems;
-import dev.eventchain.roads.xml.XmlElement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -19,8 +19,8 @@ final class SurfaceReader {
     this.records = new Records(problems);
   }
 
-  RoadSurface read(XmlElement road) {
-    List<XmlElement> falls = road.children("lateralProfile", "crossfall");
+  RoadSurface read(CheckedElement road) {
+    List<CheckedElement> falls = road.children("lateralProfile", "crossfall");
     return new RoadSurface(
         records.profile(road.children("elevationProfile", "elevation"), "s", 0),
         records.profile(road.children("lateralProfile", "superelevation"), "s", 0),
@@ -30,17 +30,17 @@ final class SurfaceReader {
   }
 
   /** Returns the records that are not for the other side only. */
-  private static List<XmlElement> ofSide(List<XmlElement> falls, String other) {
+  private static List<CheckedElement> ofSide(List<CheckedElement> falls, String other) {
     return falls.stream()
         .filter(
             fall -> !fall.choice("side", List.of("both", "left", "right"), v -> v).equals(other))
         .toList();
   }
 
-  private List<RoadSurface.CrossSection> shape(List<XmlElement> elements) {
+  private List<RoadSurface.CrossSection> shape(List<CheckedElement> elements) {
     records.requireOrder(elements, "s");
-    Map<Double, List<XmlElement>> byPlace = new TreeMap<>();
-    for (XmlElement element : elements) {
+    Map<Double, List<CheckedElement>> byPlace = new TreeMap<>();
+    for (CheckedElement element : elements) {
       byPlace.computeIfAbsent(element.number("s"), s -> new ArrayList<>()).add(element);
     }
     List<RoadSurface.CrossSection> sections = new ArrayList<>();
@@ -48,10 +48,10 @@ final class SurfaceReader {
     return sections;
   }
 
-  private Profile height(List<XmlElement> elements) {
+  private Profile height(List<CheckedElement> elements) {
     List<Profile.Piece> pieces = new ArrayList<>();
     double last = Double.NEGATIVE_INFINITY;
-    for (XmlElement element : elements) {
+    for (CheckedElement element : elements) {
       double t = element.number("t");
       if (t < last) {
         problems.add(

@@ -78,11 +78,11 @@ public final class ElementTable {
   }
 
   /** Reports what is refused or unknown in a child of the root. */
-  public static void check(XmlElement element, Problems problems) {
+  public static void check(CheckedElement element, Problems problems) {
     check("OpenDRIVE", element, problems);
   }
 
-  private static void check(String parent, XmlElement element, Problems problems) {
+  private static void check(String parent, CheckedElement element, Problems problems) {
     Entry entry = entry(parent, element.name());
     if (entry == null) {
       problems.add(
@@ -102,7 +102,7 @@ public final class ElementTable {
   }
 
   /** Returns whether a description of a surface changes the friction only. */
-  private static boolean isHarmless(XmlElement element) {
+  private static boolean isHarmless(CheckedElement element) {
     return element.name().equals("CRG")
         && element.optional("purpose").filter("friction"::equals).isPresent();
   }

@@ -21,7 +21,7 @@ public final class Problems {
   private int errors;
 
   /** Adds a problem of an element. */
-  public void add(Rule rule, XmlElement element, String message, String hint) {
+  public void add(Rule rule, CheckedElement element, String message, String hint) {
     add(rule, element.location(), message, hint);
   }
 

@@ -1,4 +1,4 @@
-package dev.eventchain.roads.xml;
+package dev.eventchain.diagnostics;
 
 /**
  * Offsets of the start tags of a well-formed text, one after the other. Java's parser gives the end
@@ -8,7 +8,6 @@ final class TagPositions {
 
   private final String text;
   private int at = -1;
-  private int last;
 
   TagPositions(String text) {
     this.text = text;
@@ -24,16 +23,10 @@ final class TagPositions {
       } else if (text.startsWith("<?", at)) {
         skipTo("?>");
       } else if (!text.startsWith("</", at) && !text.startsWith("<!", at)) {
-        last = at;
         return at;
       }
     }
     throw new IllegalStateException("there is no further start tag");
-  }
-
-  /** Returns the offset that was returned last; 0 before. */
-  int last() {
-    return last;
   }
 
   private void skipTo(String end) {

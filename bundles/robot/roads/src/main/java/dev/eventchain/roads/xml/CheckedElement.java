@@ -3,12 +3,11 @@ package dev.eventchain.roads.xml;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.diagnostics.XmlEvents;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
@@ -16,7 +15,7 @@ import java.util.stream.IntStream;
  * An element with its attributes, children and place. Reads of attributes report what is wrong with
  * them and return a stand-in, {@code NaN} or an empty text, so that one reading finds all problems.
  */
-public final class XmlElement {
+public final class CheckedElement {
 
   /** Attributes that tell elements of a name apart, the first one first. */
   private static final List<String> IDENTIFYING = List.of("id", "s", "sOffset");
@@ -25,20 +24,20 @@ public final class XmlElement {
   private final Problems problems;
   private final String name;
   private final int offset;
-  private final XmlElement parent;
+  private final CheckedElement parent;
 
   /** Names and values in turn: a table for each of a million elements takes longer to make. */
   private final String[] attributes;
 
-  private final List<XmlElement> children = new ArrayList<>(0);
+  private final List<CheckedElement> children = new ArrayList<>(0);
   private String text = "";
 
-  XmlElement(
+  CheckedElement(
       SourceText source,
       Problems problems,
       String name,
       int offset,
-      XmlElement parent,
+      CheckedElement parent,
       String[] attributes) {
     this.source = source;
     this.problems = problems;
@@ -66,19 +65,19 @@ public final class XmlElement {
   }
 
   /** Returns the parent; null for a child of the document's root. */
-  XmlElement parent() {
+  CheckedElement parent() {
     return parent;
   }
 
   /** Returns all children. */
-  public List<XmlElement> children() {
+  public List<CheckedElement> children() {
     return children;
   }
 
   /** Returns the children of a name. */
-  public List<XmlElement> children(String childName) {
-    List<XmlElement> found = List.of();
-    for (XmlElement child : children) {
+  public List<CheckedElement> children(String childName) {
+    List<CheckedElement> found = List.of();
+    for (CheckedElement child : children) {
       if (child.name.equals(childName)) {
         found = found.isEmpty() ? new ArrayList<>() : found;
         found.add(child);
@@ -88,9 +87,9 @@ public final class XmlElement {
   }
 
   /** Returns the grandchildren of a name below children of another one. */
-  public List<XmlElement> children(String childName, String grandchildName) {
-    List<XmlElement> found = new ArrayList<>(0);
-    for (XmlElement child : children) {
+  public List<CheckedElement> children(String childName, String grandchildName) {
+    List<CheckedElement> found = new ArrayList<>(0);
+    for (CheckedElement child : children) {
       if (child.name.equals(childName)) {
         found.addAll(child.children(grandchildName));
       }
@@ -99,8 +98,8 @@ public final class XmlElement {
   }
 
   /** Returns the first child of a name. */
-  public Optional<XmlElement> child(String childName) {
-    for (XmlElement child : children) {
+  public Optional<CheckedElement> child(String childName) {
+    for (CheckedElement child : children) {
       if (child.name.equals(childName)) {
         return Optional.of(child);
       }
@@ -109,8 +108,8 @@ public final class XmlElement {
   }
 
   /** Returns the first child of a name; reports that there is none. */
-  public Optional<XmlElement> requiredChild(String childName) {
-    Optional<XmlElement> child = child(childName);
+  public Optional<CheckedElement> requiredChild(String childName) {
+    Optional<CheckedElement> child = child(childName);
     if (child.isEmpty()) {
       problems.add(
           XmlRules.ELEMENT_MISSING,
@@ -277,11 +276,7 @@ public final class XmlElement {
 
   /** Returns the place of an attribute; that of the element if it has no such attribute. */
   public SourceLocation at(String attribute) {
-    Matcher written =
-        Pattern.compile("\\s" + Pattern.quote(attribute) + "\\s*=").matcher(source.text());
-    int end = source.text().indexOf('>', offset);
-    boolean found = written.region(offset, Math.max(offset, end)).find();
-    return found ? source.at(written.start() + 1).withElement(path()) : location();
+    return source.at(XmlEvents.attribute(source, offset, attribute)).withElement(path());
   }
 
   /** Returns the names of the elements from the root, with what identifies each. */
