@@ -120,6 +120,9 @@ class OpenScenarioTest {
         .says("  speed \\ aside           0       3.5")
         .says("             30    passed 2  passed 2")
         .says("             70  FAILED 0.5  passed 2");
+    Path map = folder.resolve("suite/straight.xodr");
+    Files.writeString(map, Files.readString(map).replace("<planView>", "<planVew/><planView>"));
+    simulate("--suite", suite).says("road.element.unknown").says("3 passed, 1 failed");
     Files.writeString(folder.resolve("suite/rear-end.xosc"), "<OpenSCENARIO>");
     simulate("--suite", suite).expect(2).says("osc.syntax");
     simulate("--suite", "un-r153").expect(2).says("Did you mean 'un-r152'?");

@@ -165,9 +165,18 @@ public final class Scenario {
     return parse(SourceText.read(file), bench);
   }
 
+  /**
+   * Reads one scenario likewise.
+   *
+   * @param warnings receives what to know about other files to which it leads
+   */
+  public static Scenario read(Path file, Bench bench, Consumer<Diagnostic> warnings) {
+    return ScenarioReader.readOnly(SourceText.read(file), bench, true, new PlayedFiles(), warnings);
+  }
+
   /** Reads a text in memory as {@link #read} does. */
   public static Scenario parse(SourceText text, Bench bench) {
-    return ScenarioReader.readOnly(text, bench, true, new PlayedFiles());
+    return ScenarioReader.readOnly(text, bench, true, new PlayedFiles(), warning -> {});
   }
 
   /**

@@ -63,8 +63,13 @@ final class ScenarioReader {
    *
    * @param files what was read before of others to which it leads
    */
-  static Scenario readOnly(SourceText text, Bench bench, boolean varying, PlayedFiles files) {
-    List<Scenario> scenarios = read(text, bench, varying, files, warning -> {});
+  static Scenario readOnly(
+      SourceText text,
+      Bench bench,
+      boolean varying,
+      PlayedFiles files,
+      Consumer<Diagnostic> warnings) {
+    List<Scenario> scenarios = read(text, bench, varying, files, warnings);
     if (scenarios.size() > 1) {
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT,

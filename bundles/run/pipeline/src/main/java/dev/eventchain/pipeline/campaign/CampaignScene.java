@@ -47,7 +47,7 @@ final class CampaignScene {
     this.scenarios = scenarios;
     Optional<Path> own = plan.scenarioFile();
     this.scenario =
-        own.map(file -> Scenario.read(file, run.chain().bench()))
+        own.map(file -> Scenario.read(file, run.chain().bench(), run::find))
             .orElseGet(() -> ScenarioTemplate.find(scenarios, plan));
     this.template =
         new ScenarioTemplate(run, plan, own.orElseGet(() -> Path.of(scenario.location().file())));
