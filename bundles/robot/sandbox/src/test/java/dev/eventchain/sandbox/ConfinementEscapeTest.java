@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -47,6 +48,18 @@ class ConfinementEscapeTest {
   }
 
   @TempDir Path folder;
+
+  /** The first process of a kind is a new interpreter, the others are forks of a template. */
+  @BeforeAll
+  static void startATemplate(@TempDir Path work) {
+    try (ConfinedProcess first =
+        ConfinedProcess.on(TestEnvironment.PYTHON)
+            .script(BOMBS.resolve("sleeper.py"))
+            .workFolder(work)
+            .start()) {
+      assertTrue(first.isAlive());
+    }
+  }
 
   static Stream<Arguments> escapes() throws IOException {
     return combine(ESCAPES, layers());
@@ -81,7 +94,7 @@ class ConfinementEscapeTest {
   @ParameterizedTest(name = "{0} in {1}")
   @MethodSource("escapes")
   void attemptIsRefused(String program, Layer layer) throws IOException {
-    check(builder(ESCAPES.resolve(program), layer));
+    check(builder(ESCAPES.resolve(program), layer), true);
   }
 
   /** Each attempt in each layer; outside of the profile {@code thorough} in one layer a day. */
@@ -92,14 +105,15 @@ class ConfinementEscapeTest {
   @ParameterizedTest(name = "{0} in {1}")
   @MethodSource("escapesFromInterpreters")
   void attemptInANewInterpreterIsRefused(String program, Layer layer) throws IOException {
-    check(builder(ESCAPES.resolve(program), layer).withoutTemplate());
+    check(builder(ESCAPES.resolve(program), layer).withoutTemplate(), false);
   }
 
-  private void check(ConfinedProcess.Builder builder) throws IOException {
+  private void check(ConfinedProcess.Builder builder, boolean isForked) throws IOException {
     Path outside = outside();
     Map<String, String> before = state(outside);
     String output;
     try (ConfinedProcess process = builder.arguments(outside.toString()).limits(LIMITS).start()) {
+      assertEquals(isForked, process.isForked());
       output = new String(process.stdout().readAllBytes(), StandardCharsets.UTF_8);
       assertEquals(ConfinedProcess.Cause.EXITED, process.await().cause());
       assertFalse(output.contains("ESCAPED"), output);
