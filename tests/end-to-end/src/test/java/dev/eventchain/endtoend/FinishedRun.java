@@ -15,8 +15,8 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * A project whose run has ended and passed: three scenarios of the AEB example, for a test to
- * change. The run happens once for all classes.
+ * A project whose run has ended and passed: two scenarios of the AEB example, for a test to change.
+ * The run happens once for all classes.
  *
  * @param path the project's folder
  */

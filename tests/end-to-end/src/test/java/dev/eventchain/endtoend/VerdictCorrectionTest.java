@@ -126,7 +126,7 @@ class VerdictCorrectionTest {
     answer(1, LATE);
     run()
         .expect(4)
-        .says("1 of 3 scenarios passed")
+        .says("1 of 2 scenarios passed")
         .says("[simulation.criterion.failed]")
         .says("waiting for 1 answer");
     assertTrue(
@@ -153,7 +153,7 @@ class VerdictCorrectionTest {
     run()
         .expect(0)
         .says("Braking_Decision corrected after the verdict")
-        .says("PASSED: 3 of 3 scenarios passed");
+        .says("PASSED: 2 of 2 scenarios passed");
     assertTrue(component(DECISION).contains("FULL_BRAKE_TTC"));
     run().expect(0).says("= Implement").says("= Simulate");
     assertEquals(3, spoken("Braking_Decision.py"), "the prompt, the verdict and the correction");
@@ -207,7 +207,7 @@ class VerdictCorrectionTest {
         .expect(1)
         .says("No design may be able to do all that is asked for (AEB-4): May the force depend")
         .says("[agents.verdict.question]")
-        .says("FAILED: 1 of 3 scenarios passed");
+        .says("FAILED: 1 of 2 scenarios passed");
   }
 
   @InTurn
@@ -327,7 +327,7 @@ class VerdictCorrectionTest {
     new Program()
         .run("run", project)
         .expect(1)
-        .says("FAILED: 1 of 3 scenarios passed")
+        .says("FAILED: 1 of 2 scenarios passed")
         .says("[simulation.criterion.failed]");
     assertFalse(Files.exists(folder.resolve("asked/diagnose-01.prompt.md")));
   }
