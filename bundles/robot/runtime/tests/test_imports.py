@@ -5,11 +5,13 @@ from __future__ import annotations
 import importlib
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from conftest import BUNDLE
 from eventchain_ros2 import refusals
 from eventchain_ros2.messages import Messages
+from protocol import HostProcess
 
 FACADE = {file.stem for file in (BUNDLE / "python" / "rclpy").glob("*.py")} - {"__init__"}
 
@@ -35,7 +37,7 @@ def test_modules_that_are_missing_are_named(messages: Messages, module: str, mis
         importlib.import_module(module)
 
 
-def test_names_that_are_missing_are_said_to_be_missing_here() -> None:
+def test_names_that_are_missing_are_said_to_be_missing_here(messages: Messages) -> None:
     import rclpy
     import rclpy.qos
 
@@ -48,6 +50,9 @@ def test_names_that_are_missing_are_said_to_be_missing_here() -> None:
     assert refusals.hint(refused.value) == "Eventchain's runtime does not provide this part of rclpy.qos."
     with pytest.raises(ModuleNotFoundError, match="has no managed nodes: derive from"):
         exec("from rclpy import lifecycle")
+    with pytest.raises(ImportError) as message:
+        exec("from std_msgs.msg import Flaot32")
+    assert "those of ROS 2 Humble" in refusals.hint(message.value)
     with pytest.raises(ImportError) as other:
         exec("from json import nothing")
     assert refusals.hint(other.value) == "", "what is missing elsewhere is not ours"
@@ -75,3 +80,20 @@ def test_the_module_of_nodes_brings_the_others() -> None:
 def test_rclpy_itself_is_not_said_to_be_missing_where_only_its_path_is() -> None:
     refusals.refuse("rclpy")
     refusals.refuse("no_such_module.part")
+
+
+def test_everything_can_be_imported_in_a_confined_host(tmp_path: Path) -> None:
+    packages = ("message_filters", "rclpy", "sensor_msgs_py", "tf2_geometry_msgs", "tf2_ros")
+    modules = [
+        f"{package}.{file.stem}".removesuffix(".__init__")
+        for package in packages
+        for file in sorted((BUNDLE / "python" / package).glob("*.py"))
+    ]
+    lines = [*(f"import {module}" for module in modules), "class It(rclpy.node.Node):"]
+    lines += ["    def __init__(self):", "        super().__init__('it')", "        self.buffer = tf2_ros.Buffer()"]
+    lines += ["        tf2_ros.TransformListener(self.buffer, self)"]
+    (tmp_path / "it.py").write_text("\n".join(lines))
+    node = {"module": "it", "class": "It", "name": "it", "component": None}
+    with HostProcess() as host:
+        ready = host.configure({"path": [str(tmp_path)], "messages": [], "nodes": [node]})
+    assert [topic["topic"] for topic in ready["topics"]] == ["/tf", "/tf_static"]

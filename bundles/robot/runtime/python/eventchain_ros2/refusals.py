@@ -76,5 +76,7 @@ def of_module(module: str) -> Callable[[str], Any]:
 def hint(error: BaseException) -> str:
     """Return what an `ImportError` of a name does not say: whether it is this runtime that does not have the name."""
     name, path = getattr(error, "name", None) or "", getattr(error, "path", None) or ""
+    if name.endswith((".msg", ".srv")) and not path:
+        return f"What {name} has is what your definitions and, for standard packages, those of ROS 2 Humble say."
     ours = name.partition(".")[0] in _FACADES and path and _RUNTIME in Path(path).resolve().parents
     return f"Eventchain's runtime does not provide this part of {name}." if ours else ""
