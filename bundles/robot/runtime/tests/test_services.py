@@ -269,3 +269,21 @@ def test_standard_services_are_there_in_a_confined_host(tmp_path: Path) -> None:
     with HostProcess() as host:
         ready = host.configure({"path": [str(tmp_path)], "messages": [], "nodes": [node]})
     assert [topic["topic"] for topic in ready["topics"]] == ["rq/server/startRequest", "rr/server/startReply"]
+
+
+def test_a_call_within_a_callback_is_an_error_instead_of_a_wait_without_end(world: World, tmp_path: Path) -> None:
+    source = tmp_path / "waiting.py"
+    source.write_text(
+        "import rclpy\n"
+        "from std_srvs.srv import Trigger\n"
+        "with rclpy.init():\n"
+        "    node = rclpy.create_node('waiting')\n"
+        "    client = node.create_client(Trigger, 'trigger')\n"
+        "    print(client.call(Trigger.Request(), timeout_sec=0.05), flush=True)\n"
+        "    node.create_timer(0.01, lambda: client.call(Trigger.Request()))\n"
+        "    rclpy.spin(node)\n"
+    )
+    node = world.run(source)
+    node.hears("None")
+    assert node.ends() == 1
+    assert node.said[-1].startswith("RuntimeError: within a callback call() would wait without end")

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from math import cos, pi, sin
+from pathlib import Path
 from typing import Any
 
 import pytest
 import rclpy
 import tf2_ros
 from eventchain_ros2.simulation import Simulation
+from node_processes import World
 from rclpy.duration import Duration
 from rclpy.node import Node
 from rclpy.time import Time
@@ -219,3 +221,25 @@ def test_messages_are_transformed(buffer: tf2_ros.Buffer) -> None:
 def test_frames_are_listed(buffer: tf2_ros.Buffer) -> None:
     assert "Frame lidar exists with parent base.\n" in buffer.all_frames_as_string()
     assert "base:\n  parent: 'odom'\n" in buffer.all_frames_as_yaml()
+
+
+def test_in_real_time_a_thread_may_listen_while_a_callback_waits(world: World, tmp_path: Path) -> None:
+    source = tmp_path / "looking.py"
+    source.write_text(
+        "import rclpy, tf2_ros\n"
+        "from geometry_msgs.msg import TransformStamped\n"
+        "from rclpy.duration import Duration\n"
+        "rclpy.init()\n"
+        "node, other = rclpy.create_node('looking'), rclpy.create_node('other')\n"
+        "buffer = tf2_ros.Buffer()\n"
+        "listener = tf2_ros.TransformListener(buffer, other, spin_thread=True)\n"
+        "transform = TransformStamped(child_frame_id='base')\n"
+        "transform.header.frame_id = 'odom'\n"
+        "tf2_ros.StaticTransformBroadcaster(node).sendTransform(transform)\n"
+        "def look():\n"
+        "    found = buffer.lookup_transform('odom', 'base', rclpy.time.Time(), timeout=Duration(seconds=60))\n"
+        "    print('found', found.child_frame_id, flush=True)\n"
+        "node.create_timer(0.001, look)\n"
+        "rclpy.spin(node)\n"
+    )
+    assert world.run(source).hears("found") == "found base"

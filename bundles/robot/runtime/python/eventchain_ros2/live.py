@@ -56,6 +56,7 @@ class Live(Simulation):
         self._timers: list[tuple[Timer, int]] = []  # with their tokens
         self._waits: dict[frozenset[Process], _Turns] = {}
         self._errands: deque[tuple[Process, Callable[[], None]]] = deque()
+        self.within: set[int] = set()  # the threads that run callbacks
         self._lock = threading.Lock()  # of the errands, which any thread may add
         self._is_announced = True
         self._watch = Watch(participant)
@@ -147,6 +148,11 @@ class Live(Simulation):
         self._is_announced = False
         for turns in list(self._waits.values()):
             turns.wait_set.wake()
+
+    @property
+    def is_within(self) -> bool:
+        """Return whether this thread is running a callback."""
+        return threading.get_ident() in self.within
 
     def call(self, process: Process, action: Callable[[], None]) -> None:
         """Run a function as a further callback of a process."""
@@ -324,9 +330,16 @@ class _Turns:
         return self._take()
 
     def _take(self) -> bool:
-        while self._queue and self._live.running:
-            if self._queue.popleft()():
-                return True
+        thread, within = threading.get_ident(), self._live.within
+        is_outermost = thread not in within
+        within.add(thread)
+        try:
+            while self._queue and self._live.running:
+                if self._queue.popleft()():
+                    return True
+        finally:
+            if is_outermost:
+                within.remove(thread)
         return False
 
     def _everybody(self) -> Iterator[Callable[[], bool]]:

@@ -197,11 +197,12 @@ class Client:
         """Send a request and wait for its response, while another thread spins; None after the time, in seconds.
 
         Raises:
-            RuntimeError: time is simulated, so that the response would never come.
+            RuntimeError: time is simulated, or a callback waits, so that the response would never come.
 
         """
-        if self._simulation.is_simulated:
-            raise RuntimeError("in simulated time call() would wait without end: use call_async(), and `await` it")
+        if self._simulation.is_simulated or self._simulation.is_within:
+            where = "in simulated time" if self._simulation.is_simulated else "within a callback"
+            raise RuntimeError(f"{where} call() would wait without end: use call_async(), and `await` its future")
         future = self.call_async(request)
         self._simulation.wait_until(future.done, timeout_sec)
         if not future.done():

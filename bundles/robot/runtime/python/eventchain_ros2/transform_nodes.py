@@ -142,8 +142,10 @@ class Buffer:
             return True
 
         found = is_there()
-        if not found and timeout != _NO_TIME and context.ok() and not context.current().is_within:
-            found = context.current().wait_until(is_there, timeout.nanoseconds / 1e9)
+        if not found and timeout != _NO_TIME and context.ok():
+            simulation = context.current()
+            if not (simulation.is_simulated and simulation.is_within):
+                found = simulation.wait_until(is_there, timeout.nanoseconds / 1e9)
         return (found, reason) if with_reason else found
 
     def wait_for_transform_async(self, target_frame: str, source_frame: str, time: Time) -> Future:
