@@ -24,6 +24,13 @@ class RequirementSourcesTest {
   private static final Path FORMATS =
       Path.of("tests/end-to-end/src/test/resources/requirements").toAbsolutePath();
 
+  private static final String RULES =
+      """
+      -- RAD-1.1: all have a name.
+      context SoftwareNode
+        inv Named: self.name <> ''
+      """;
+
   /** A project with a verdict, of which tests take copies. */
   @TempDir static Path shared;
 
@@ -96,6 +103,31 @@ class RequirementSourcesTest {
     assertEquals(true, report.contains("\"source\":\"specs/radar.reqif:"), "the source");
     copy.replace("specs/radar.reqif", "below 2.6 s", "below 2.5 s");
     copy.run().says("radar.reqif says this about RAD-2").says("project.requirement.changed");
+  }
+
+  /** A part of an id is no other requirement. */
+  @Test
+  void idsOfOtherToolsStayAsTheyAre() throws IOException {
+    use("needs");
+    for (String file :
+        List.of(
+            "specs/needs.json",
+            "model/chain.xmi",
+            "scenarios/short-sight.yaml",
+            "scenarios/stopped-vehicle-50.yaml")) {
+      String text = Files.readString(copy.path().resolve(file));
+      copy.write(file, text.replace("RAD-2", "RAD-1.1").replace("RAD-4", "a/b:c (d) é"));
+    }
+    copy.write("constraints.ocl", RULES);
+    copy.run().expect(0).says("4 requirements proved");
+    assertEquals(List.of("proved", "proved", "proved", "proved"), verdicts());
+    assertEquals("RAD-1.1", json().get(1).path("id").asText());
+    assertEquals("[\"stopped-vehicle-50\"]", json().get(3).path("scenarios").toString());
+    Path older = Projects.copy(copy.path().resolve("specs"), folder.resolve("older"));
+    copy.replace("specs/needs.json", "below 2.6 s", "below 2.5 s");
+    copy.replace("specs/needs.json", "vehicle ahead from", "vehicle in front from");
+    String changes = requirements("--diff", older).expect(1).out();
+    assertEquals(1, changes.split("constraint Named", -1).length - 1, changes);
   }
 
   @Test

@@ -9,6 +9,7 @@ import dev.eventchain.project.requirements.RequirementSource;
 import dev.eventchain.project.requirements.RequirementSource.Fields;
 import dev.eventchain.project.requirements.RequirementSource.Only;
 import dev.eventchain.project.requirements.SourceRequirements;
+import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -110,15 +111,18 @@ public final class RequirementSources {
   private static Optional<Path> path(String file, ObjectReader settings, String key, Path folder) {
     try {
       Path path = folder.resolve(file).normalize();
-      return file.isBlank() ? Optional.empty() : Optional.of(path);
+      if (path.getFileName() != null) {
+        return file.isBlank() ? Optional.empty() : Optional.of(path);
+      }
     } catch (InvalidPathException e) {
-      settings.find(
-          Diagnostic.of(
-              ProjectSettings.RULES.range(),
-              "'" + file + "' cannot be the name of a file.",
-              settings.at(key)));
-      return Optional.empty();
+      // reported below
     }
+    settings.find(
+        Diagnostic.of(
+            ProjectSettings.RULES.range(),
+            "'" + file + "' cannot be a file or folder of requirements.",
+            settings.at(key)));
+    return Optional.empty();
   }
 
   /** Returns whether there are none. */
@@ -131,8 +135,8 @@ public final class RequirementSources {
   }
 
   /**
-   * Reads an older state of the requirements, as the source that has its name, or the only one, is
-   * read; any other way if there is neither.
+   * Reads an older state of the requirements: with the choice of the source that has its name, or
+   * else of the first one in its format; without one if there is neither.
    *
    * @param old Markdown, or a file or folder in another format
    * @throws dev.eventchain.diagnostics.DiagnosticException INPUT as {@link
@@ -153,11 +157,25 @@ public final class RequirementSources {
     return new RequirementSources(
         List.of(
             sources.stream()
-                .filter(each -> each.file().getFileName().equals(other.getFileName()))
+                .filter(each -> name(each.file()).equals(name(other)))
                 .findFirst()
-                .or(() -> sources.size() == 1 ? Optional.of(sources.get(0)) : Optional.empty())
+                .or(() -> sources.stream().filter(each -> isAlike(each.file(), other)).findFirst())
                 .map(each -> new RequirementSource(other, each.only(), each.fields(), each.place()))
                 .orElse(usual)));
+  }
+
+  /** Returns whether two files have one format, by their names, or are two folders. */
+  private static boolean isAlike(Path file, Path other) {
+    return suffix(file).equals(suffix(other));
+  }
+
+  private static String suffix(Path file) {
+    return Files.isDirectory(file) ? "" : name(file).replaceFirst(".*\\.", "");
+  }
+
+  /** Returns the last part of a path; empty for the root of a file system. */
+  private static String name(Path file) {
+    return file.getFileName() == null ? "" : file.getFileName().toString();
   }
 
   /** Returns the named files and folders. */
@@ -180,7 +198,7 @@ public final class RequirementSources {
   /** Returns what is read and what counts, for fingerprints. */
   public String asValue() {
     return sources.stream()
-        .map(each -> each.file().getFileName() + " " + each.only() + " " + each.fields())
+        .map(each -> name(each.file()) + " " + each.only() + " " + each.fields())
         .toList()
         .toString();
   }

@@ -30,8 +30,21 @@ final class Item {
 
   Item(String id, String text, SourceLocation location) {
     this.id = id.strip();
-    this.text = text.strip().replaceAll("\\s+", " ");
+    this.text = plain(text);
     this.location = location;
+  }
+
+  /** Returns a text on one line, without control characters, which foreign files may hold. */
+  private static String plain(String text) {
+    return text.replaceAll("[\\s\\p{Cc}]+", " ").strip();
+  }
+
+  /** Makes what readers have set plain, too. */
+  void simplify() {
+    type = type.map(Item::plain);
+    status = status.map(Item::plain);
+    tags = tags.stream().map(Item::plain).toList();
+    parents.replaceAll(parent -> new Parent(plain(parent.id()), parent.location()));
   }
 
   /** Adds a parent, unless it is known or the item itself. */

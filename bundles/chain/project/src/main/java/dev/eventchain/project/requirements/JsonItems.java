@@ -17,6 +17,9 @@ final class JsonItems {
 
   static final DocumentRules RULES = DocumentRules.all(RequirementRules.SOURCE);
 
+  /** Lists of links to parents: those that people write, and the needs around a need. */
+  private static final List<String> LINKS = List.of("links", "parent_needs");
+
   private final Document document;
   private final Reading reading;
 
@@ -84,7 +87,7 @@ final class JsonItems {
     if (need.path("is_external").asBoolean()) {
       item.excluded = Optional.of("of another project");
     }
-    for (String link : names.parents().isEmpty() ? List.of("links") : names.parents()) {
+    for (String link : names.parents().isEmpty() ? LINKS : names.parents()) {
       String at = Document.below(pointer, link);
       list(need.path(link)).forEach(id -> item.addParent(id, document.at(at).withElement("")));
     }

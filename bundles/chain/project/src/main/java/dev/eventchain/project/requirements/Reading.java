@@ -1,5 +1,7 @@
 package dev.eventchain.project.requirements;
 
+import static java.util.stream.Collectors.groupingBy;
+
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -51,14 +53,19 @@ final class Reading {
     referred.add(new Referred(child, name, place));
   }
 
-  /** Gives each child its parents; a child that nothing describes is a finding. */
+  /**
+   * Gives each child its parents, after all items were read; a child that nothing describes is a
+   * finding.
+   */
   void link() {
     for (Referred each : referred) {
       Item parent = named.get(each.name);
       each.child.addParent(parent == null ? each.name : parent.id, each.place);
     }
+    Map<String, List<Item>> byId =
+        downward.isEmpty() ? Map.of() : items.stream().collect(groupingBy(item -> item.id));
     for (Downward each : downward) {
-      List<Item> children = items.stream().filter(it -> it.id.equals(each.child)).toList();
+      List<Item> children = byId.getOrDefault(each.child, List.of());
       children.forEach(it -> it.addParent(each.parent, each.place));
       if (children.isEmpty()) {
         String message = "'%s' is said to have the child '%s', which is not there.";
@@ -67,6 +74,7 @@ final class Reading {
                 RequirementRules.PARENT, message.formatted(each.parent, each.child), each.place));
       }
     }
+    items.forEach(Item::simplify);
   }
 
   /**

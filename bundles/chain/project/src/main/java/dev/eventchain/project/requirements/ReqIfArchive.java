@@ -30,6 +30,9 @@ final class ReqIfArchive {
 
   static void read(Path file, Reading reading) {
     FileReads.note(file);
+    if (!Files.isRegularFile(file)) {
+      SourceText.read(file); // says what is wrong
+    }
     List<SourceText> texts = new ArrayList<>();
     try (ZipFile zip = new ZipFile(file.toFile())) {
       if (zip.size() > MOST_ENTRIES) {
@@ -42,9 +45,6 @@ final class ReqIfArchive {
         texts.add(text(file, entry, bytes));
       }
     } catch (IOException | IllegalArgumentException e) {
-      if (!Files.isRegularFile(file)) {
-        SourceText.read(file); // says what is wrong
-      }
       throw refused(file, "it is no zip file that can be read");
     }
     if (texts.isEmpty()) {

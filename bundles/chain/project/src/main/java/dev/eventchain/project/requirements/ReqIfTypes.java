@@ -16,9 +16,6 @@ import java.util.stream.Collectors;
 /** The types of a ReqIF file: their names, their attributes, and the names of enumerated values. */
 final class ReqIfTypes {
 
-  private static final String DEFINITION = "ATTRIBUTE-DEFINITION-";
-  private static final String VALUE = "ATTRIBUTE-VALUE-";
-
   private final Map<String, XmlElement> types = new HashMap<>();
   private final Map<String, XmlElement> attributes = new HashMap<>();
   private final Map<String, String> enumerated = new HashMap<>();
@@ -78,8 +75,8 @@ final class ReqIfTypes {
         .forEach(
             value -> {
               XmlElement attribute = attributes.get(ReqIfReader.reference(value, "DEFINITION"));
-              if (attribute == null || !kind(value, VALUE).equals(kind(attribute, DEFINITION))) {
-                findings.add(incomplete("This value has no definition of its kind.", value));
+              if (attribute == null) {
+                findings.add(incomplete("The definition of this value is not there.", value));
               } else {
                 byName.put(longName(attribute), read(value));
               }
@@ -102,15 +99,11 @@ final class ReqIfTypes {
         .withHint("Export the types with the objects.");
   }
 
-  private static String kind(XmlElement element, String prefix) {
-    String name = name(element);
-    return name.startsWith(prefix) ? name.substring(prefix.length()) : "";
-  }
-
+  /** Reads a value by its own kind; some tools write texts where XHTML is defined. */
   private Value read(XmlElement value) {
-    return switch (kind(value, VALUE)) {
-      case "XHTML" -> xhtml(value);
-      case "ENUMERATION" ->
+    return switch (name(value)) {
+      case "ATTRIBUTE-VALUE-XHTML" -> xhtml(value);
+      case "ATTRIBUTE-VALUE-ENUMERATION" ->
           new Value(
               children(value, "VALUES")
                   .map(each -> enumerated.getOrDefault(each.text(), each.text()))

@@ -7,7 +7,6 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -29,29 +28,33 @@ final class SdocReader {
   private final SourceText source;
   private final Reading reading;
   private final SdocGrammar grammar = new SdocGrammar();
-  private final Function<String, Optional<List<String>>> imports;
+  private final Neighbours neighbours;
   private final List<String> lines;
   private final Deque<Open> open = new ArrayDeque<>();
   private int next;
 
   private record Open(String tag, SourceLocation place) {}
 
-  private SdocReader(
-      SourceText source, Function<String, Optional<List<String>>> imports, Reading reading) {
+  /** The files beside a document, by their names in it. */
+  interface Neighbours {
+
+    /** Returns the lines of a file with a grammar; empty if it cannot be read. */
+    Optional<List<String>> grammar(String name);
+
+    /** Returns whether another document is read, too. */
+    boolean isRead(String name);
+  }
+
+  private SdocReader(SourceText source, Neighbours neighbours, Reading reading) {
     this.source = source;
-    this.imports = imports;
+    this.neighbours = neighbours;
     this.reading = reading;
     this.lines = source.text().lines().map(String::stripTrailing).toList();
   }
 
-  /**
-   * Reads a document.
-   *
-   * @param imports returns the lines of a file with a grammar, by its name in the document
-   */
-  static void read(
-      SourceText source, Function<String, Optional<List<String>>> imports, Reading reading) {
-    new SdocReader(source, imports, reading).read();
+  /** Reads a document. */
+  static void read(SourceText source, Neighbours neighbours, Reading reading) {
+    new SdocReader(source, neighbours, reading).read();
   }
 
   private void read() {
@@ -65,7 +68,7 @@ final class SdocReader {
         part(tag);
       } else {
         unread(next, "This line belongs to no node.");
-        next++;
+        skipToTag();
       }
     }
     open.forEach(
@@ -82,7 +85,7 @@ final class SdocReader {
     } else if (name.equals("GRAMMAR")) {
       next = grammar.read(lines, next, TAG);
       if (!grammar.imported().isEmpty()) {
-        imports.apply(grammar.imported()).ifPresent(all -> grammar.read(all, 1, TAG));
+        neighbours.grammar(grammar.imported()).ifPresent(all -> grammar.read(all, 1, TAG));
       }
     } else {
       SdocNode node = new SdocNode(name, source.at(line + 1, 1));
@@ -99,11 +102,13 @@ final class SdocReader {
       open.push(new Open(node.tag, source.at(line + 1, 1)));
     }
     if (node.tag.equals("DOCUMENT_FROM_FILE")) {
-      String message = "The document '%s', which this one includes, is not read from here.";
-      reading.unread(
-          message.formatted(node.text("FILE")),
-          node.place,
-          "Name the folder of both as the source; both are read there.");
+      if (!neighbours.isRead(node.text("FILE"))) {
+        String message = "The document '%s', which this one includes, is not read from here.";
+        reading.unread(
+            message.formatted(node.text("FILE")),
+            node.place,
+            "Name the folder of both as the source; both are read there.");
+      }
       return;
     }
     grammar.check(node, reading);
@@ -138,7 +143,7 @@ final class SdocReader {
         next++; // an option or a view
       } else {
         unread(next, "This line is no field.");
-        next++;
+        skipToTag();
       }
     }
   }
@@ -172,6 +177,13 @@ final class SdocReader {
       } else if (entry.group(2).equals("VALUE")) {
         node.relate(type, value, source.at(next + 1, entry.start(2) + 1));
       }
+    }
+  }
+
+  /** Skips what is likely not read either, so that it is one finding. */
+  private void skipToTag() {
+    while (next < lines.size() && !TAG.matcher(lines.get(next)).matches()) {
+      next++;
     }
   }
 

@@ -80,7 +80,7 @@ final class SourceFiles {
       List<Path> found =
           files
               .filter(file -> !isHidden(folder.relativize(file)))
-              .filter(Files::isRegularFile)
+              .filter(file -> Files.isRegularFile(file) || isLinkToNothing(file))
               .limit(MOST + 1L)
               .sorted()
               .toList();
@@ -96,6 +96,10 @@ final class SourceFiles {
     } catch (UncheckedIOException e) {
       throw unreadable(folder, e.getCause());
     }
+  }
+
+  private static boolean isLinkToNothing(Path file) {
+    return Files.isSymbolicLink(file) && !Files.exists(file);
   }
 
   private static boolean isHidden(Path file) {
@@ -131,7 +135,7 @@ final class SourceFiles {
       }
     }
     for (Path file : files) {
-      readFile(file, types, reading);
+      readFile(file, files, types, reading);
     }
     documents.forEach(
         (settings, items) -> DoorstopReader.read(shown(settings, source), items, reading));
@@ -155,7 +159,7 @@ final class SourceFiles {
     return file.startsWith(base) ? source.file().resolve(base.relativize(file)) : file;
   }
 
-  private static void readFile(Path file, TrlcTypes types, Reading reading) {
+  private static void readFile(Path file, List<Path> files, TrlcTypes types, Reading reading) {
     if (has(file, ".reqifz")) {
       try {
         ReqIfArchive.read(file, reading);
@@ -165,7 +169,7 @@ final class SourceFiles {
     } else if (has(file, ".reqif")) {
       Reading.file(file, reading, text -> done(() -> ReqIfReader.read(text, reading)));
     } else if (has(file, ".sdoc")) {
-      Reading.file(file, reading, text -> done(() -> sdoc(file, text, reading)));
+      Reading.file(file, reading, text -> done(() -> sdoc(file, files, text, reading)));
     } else if (has(file, ".trlc")) {
       Reading.file(
           file, reading, text -> done(() -> TrlcReader.read(new TrlcTokens(text), types, reading)));
@@ -178,13 +182,22 @@ final class SourceFiles {
     }
   }
 
-  private static void sdoc(Path file, SourceText text, Reading reading) {
-    SdocReader.read(
-        text,
-        name ->
-            Reading.file(file.resolveSibling(name), reading, Optional::of)
-                .map(grammar -> grammar.text().lines().toList()),
-        reading);
+  private static void sdoc(Path file, List<Path> files, SourceText text, Reading reading) {
+    SdocReader.Neighbours neighbours =
+        new SdocReader.Neighbours() {
+          @Override
+          public Optional<List<String>> grammar(String name) {
+            return Reading.file(file.resolveSibling(name), reading, Optional::of)
+                .map(grammar -> grammar.text().lines().toList());
+          }
+
+          @Override
+          public boolean isRead(String name) {
+            Path wanted = file.resolveSibling(name).normalize();
+            return files.stream().anyMatch(each -> each.normalize().equals(wanted));
+          }
+        };
+    SdocReader.read(text, neighbours, reading);
   }
 
   private static void unknown(Path file, Reading reading) {

@@ -7,6 +7,7 @@ import dev.eventchain.model.WrittenRequirement;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -28,6 +29,9 @@ public record SourceRequirements(
     List<WrittenRequirement> items, Set<String> known, List<Diagnostic> diagnostics) {
 
   private static final int LONGEST_ID = 200;
+
+  /** Near names are looked for this often; in large sources it takes long. */
+  private static final int MOST_HINTS = 50;
 
   /** Copies the collections. */
   public SourceRequirements {
@@ -161,9 +165,10 @@ public record SourceRequirements(
                       + " {id: NAME}"));
     }
     boolean unusable =
-        item.id.length() > LONGEST_ID || item.id.chars().anyMatch(c -> c == ',' || c < ' ');
+        item.id.length() > LONGEST_ID
+            || item.id.chars().anyMatch(c -> c == ',' || Character.isISOControl(c));
     if (unusable) {
-      String message = "'%s' cannot be an id here, because results list ids with commas.";
+      String message = "'%s' cannot be an id here: results list ids on one line, with commas.";
       String shown = item.id.substring(0, Math.min(item.id.length(), 60));
       return Optional.of(
           Diagnostic.of(RequirementRules.ID, message.formatted(shown), item.location)
@@ -188,6 +193,7 @@ public record SourceRequirements(
   public static List<Diagnostic> unknownParents(
       List<WrittenRequirement> items, Collection<String> known) {
     Set<String> ids = new TreeSet<>(known);
+    Map<String, String> hints = new HashMap<>();
     List<Diagnostic> found = new ArrayList<>();
     for (WrittenRequirement item : items) {
       for (WrittenRequirement.Parent parent : item.details().parents()) {
@@ -198,7 +204,11 @@ public record SourceRequirements(
                       "The parent '%s' of %s is in no source of requirements."
                           .formatted(parent.id(), item.id()),
                       parent.location())
-                  .withHint(NearestName.hint(parent.id(), ids)));
+                  .withHint(
+                      hints.size() < MOST_HINTS
+                          ? hints.computeIfAbsent(
+                              parent.id(), unknown -> NearestName.hint(unknown, ids))
+                          : hints.getOrDefault(parent.id(), "")));
         }
       }
     }

@@ -1,0 +1,62 @@
+package dev.eventchain.project;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.DiagnosticFormat;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests of sources that are larger than usual, or lead elsewhere. */
+class RequirementLimitsTest {
+
+  @TempDir Path folder;
+
+  @Test
+  void longTextsAreRead() throws IOException {
+    write("types.rsl", "package A\ntype Requirement {\n  text String\n}\n");
+    String text = "said \\\"once\\\", ".repeat(20_000);
+    write("a.trlc", "package A\nRequirement R {\n  text = \"" + text + "\"\n}\n");
+    Requirements read = read("a.trlc");
+    assertEquals("A.R", read.items().get(0).id());
+    assertTrue(read.items().get(0).text().startsWith("said \"once\", said"));
+    assertEquals(260_000 - 1, read.items().get(0).text().length());
+  }
+
+  @Test
+  void filesThatAreTooLargeAreRefused() throws IOException {
+    write("a.sdoc", "\n".repeat((32 << 20) + 1));
+    assertTrue(refusal("a.sdoc").contains("longer than 33554432 characters"), refusal("a.sdoc"));
+  }
+
+  @Test
+  void linksToNothingAreNotOverlooked() throws IOException {
+    Path reqs = Files.createDirectories(folder.resolve("reqs"));
+    write("reqs/a.sdoc", "[REQUIREMENT]\nUID: A-1\nSTATEMENT: It shall be.\n");
+    assertEquals(1, read("reqs").items().size());
+    Files.createSymbolicLink(reqs.resolve("b.sdoc"), Path.of("none.sdoc"));
+    assertTrue(refusal("reqs").contains("b.sdoc: error: There is no such file."));
+    Files.delete(reqs.resolve("b.sdoc"));
+    Files.createSymbolicLink(reqs.resolve("circle"), reqs);
+    assertTrue(refusal("reqs").contains("[file.unreadable]"), refusal("reqs"));
+  }
+
+  private void write(String name, String text) throws IOException {
+    Files.writeString(folder.resolve(name), text);
+  }
+
+  private Requirements read(String source) throws IOException {
+    write("eventchain.yaml", "name: radar\nrequirements: " + source + "\n");
+    return new ProjectFolder(folder).readRequirements();
+  }
+
+  private String refusal(String source) {
+    DiagnosticException refused = assertThrows(DiagnosticException.class, () -> read(source));
+    return DiagnosticFormat.TEXT.render(refused.diagnostics());
+  }
+}
