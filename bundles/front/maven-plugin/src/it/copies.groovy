@@ -1,7 +1,7 @@
 import java.nio.file.Files
 import java.nio.file.Path
 
-// Copies the example of a radar into a folder, without results; returns the closure that does it.
+// A closure that copies the example with a radar into a folder, without results.
 def example = new File(basedir, "../../../../../../examples/radar-aeb").canonicalFile.toPath()
 return { Path folder ->
   for (name in ["eventchain.yaml", "bench.yaml", "requirements.md", "model", "software-base", "scenarios"]) {
