@@ -65,8 +65,17 @@ class RunTestCasesTest {
     assertEquals("[\"RAD-1\",\"RAD-3\"]", scenarioNeed.get("links").toString());
     copy.write("scenarios/short-sight.yaml", "broken");
     new Program()
-        .run("run", copy.path(), "--report", "matrix=" + matrix, "--report", "needs=" + needs)
-        .expect(2);
+        .run(
+            "run",
+            copy.path(),
+            "--report",
+            "matrix=" + matrix,
+            "--report",
+            "needs=" + needs,
+            "--report",
+            "lobster=" + file)
+        .expect(2)
+        .says("report.unwritable");
     assertFalse(Files.readString(matrix).contains("proved"), "a broken project proves nothing");
     assertFalse(Files.readString(needs).contains("passed"), Files.readString(needs));
   }

@@ -49,12 +49,15 @@ final class EvidenceJunit {
     Map<String, List<Test>> files = new LinkedHashMap<>();
     evidence.tests().stream()
         .filter(each -> each.component().isPresent() == ofComponents)
-        .filter(each -> !each.place().file().isEmpty())
-        .forEach(
-            each -> files.computeIfAbsent(each.place().file(), f -> new ArrayList<>()).add(each));
+        .forEach(each -> files.computeIfAbsent(file(each), file -> new ArrayList<>()).add(each));
     return files.entrySet().stream()
         .map(each -> new FileCase(evidence, each.getKey(), each.getValue()))
         .toList();
+  }
+
+  /** Returns the file of a test; its name if that is unknown, so that it is not left out. */
+  private static String file(Test test) {
+    return test.place().file().isEmpty() ? test.fullName() : test.place().file();
   }
 
   private static String counts(List<FileCase> cases) {

@@ -38,9 +38,9 @@ final class ReqifVerdicts {
 
   private static final String ENUM_VALUE =
       """
-          <ENUM-VALUE IDENTIFIER="eventchain-verdict-%2$s" LAST-CHANGE="%1$s" LONG-NAME="%3$s">
+          <ENUM-VALUE IDENTIFIER="eventchain-verdict-%2$s" LAST-CHANGE="%1$s" LONG-NAME="%4$s">
             <PROPERTIES>
-              <EMBEDDED-VALUE KEY="%2$s" OTHER-CONTENT=""/>
+              <EMBEDDED-VALUE KEY="%3$s" OTHER-CONTENT=""/>
             </PROPERTIES>
           </ENUM-VALUE>
       """;
@@ -130,8 +130,10 @@ final class ReqifVerdicts {
   private String add() {
     removeEarlier();
     StringBuilder values = new StringBuilder();
+    int number = 0;
     for (Verdict verdict : Verdict.values()) {
-      values.append(ENUM_VALUE.formatted(ReqifDocument.TIME, verdict.ordinal(), verdict.words()));
+      values.append(
+          ENUM_VALUE.formatted(ReqifDocument.TIME, key(verdict), number++, verdict.words()));
     }
     insert(content, "DATATYPES", DATATYPES.formatted(ReqifDocument.TIME, values));
     Map<String, Element> objects = objects();
@@ -144,6 +146,11 @@ final class ReqifVerdicts {
         .filter(each -> types.containsKey(tree.attribute(each, "IDENTIFIER")))
         .forEach(this::define);
     return changed();
+  }
+
+  /** Returns the end of the identifier of a verdict. */
+  private static String key(Verdict verdict) {
+    return verdict.words().replace(' ', '-');
   }
 
   private void define(Element type) {
@@ -164,7 +171,7 @@ final class ReqifVerdicts {
             .filter(each -> each.about(requirement.id()).isPresent())
             .map(each -> item(each, requirement.id()))
             .collect(Collectors.joining("; "));
-    return VERDICT_VALUE.formatted(requirement.verdict().ordinal(), type)
+    return VERDICT_VALUE.formatted(key(requirement.verdict()), type)
         + requirement.strength().map(it -> string("strength", type, it.words())).orElse("")
         + (tests.isEmpty() ? "" : string("evidence", type, tests));
   }

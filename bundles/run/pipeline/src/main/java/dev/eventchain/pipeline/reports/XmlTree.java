@@ -15,34 +15,60 @@ import java.util.stream.Stream;
  */
 final class XmlTree {
 
-  /**
-   * An element.
-   *
-   * @param name its name without prefix
-   * @param prefix with the colon; empty if there is none
-   * @param start where its start tag begins
-   * @param content where the start tag has ended
-   * @param children those that have ended already
-   */
-  record Element(
-      String name, String prefix, int start, int content, List<Element> children, int[] ends) {
+  /** An element, which is known completely once it has ended. */
+  static final class Element {
+    private final String name;
+    private final String prefix;
+    private final int start;
+    private final int content;
+    private final List<Element> children = new ArrayList<>();
+    private int contentEnd;
+    private int end;
 
-    /** Returns where its end tag begins; where the tag has ended, if it has no content. */
+    private Element(String qualifiedName, int start, int content) {
+      int colon = qualifiedName.indexOf(':') + 1;
+      this.name = qualifiedName.substring(colon);
+      this.prefix = qualifiedName.substring(0, colon);
+      this.start = start;
+      this.content = content;
+    }
+
+    /** Returns its name without prefix. */
+    String name() {
+      return name;
+    }
+
+    /** Returns its prefix with the colon; empty if there is none. */
+    String prefix() {
+      return prefix;
+    }
+
+    /** Returns where its start tag begins. */
+    int start() {
+      return start;
+    }
+
+    /** Returns where its start tag has ended. */
+    int content() {
+      return content;
+    }
+
+    /** Returns where its end tag begins; where the tag has ended, if it is written as one. */
     int contentEnd() {
-      return ends[0];
+      return contentEnd;
     }
 
     int end() {
-      return ends[1];
+      return end;
     }
 
     /** Returns whether it is written as one tag. */
     boolean isEmptyTag() {
-      return ends[0] == ends[1];
+      return contentEnd == end;
     }
 
     Optional<Element> child(String child) {
-      return children.stream().filter(each -> each.name().equals(child)).findFirst();
+      return children.stream().filter(each -> each.name.equals(child)).findFirst();
     }
 
     /** Returns itself and all elements in it with a name, in their order. */
@@ -76,7 +102,7 @@ final class XmlTree {
    */
   static XmlTree of(String text) {
     Deque<Element> open = new ArrayDeque<>();
-    Element document = element("", 0, 0);
+    Element document = new Element("", 0, 0);
     open.push(document);
     Matcher tag = TAG.matcher(text);
     while (tag.find()) {
@@ -87,31 +113,20 @@ final class XmlTree {
         end(open.pop(), tag.start(), tag.end());
         continue;
       }
-      Element element = element(tag.group(2), tag.start(), tag.end());
-      open.element().children().add(element);
+      Element element = new Element(tag.group(2), tag.start(), tag.end());
+      open.element().children.add(element);
       if (text.charAt(tag.end() - 2) == '/') {
         end(element, tag.end(), tag.end());
       } else {
         open.push(element);
       }
     }
-    return new XmlTree(text, document.children().get(0));
-  }
-
-  private static Element element(String name, int start, int content) {
-    int colon = name.indexOf(':') + 1;
-    return new Element(
-        name.substring(colon),
-        name.substring(0, colon),
-        start,
-        content,
-        new ArrayList<>(),
-        new int[2]);
+    return new XmlTree(text, document.children.get(0));
   }
 
   private static void end(Element element, int contentEnd, int end) {
-    element.ends()[0] = contentEnd;
-    element.ends()[1] = end;
+    element.contentEnd = contentEnd;
+    element.end = end;
   }
 
   Element root() {
