@@ -23,10 +23,10 @@ final class SdocNode {
     this.place = place;
   }
 
-  /** Keeps the first value of a field; only comments may be repeated. */
-  void put(String field, SourceLocation at, String value) {
-    fields.putIfAbsent(field, value);
+  /** Keeps the first value of a field; returns false for a second one, which only comments have. */
+  boolean put(String field, SourceLocation at, String value) {
     places.putIfAbsent(field, at);
+    return fields.putIfAbsent(field, value) == null || field.equals("COMMENT");
   }
 
   void relate(String type, String value, SourceLocation at) {

@@ -138,7 +138,10 @@ final class SdocReader {
       } else if (field.matches()) {
         SourceLocation place = source.at(next + 1, 1);
         next++;
-        node.put(field.group(1), place, value(field.group(2), place));
+        if (!node.put(field.group(1), place, value(field.group(2), place))) {
+          String message = "The field '" + field.group(1) + "' is given twice.";
+          reading.unread(message, place, "Leave one of them out.");
+        }
       } else if (line.matches("[ -].*") && HEADS.contains(node.tag)) {
         next++; // an option or a view
       } else {

@@ -62,9 +62,12 @@ final class TrlcReader {
     tokens.require("{");
     Map<String, List<Token>> values = new HashMap<>();
     while (!tokens.takeIf("}")) {
-      String field = tokens.requireWord().text();
+      Token field = tokens.requireWord();
       tokens.require("=");
-      values.put(field, value());
+      if (values.put(field.text(), value()) != null) {
+        String message = "The field '" + field.text() + "' is given twice.";
+        reading.unread(message, tokens.at(field), "Leave one of them out.");
+      }
     }
     if (types.has(type)) {
       types.frozen(type).forEach(values::putIfAbsent);
