@@ -197,11 +197,9 @@ public class ProjectFolder {
   public final Requirements readRequirements() {
     RequirementSources sources = requirementSources();
     boolean onlySources = isAbsent(requirements()) && !sources.isEmpty();
-    Requirements written =
-        onlySources
-            ? new Requirements(List.of(), List.of())
-            : Requirements.read(SourceText.read(requirements()));
-    Requirements all = sources.isEmpty() ? written : written.with(sources);
+    Optional<SourceText> markdown =
+        onlySources ? Optional.empty() : Optional.of(SourceText.read(requirements()));
+    Requirements all = Requirements.read(markdown, sources);
     refuseErrors(all.diagnostics());
     return all;
   }

@@ -146,7 +146,7 @@ public final class RequirementSources {
     Requirements all =
         old.toString().endsWith(".md")
             ? Requirements.read(SourceText.read(old))
-            : new Requirements(List.of(), List.of()).with(like(old));
+            : Requirements.read(Optional.empty(), like(old));
     ProjectFolder.refuseErrors(all.diagnostics());
     return all;
   }

@@ -6,9 +6,9 @@ import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.project.requirements.RequirementRules;
-import dev.eventchain.project.requirements.RequirementSource;
 import dev.eventchain.project.requirements.SourceRequirements;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -19,6 +19,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /**
  * Written requirements or design rules: the items {@code - REQ-1: text} of a Markdown file, in
@@ -45,23 +46,45 @@ public record Requirements(List<WrittenRequirement> items, List<Diagnostic> diag
 
   /** Reads the items of a file. */
   public static Requirements read(SourceText source) {
-    return new Reader(source).read();
+    return read(source, List.of());
+  }
+
+  /**
+   * Reads the items of a file.
+   *
+   * @param elsewhere the ids of items in other sources, which the file may mention
+   */
+  private static Requirements read(SourceText source, Collection<String> elsewhere) {
+    return new Reader(source, elsewhere).read();
+  }
+
+  /**
+   * Reads the items of a file, and after them those of sources in other formats.
+   *
+   * @param markdown the file, if there is one
+   * @throws DiagnosticException INPUT if a source cannot be read at all
+   */
+  static Requirements read(Optional<SourceText> markdown, RequirementSources sources) {
+    List<SourceRequirements> others = sources.all().stream().map(SourceRequirements::read).toList();
+    List<String> known = others.stream().flatMap(each -> each.known().stream()).toList();
+    Requirements written =
+        markdown
+            .map(text -> read(text, known))
+            .orElseGet(() -> new Requirements(List.of(), List.of()));
+    return others.isEmpty() ? written : written.with(others);
   }
 
   /**
    * Returns these requirements, and after them those of other sources. An id may be used once in
    * all of them; parents may be in any of them.
-   *
-   * @throws DiagnosticException INPUT if a source cannot be read at all
    */
-  Requirements with(RequirementSources sources) {
+  private Requirements with(List<SourceRequirements> sources) {
     List<WrittenRequirement> all = new ArrayList<>(items);
     List<Diagnostic> found = new ArrayList<>(diagnostics);
     List<String> known = new ArrayList<>(items.stream().map(WrittenRequirement::id).toList());
     Map<String, WrittenRequirement> seen = new HashMap<>();
     items.forEach(item -> seen.putIfAbsent(SourceRequirements.plainId(item.id()), item));
-    for (RequirementSource source : sources.all()) {
-      SourceRequirements read = SourceRequirements.read(source);
+    for (SourceRequirements read : sources) {
       found.addAll(read.diagnostics());
       known.addAll(read.known());
       for (WrittenRequirement item : read.items()) {
@@ -88,11 +111,13 @@ public record Requirements(List<WrittenRequirement> items, List<Diagnostic> diag
 
   private static final class Reader {
     private final SourceText source;
+    private final Collection<String> elsewhere;
     private final List<WrittenRequirement> items = new ArrayList<>();
     private final List<Diagnostic> diagnostics = new ArrayList<>();
 
-    Reader(SourceText source) {
+    Reader(SourceText source, Collection<String> elsewhere) {
       this.source = source;
+      this.elsewhere = elsewhere;
     }
 
     Requirements read() {
@@ -147,13 +172,13 @@ public record Requirements(List<WrittenRequirement> items, List<Diagnostic> diag
     private void findUnread() {
       Set<String> known = new HashSet<>();
       Set<String> kinds = new TreeSet<>();
-      for (WrittenRequirement item : items) {
-        Matcher numbered = NUMBERED.matcher(item.id());
-        if (numbered.matches()) {
-          kinds.add(Pattern.quote(numbered.group(1)));
-          known.add(plain(numbered));
-        }
-      }
+      numbered(elsewhere.stream()).forEach(each -> known.add(plain(each)));
+      numbered(items.stream().map(WrittenRequirement::id))
+          .forEach(
+              each -> {
+                kinds.add(Pattern.quote(each.group(1)));
+                known.add(plain(each));
+              });
       if (kinds.isEmpty()) {
         return;
       }
@@ -171,6 +196,10 @@ public record Requirements(List<WrittenRequirement> items, List<Diagnostic> diag
                           + " lines."));
         }
       }
+    }
+
+    private static Stream<Matcher> numbered(Stream<String> ids) {
+      return ids.map(NUMBERED::matcher).filter(Matcher::matches);
     }
 
     private static String plain(Matcher numbered) {
