@@ -96,8 +96,8 @@ class NodlTemplateTest {
     ObjectNode definitions = (ObjectNode) schema.path("definitions");
     read(SCHEMAS.resolve("parameter.schema.yaml"))
         .path("definitions")
-        .fields()
-        .forEachRemaining(each -> definitions.set(each.getKey(), each.getValue()));
+        .properties()
+        .forEach(each -> definitions.set(each.getKey(), each.getValue()));
     schema.remove("$id");
     return JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V7).getSchema(schema);
   }

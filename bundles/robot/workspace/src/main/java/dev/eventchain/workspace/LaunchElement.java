@@ -56,8 +56,8 @@ record LaunchElement(
     Map<String, Optional<String>> attributes = new LinkedHashMap<>();
     List<LaunchElement> children = new ArrayList<>(list(file, yaml, inner));
     value
-        .fields()
-        .forEachRemaining(
+        .properties()
+        .forEach(
             each -> {
               if (each.getValue().isValueNode()) {
                 attributes.put(each.getKey(), Optional.of(each.getValue().asText()));
@@ -74,9 +74,8 @@ record LaunchElement(
   private static LaunchElement plain(String kind, JsonNode value, String file, int line) {
     Map<String, Optional<String>> attributes = new LinkedHashMap<>();
     value
-        .fields()
-        .forEachRemaining(
-            each -> attributes.put(each.getKey(), Optional.of(each.getValue().asText())));
+        .properties()
+        .forEach(each -> attributes.put(each.getKey(), Optional.of(each.getValue().asText())));
     return new LaunchElement(kind, attributes, List.of(), file, line);
   }
 
@@ -91,8 +90,8 @@ record LaunchElement(
     int line = json.path("line").asInt();
     Map<String, Optional<String>> attributes = new LinkedHashMap<>();
     json.path("attributes")
-        .fields()
-        .forEachRemaining(each -> attributes.put(each.getKey(), text(each.getValue())));
+        .properties()
+        .forEach(each -> attributes.put(each.getKey(), text(each.getValue())));
     attributes.put("text", text(json.path("text")));
     if (json.path("condition").asBoolean()) {
       attributes.put("if", Optional.empty());

@@ -98,8 +98,8 @@ public final class Workspace {
     Map<String, List<LaunchElement>> found = new TreeMap<>();
     facts
         .path("launch")
-        .fields()
-        .forEachRemaining(
+        .properties()
+        .forEach(
             each -> found.put(each.getKey(), LaunchElement.of(each.getKey(), each.getValue())));
     files
         .declared()
