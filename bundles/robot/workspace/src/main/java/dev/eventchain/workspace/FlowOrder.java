@@ -24,13 +24,13 @@ final class FlowOrder {
     return ordered;
   }
 
-  private static boolean feeds(DescribedNode one, DescribedNode other) {
-    return one != other
-        && one.endpoints().stream()
+  private static boolean feeds(DescribedNode writer, DescribedNode reader) {
+    return !writer.component().equals(reader.component())
+        && writer.endpoints().stream()
             .filter(DescribedEndpoint::isOutput)
             .anyMatch(
                 output ->
-                    other.endpoints().stream()
+                    reader.endpoints().stream()
                         .anyMatch(
                             input -> !input.isOutput() && input.topic().equals(output.topic())));
   }
