@@ -34,6 +34,34 @@ def test_a_sample_of_the_world_reaches_the_node_and_its_answer_the_world() -> No
         assert host.step(100 * MILLISECOND, (0, float32(3.0))) == [(50 * MILLISECOND, 0, float32(6.0))]
 
 
+RELAY = """
+from rclpy.node import Node
+from std_msgs.msg import Float32
+
+
+class Relay(Node):
+    def __init__(self):
+        super().__init__("relay")
+        self.output = self.create_publisher(Float32, "~/out", 10)
+        self.create_subscription(Float32, "in", self.output.publish, 10)
+"""
+
+
+def test_a_node_as_it_is_has_the_names_that_it_is_launched_with(tmp_path: Path) -> None:
+    (tmp_path / "relay.py").write_text(RELAY)
+    launched = {"name": "front", "namespace": "/car", "remappings": {"in": "/number"}}
+    node = {"module": "relay", "class": "Relay", "name": "Relay", "component": None, "node": launched}
+    configuration = {**chain(), "path": [str(tmp_path)], "nodes": [node]}
+    configuration["world_subscribes"] = [{"topic": "/car/front/out", "type": "std_msgs/msg/Float32"}]
+    with HostProcess() as host:
+        topics = [each["topic"] for each in host.configure(configuration)["topics"]]
+        assert topics == ["/car/front/out", "/number"]
+        assert host.step(MILLISECOND, (0, float32(3.0))) == [(0, 0, float32(3.0))]
+        (relay,) = host.finish()["nodes"]
+        ((_, _, _, reads, writes),) = relay["activations"]
+        assert (reads, writes) == ([["/number", 0]], [["/car/front/out", 0]])
+
+
 def test_a_timer_due_at_the_end_of_a_step_sees_the_samples_published_there() -> None:
     with HostProcess() as host:
         host.configure(chain())

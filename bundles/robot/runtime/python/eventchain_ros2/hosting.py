@@ -30,6 +30,7 @@ from eventchain_ros2.faults import NEVER
 from eventchain_ros2.messages import Messages
 from eventchain_ros2.node import Node
 from eventchain_ros2.node_sources import RUNTIME, NodeSources
+from eventchain_ros2.processes import Launched
 from eventchain_ros2.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 from eventchain_ros2.simulation import Process, Simulation
 from eventchain_ros2.value_latency import Answer
@@ -111,6 +112,8 @@ class HostedNodes:
         name = configuration["name"]
         times = (round(configuration.get(key, 0) * 1e6) for key in ("execution_time_ms", "phase_ms"))
         process = self.simulation.add_process(name, *times)
+        launched = configuration.get("node") or {}
+        process.launched = Launched(*(launched[key] for key in ("name", "namespace", "remappings") if launched))
         self.processes.append(process)
         with self.simulation.starting(process):
             module = importlib.import_module(configuration["module"])

@@ -56,8 +56,10 @@ class Node(ParameterMethods):
             raise InvalidNodeNameException(f"Invalid node name: '{node_name}'")
         self.__simulation = context.current()
         self.__process = self.__simulation.process_of_new_node(node_name)
-        self.__name = node_name
-        self.__namespace = self.__process.namespace = "/" + namespace.strip("/")
+        launched = self.__process.launched
+        self.__name = node_name = launched.name or node_name
+        self.__namespace = self.__process.namespace = "/" + (launched.namespace or namespace).strip("/")
+        self.__remappings = {self.__expanded(used): full for used, full in launched.remappings.items()}
         overrides = [*self.__simulation.overrides(node_name), *(parameter_overrides or [])]
         self._start_parameters(overrides, undeclared=allow_undeclared_parameters)
         if self.declare_parameter("use_sim_time", self.__simulation.is_simulated).value:
@@ -294,7 +296,7 @@ class Node(ParameterMethods):
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
         """Return the full name of a topic for this node."""
-        return self.__topic_name(topic)
+        return self.__expanded(topic) if only_expand else self.__topic_name(topic)
 
     def __require(
         self, callback_group: object, event_callbacks: object = None, qos_overriding_options: object = None
@@ -307,6 +309,10 @@ class Node(ParameterMethods):
             require_known(callback_group)
 
     def __topic_name(self, topic: str) -> str:
+        full = self.__expanded(topic)
+        return self.__remappings.get(full, full)
+
+    def __expanded(self, topic: str) -> str:
         if not _TOPIC_NAME.match(topic) or "__" in topic:
             raise InvalidTopicNameException(f"Invalid topic name: '{topic}'")
         if topic.startswith("/"):

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import struct
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from types import MappingProxyType
 from typing import NamedTuple, Protocol
 from zlib import crc32
 
@@ -143,6 +144,21 @@ class Topic:
         return End(self.name, each.type_name, publishes, owner.name or WORLD, owner.namespace, each.qos_profile, gid)
 
 
+class Launched(NamedTuple):
+    """What a launch file gives a node, as arguments of the command line would.
+
+    Args:
+        name: its name; empty for its own.
+        namespace: its namespace; empty for its own.
+        remappings: full names of topics by the names that the node uses.
+
+    """
+
+    name: str = ""
+    namespace: str = ""
+    remappings: Mapping[str, str] = MappingProxyType({})
+
+
 class Process:
     """A process that runs the callbacks of its nodes sequentially."""
 
@@ -152,6 +168,7 @@ class Process:
         self.execution_time = execution_time
         self.phase = phase
         self.namespace = "/"  # of its node
+        self.launched = Launched()
         self.timers = 0
         self.busy_until = 0
         self.paused = False  # while an executor of other nodes runs

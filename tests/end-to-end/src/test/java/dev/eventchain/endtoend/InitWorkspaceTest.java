@@ -39,7 +39,7 @@ class InitWorkspaceTest {
     Path known = folder.resolve("known");
     new Program().run("init", known, "--from-workspace", workspace).expect(0);
     new Program().run("validate", known).expect(0).says("How often does Warning act?");
-    new Program().run("run", known).expect(2).says("there is nothing to simulate");
+    new Program().run("run", known, "--no-strength").expect(1).says("passed  stopped-vehicle");
   }
 
   @Test

@@ -39,6 +39,9 @@ public final class ChainNames {
   /** Of a component of a software base: its Python file. */
   public static final String FILE = "file";
 
+  /** Of a component of a software base that is a node: its class, and how it is launched. */
+  public static final String NODE = "node";
+
   /** The ids of components and outputs. */
   public static final String REQUIREMENTS = "requirements";
 

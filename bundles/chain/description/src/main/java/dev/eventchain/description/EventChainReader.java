@@ -153,6 +153,7 @@ public final class EventChainReader {
     json.number(ChainNames.MEMORY, NOT_NEGATIVE).ifPresent(node::setMemory);
     json.value(ChainNames.IMPLEMENTATION);
     json.value(ChainNames.FILE);
+    json.value(ChainNames.NODE);
     node.getSatisfies().addAll(readRequirements(json));
     readPorts(json, ChainNames.INPUT, node.getInput(), port -> value -> {});
     readPorts(json, ChainNames.OUTPUT, node.getOutput(), this::readConsumer);

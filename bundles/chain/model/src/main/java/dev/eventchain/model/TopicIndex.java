@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 
 /**
  * Index of the topics of an event chain with their publishers and subscribers. The data of a
@@ -108,12 +109,23 @@ public final class TopicIndex {
    * and not as a component, are left out: what they do is not known.
    */
   public Set<String> influencedBy(Collection<SoftwareNode> components) {
+    return influencedBy(
+        components, node -> node.getImplementation() == ComponentImplementation.COMPONENT);
+  }
+
+  /**
+   * As {@link #influencedBy(Collection)}.
+   *
+   * @param isKnown whether it is known what a node does
+   */
+  public Set<String> influencedBy(
+      Collection<SoftwareNode> components, Predicate<SoftwareNode> isKnown) {
     Set<String> influenced = new HashSet<>();
     Set<SoftwareNode> reached = new HashSet<>(components);
     Deque<SoftwareNode> open = new ArrayDeque<>(components);
     while (!open.isEmpty()) {
       SoftwareNode node = open.remove();
-      if (node.getImplementation() == ComponentImplementation.COMPONENT) {
+      if (isKnown.test(node)) {
         node.getOutput().stream()
             .flatMap(output -> nameOf(output, node).stream())
             .filter(influenced::add)

@@ -9,6 +9,7 @@ final class ProjectRules {
   static final Rule MODELER_COMPONENT_FILE = Rule.error("modeler.component.file");
   static final Rule MODELER_COMPONENT_IMPLEMENTATION =
       Rule.error("modeler.component.implementation");
+  static final Rule MODELER_COMPONENT_NODE = Rule.error("modeler.component.node");
   static final Rule MODELER_COMPONENT_OUTPUT_UNUSED =
       Rule.warning("modeler.component.output.unused");
   static final Rule MODELER_COMPONENT_VALUE_CHANGED = Rule.error("modeler.component.value.changed");

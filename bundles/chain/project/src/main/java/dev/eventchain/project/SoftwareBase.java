@@ -48,10 +48,15 @@ public final class SoftwareBase {
    *
    * @param implementation the kind: a class that needs a node around it, or a node
    * @param file its Python file
+   * @param node how it is hosted, if it is a node in Python that is there as it is
    * @param location the location of its description
    */
   public record Component(
-      String name, ComponentImplementation implementation, Path file, SourceLocation location) {}
+      String name,
+      ComponentImplementation implementation,
+      Path file,
+      Optional<HostedNode> node,
+      SourceLocation location) {}
 
   private static final String COMPONENTS = "components.json";
   private static final String SIGNALS = "signals.json";
@@ -292,13 +297,24 @@ public final class SoftwareBase {
         return Optional.empty();
       }
       ComponentImplementation implementation = implementation(json);
-      if (implementation == ComponentImplementation.COMPONENT && !Files.isRegularFile(path)) {
+      Optional<ObjectReader> hosted = json.object(ChainNames.NODE);
+      if (hosted.isPresent() && implementation == ComponentImplementation.COMPONENT) {
+        json.find(
+            ProjectRules.MODELER_COMPONENT_NODE,
+            "The component '" + name + "' is no node: it has no implementation 'node'.",
+            json.at(ChainNames.NODE));
+        return Optional.empty();
+      }
+      boolean needsFile = implementation == ComponentImplementation.COMPONENT || hosted.isPresent();
+      if (needsFile && !Files.isRegularFile(path)) {
         json.find(
             ProjectRules.MODELER_COMPONENT_FILE,
             "The component '" + name + "' has no file " + file + ".",
             json.location());
       }
-      return Optional.of(new Component(name, implementation, path, json.location()));
+      Optional<HostedNode> node =
+          hosted.filter(it -> Files.isRegularFile(path)).map(it -> HostedNode.read(it, path));
+      return Optional.of(new Component(name, implementation, path, node, json.location()));
     }
 
     private ComponentImplementation implementation(ObjectReader json) {

@@ -157,7 +157,7 @@ class SourceRules(Rules):
         expected = ", ".join(["self", *self._component.inputs])
         hint = (
             f"A component is a class with execute({expected}), and its node is generated. A node of your own is "
-            'described with "implementation": "node", and tested with --driver dds --attach.'
+            'described with "implementation": "node" and "node": {"class": ...}, and hosted as it is.'
         )
         return self._finding(NODE, node, message, hint)
 

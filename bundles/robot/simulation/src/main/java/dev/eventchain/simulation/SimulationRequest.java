@@ -11,7 +11,9 @@ import dev.eventchain.simulation.scenario.Scenario;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
 
 /**
  * Request for a simulation.
@@ -106,6 +108,11 @@ public record SimulationRequest(
    */
   public SimulatedChain simulatedChain() {
     manifest.requireNodesOf(packageFolder, chain, SimulatedChain.components(chain));
-    return new SimulatedChain(chain, bench, messages, isAttached());
+    Set<String> hosted =
+        manifest.nodes().stream()
+            .filter(node -> node.component().isEmpty())
+            .map(NodeManifest.Node::name)
+            .collect(Collectors.toSet());
+    return new SimulatedChain(chain, bench, messages, isAttached(), hosted);
   }
 }

@@ -6,24 +6,45 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.description.ChainNames;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 
 /** A node as a component of {@code components.json}. */
 record DescribedNode(String component, FoundNode node, List<DescribedEndpoint> endpoints) {
 
-  /** Returns the description. */
-  ObjectNode json() {
+  /**
+   * Returns the description.
+   *
+   * @param hosted its class, if it can be hosted as it is
+   */
+  ObjectNode json(Optional<PythonNode> hosted) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     String place = "The node %s, %s:%d".formatted(node.name(), node.file(), node.line());
     String said = node.description().isBlank() ? "" : node.description() + " ";
     json.put(ChainNames.NAME, component).put(ChainNames.DESCRIPTION, said + place + ".");
     json.put(ChainNames.IMPLEMENTATION, "node");
+    hosted.ifPresent(python -> hosted(python, json));
     node.frequency().ifPresent(hertz -> json.put(ChainNames.FREQUENCY, hertz));
     json.putArray(ChainNames.REQUIREMENTS);
     Set<String> names = new HashSet<>();
     ports(json.putArray(ChainNames.INPUT), false, names);
     ports(json.putArray(ChainNames.OUTPUT), true, names);
     return json;
+  }
+
+  private static void hosted(PythonNode python, ObjectNode json) {
+    json.put(ChainNames.FILE, "nodes/" + python.file());
+    ObjectNode launch = json.putObject(ChainNames.NODE).put("class", python.className());
+    if (!python.name().isEmpty()) {
+      launch.put("name", python.name());
+    }
+    if (!python.namespace().isEmpty()) {
+      launch.put("namespace", python.namespace());
+    }
+    if (!python.remappings().isEmpty()) {
+      ObjectNode remappings = launch.putObject("remappings");
+      python.remappings().forEach(remappings::put);
+    }
   }
 
   private void ports(ArrayNode ports, boolean outputs, Set<String> names) {

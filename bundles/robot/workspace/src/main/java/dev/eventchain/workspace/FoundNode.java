@@ -1,6 +1,7 @@
 package dev.eventchain.workspace;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
@@ -10,6 +11,7 @@ import java.util.OptionalDouble;
  * @param description what it says about itself; may be empty
  * @param frequency in Hz, of its timer; empty without one
  * @param isComplete whether all of its endpoints are known
+ * @param python its class, if it is one in Python
  * @param file the file that defines it, relative to the workspace
  */
 public record FoundNode(
@@ -18,5 +20,6 @@ public record FoundNode(
     OptionalDouble frequency,
     List<FoundEndpoint> endpoints,
     boolean isComplete,
+    Optional<PythonNode> python,
     String file,
     int line) {}

@@ -21,6 +21,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.TreeMap;
 
 /**
  * Reader of interfaces of nodes in NoDL 2 (ros-tooling/nodl): publishers and subscriptions.
@@ -53,7 +54,7 @@ public final class Nodl {
     if (!reader.findings.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, reader.findings);
     }
-    return new FoundSoftware(nodes, List.copyOf(reader.questions));
+    return new FoundSoftware(nodes, new TreeMap<>(), List.copyOf(reader.questions));
   }
 
   /** The document of a node, and those that it includes. */
@@ -178,6 +179,7 @@ public final class Nodl {
             read.frequency,
             read.endpoints,
             true,
+            Optional.empty(),
             SourceLocation.of(file).file(),
             1));
   }

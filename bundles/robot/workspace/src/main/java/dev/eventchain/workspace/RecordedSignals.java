@@ -54,7 +54,9 @@ public final class RecordedSignals {
                         new LinkedHashSet<>(fields.all(type))));
               });
     }
-    FoundNode reader = new FoundNode("/reader", "", OptionalDouble.empty(), List.of(), true, "", 0);
+    FoundNode reader =
+        new FoundNode(
+            "/reader", "", OptionalDouble.empty(), List.of(), true, Optional.empty(), "", 0);
     List<DescribedNode> all = List.of(new DescribedNode("Reader", reader, endpoints));
     files.put("software-base/signals.json", SignalsJson.of(all, all));
     files.put(

@@ -21,6 +21,9 @@ import java.util.TreeMap;
  */
 public final class SoftwareBaseFiles {
 
+  /** The folder of nodes that are hosted as they are. */
+  private static final String SOURCES = "software-base/nodes/";
+
   private final MessageCatalog messages;
   private final MessageFields fields;
   private final List<OpenQuestion> questions;
@@ -38,7 +41,9 @@ public final class SoftwareBaseFiles {
    * @param messages the definitions of the types that the software uses
    */
   public static SortedMap<String, String> of(FoundSoftware software, MessageCatalog messages) {
-    return new SoftwareBaseFiles(messages, software.questions()).write(software.nodes());
+    SoftwareBaseFiles files = new SoftwareBaseFiles(messages, software.questions());
+    software.sources().forEach((name, text) -> files.files.put(SOURCES + name, text));
+    return files.write(software.nodes());
   }
 
   private SortedMap<String, String> write(List<FoundNode> found) {
@@ -75,10 +80,15 @@ public final class SoftwareBaseFiles {
     return false;
   }
 
-  private static String components(List<DescribedNode> nodes) {
+  private String components(List<DescribedNode> nodes) {
     ArrayNode json = JsonNodeFactory.instance.arrayNode();
-    FlowOrder.of(nodes).forEach(node -> json.add(node.json()));
+    FlowOrder.of(nodes).forEach(node -> json.add(node.json(hosted(node.node()))));
     return JsonLayout.of(json) + "\n";
+  }
+
+  /** Returns the class of a node whose sources are there. */
+  private Optional<PythonNode> hosted(FoundNode node) {
+    return node.python().filter(it -> files.containsKey(SOURCES + it.file()));
   }
 
   /** Returns the endpoints whose types are known; those with equal topic and type are one. */

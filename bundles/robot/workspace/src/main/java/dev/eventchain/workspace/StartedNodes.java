@@ -107,8 +107,21 @@ final class StartedNodes {
         frequency(node, simple),
         List.copyOf(endpoints),
         node.path("questions").isEmpty() && endpoints.size() == node.path("endpoints").size(),
+        python(node, names),
         file,
         line);
+  }
+
+  /** Returns the class; only what differs from its own name and namespace is given to it. */
+  private static Optional<PythonNode> python(JsonNode node, TopicNames names) {
+    String module = node.path("module").asText();
+    String name = names.name().filter(it -> !it.equals(node.path("name").asText())).orElse("");
+    String namespace = names.namespace().filter(it -> !it.equals("/")).orElse("");
+    return module.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            new PythonNode(
+                module, node.path("class").asText(), name, namespace, names.remappings()));
   }
 
   private Optional<FoundEndpoint> endpoint(JsonNode json, TopicNames names) {

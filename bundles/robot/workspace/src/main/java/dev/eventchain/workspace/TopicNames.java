@@ -1,7 +1,9 @@
 package dev.eventchain.workspace;
 
 import dev.eventchain.messages.RosNames;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -25,6 +27,17 @@ record TopicNames(Optional<String> namespace, Optional<String> name, List<Remap>
       }
     }
     return full;
+  }
+
+  /** Returns the full names by the names that the node uses, as far as they are known. */
+  Map<String, String> remappings() {
+    Map<String, String> found = new LinkedHashMap<>();
+    for (Remap remap : remaps) {
+      if (expand(remap.from()).isPresent()) {
+        expand(remap.to()).ifPresent(to -> found.putIfAbsent(remap.from(), to));
+      }
+    }
+    return found;
   }
 
   /** Returns the full name of a topic before remapping. */

@@ -68,7 +68,7 @@ public final class Workspace {
         start.isPresent()
             ? nodes.launched(LaunchRun.of(start.get(), sources, questions))
             : nodes.alone();
-    return new FoundSoftware(found, List.copyOf(questions));
+    return new FoundSoftware(found, files.modules(), List.copyOf(questions));
   }
 
   private RosFolder list() {

@@ -1,5 +1,6 @@
 package dev.eventchain.workspace;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
@@ -13,6 +14,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
 
@@ -54,6 +56,22 @@ final class WorkspaceFiles {
     ObjectNode request = JSON.createObjectNode();
     request.set("packages", packages);
     return request;
+  }
+
+  /** Returns the modules of Python packages, by their files below the folder of the packages. */
+  SortedMap<String, String> modules() {
+    SortedMap<String, String> all = new TreeMap<>();
+    for (JsonNode each : packages) {
+      for (JsonNode module : each.path("python")) {
+        all.putIfAbsent(
+            PythonNode.file(module.path("module").asText()), module.path("text").asText());
+      }
+    }
+    SortedMap<String, String> modules = new TreeMap<>(all);
+    modules
+        .keySet()
+        .removeIf(file -> !all.containsKey(file.replaceFirst("/.*", "") + "/__init__.py"));
+    return modules;
   }
 
   /** Returns the launch files in XML and YAML, by their names. */

@@ -17,6 +17,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.TreeMap;
 import java.util.zip.CRC32;
 
 /** The configuration of the process that runs the nodes. */
@@ -49,7 +50,10 @@ public final class NodeConfiguration {
       List<TypedTopic> published,
       List<TypedTopic> received) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
-    json.putArray("path").add(absolute(generated.folder()));
+    ArrayNode path = json.putArray("path").add(absolute(generated.folder()));
+    if (generated.manifest().nodes().stream().anyMatch(node -> node.component().isEmpty())) {
+      path.add(absolute(generated.folder().resolve(NodeManifest.NODES)));
+    }
     json.putArray("messages").add(absolute(generated.messages()));
     ArrayNode configured = json.putArray("nodes");
     if (!chain.isAttached()) {
@@ -80,21 +84,32 @@ public final class NodeConfiguration {
     json.put("class", node.className());
     json.put("name", name);
     json.put("execution_time_ms", executionTime(software));
-    NodeManifest.Component known = node.component();
-    ObjectNode component = json.putObject("component");
-    component.put("module", known.module());
-    component.put("class", known.className());
-    component.put("file", absolute(generated.componentFile(node)));
-    component.put("seed", seed + "/" + name);
-    component.put("restricted", generated.restricted().contains(name));
-    ArrayNode inputs = component.putArray("inputs");
+    if (node.component().isPresent()) {
+      component(json.putObject("component"), node, node.component().get(), seed);
+    } else {
+      json.putNull("component");
+      ObjectNode launch = json.putObject("node").put("name", node.launch().name());
+      ObjectNode remappings =
+          launch.put("namespace", node.launch().namespace()).putObject("remappings");
+      new TreeMap<>(node.launch().remappings()).forEach(remappings::put);
+    }
+    return json;
+  }
+
+  private void component(
+      ObjectNode json, NodeManifest.Node node, NodeManifest.Component known, long seed) {
+    json.put("module", known.module());
+    json.put("class", known.className());
+    json.put("file", absolute(generated.componentFile(node, known)));
+    json.put("seed", seed + "/" + node.name());
+    json.put("restricted", generated.restricted().contains(node.name()));
+    ArrayNode inputs = json.putArray("inputs");
     known.inputs().forEach(inputs::add);
-    ArrayNode outputs = component.putArray("outputs");
+    ArrayNode outputs = json.putArray("outputs");
     known
         .outputs()
         .forEach(
             output -> outputs.addObject().put("name", output.name()).put("type", output.type()));
-    return json;
   }
 
   /** Describes a topic that the vehicle consumes, or that is only observed, with any QoS. */

@@ -38,6 +38,7 @@ public final class SimulatedChain {
   private final Bench bench;
   private final MessageCatalog catalog;
   private final boolean attached;
+  private final Set<String> hosted;
 
   /**
    * Collects the simulated nodes.
@@ -45,27 +46,36 @@ public final class SimulatedChain {
    * @param bench the connection of the nodes with the world
    * @param catalog the message types that the nodes use
    * @param attached true if the nodes run elsewhere
+   * @param hosted the names of nodes that are hosted as they are
    */
-  public SimulatedChain(EventChain chain, Bench bench, MessageCatalog catalog, boolean attached) {
+  public SimulatedChain(
+      EventChain chain, Bench bench, MessageCatalog catalog, boolean attached, Set<String> hosted) {
     this.chain = chain;
+    this.hosted = Set.copyOf(hosted);
     this.bench = bench;
     this.catalog = catalog;
     this.attached = attached;
     // Elsewhere, nodes that are not components may run as well.
-    this.nodes = attached ? List.copyOf(chain.getSoftware()) : components(chain);
+    this.nodes =
+        chain.getSoftware().stream()
+            .filter(node -> attached || isHosted(node) || hosted.contains(node.getName()))
+            .toList();
     this.topics = TopicIndex.of(chain);
   }
 
   /** Returns the nodes of a chain that are components rather than nodes by themselves. */
   public static List<SoftwareNode> components(EventChain chain) {
-    return chain.getSoftware().stream()
-        .filter(node -> node.getImplementation() == ComponentImplementation.COMPONENT)
-        .toList();
+    return chain.getSoftware().stream().filter(SimulatedChain::isHosted).toList();
+  }
+
+  /** Returns whether a node is generated around a component, and so always hosted. */
+  private static boolean isHosted(SoftwareNode node) {
+    return node.getImplementation() == ComponentImplementation.COMPONENT;
   }
 
   /** Returns the same nodes on another bench. */
   public SimulatedChain on(Bench other) {
-    return new SimulatedChain(chain, other, catalog, attached);
+    return new SimulatedChain(chain, other, catalog, attached, hosted);
   }
 
   /** Returns the connection of the nodes with the world. */
@@ -102,7 +112,8 @@ public final class SimulatedChain {
                             + node.getName()
                             + "' is a node itself, so it is not simulated.",
                         SourceLocation.NONE.withElement(node.getName()))
-                    .withHint("Describe it as a component to simulate it; see the rule's page."))
+                    .withHint(
+                        "Describe its class and file, or make it a component; see the rule's page."))
         .toList();
   }
 

@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -32,14 +33,37 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
   static final String GENERATE_AGAIN =
       "Generate again with a template that writes it as the rule's page describes.";
 
+  /** Name of the folder in that of the generated package from which nodes as they are come. */
+  public static final String NODES = "nodes";
+
   /**
-   * A node around a component.
+   * A node around a component, or a node as it is.
    *
    * @param name its name in the model
    * @param module the Python module, with its package
    * @param className its class in that module
+   * @param component empty for a node as it is
+   * @param launch how a node as it is is launched; the default for others
    */
-  public record Node(String name, String module, String className, Component component) {}
+  public record Node(
+      String name, String module, String className, Optional<Component> component, Launch launch) {}
+
+  /**
+   * What a launch file gives a node.
+   *
+   * @param name empty for its own
+   * @param namespace empty for its own
+   * @param remappings full names of topics by the names that the node uses
+   */
+  public record Launch(String name, String namespace, Map<String, String> remappings) {
+
+    static final Launch NONE = new Launch("", "", Map.of());
+
+    /** Copies the map. */
+    public Launch {
+      remappings = Map.copyOf(remappings);
+    }
+  }
 
   /**
    * Component that a node executes.
@@ -116,8 +140,10 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
       if (chain.getSoftware().stream().noneMatch(known -> node.name().equals(known.getName()))) {
         problems.add(problem("The chain has no component '" + node.name() + "'.", place));
       }
-      missingFile(folder, file(node.module()), place + "/module").ifPresent(problems::add);
-      missingFile(folder, node.component().file(), place + "/component/file")
+      String above = node.component().isPresent() ? "" : NODES + "/";
+      missingFile(folder, above + file(node.module()), place + "/module").ifPresent(problems::add);
+      node.component()
+          .flatMap(known -> missingFile(folder, known.file(), place + "/component/file"))
           .ifPresent(problems::add);
     }
     return problems;

@@ -13,7 +13,9 @@ import dev.eventchain.simulation.node.NodeManifest.Node;
 import dev.eventchain.simulation.node.NodeManifest.Output;
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.IntFunction;
@@ -67,18 +69,47 @@ final class NodeManifestReader {
     List<Node> nodes = items.stream().map(this::node).toList();
     json.refuseOthers();
     unique("node", nodes.stream().map(Node::name).toList(), i -> items.get(i).at("name"));
-    unique("module", nodes.stream().map(Node::module).toList(), i -> items.get(i).at("module"));
+    // Nodes as they are may be in one module.
+    unique(
+        "module",
+        nodes.stream().map(node -> node.component().isEmpty() ? "" : node.module()).toList(),
+        i -> items.get(i).at("module"));
     return nodes;
   }
 
   private Node node(ObjectReader json) {
     String name = json.requiredText("name");
-    Optional<ObjectReader> component = json.requiredObject("component");
     String className = name(json, "class", IDENTIFIER, "the name of a class");
+    Optional<ObjectReader> launch = json.object("launch");
     Node node =
-        new Node(name, module(json), className, component.map(this::component).orElse(null));
+        launch.isPresent()
+            ? new Node(name, plainModule(json), className, Optional.empty(), launch(launch.get()))
+            : new Node(
+                name,
+                module(json),
+                className,
+                json.requiredObject("component").map(this::component),
+                NodeManifest.Launch.NONE);
     json.refuseOthers();
     return node;
+  }
+
+  private NodeManifest.Launch launch(ObjectReader json) {
+    Map<String, String> remappings = new LinkedHashMap<>();
+    json.requiredObject("remappings")
+        .ifPresent(
+            pairs -> pairs.names().forEach(from -> remappings.put(from, pairs.requiredText(from))));
+    requireKey(json, "name");
+    requireKey(json, "namespace");
+    NodeManifest.Launch launch =
+        new NodeManifest.Launch(
+            json.text("name").orElse(""), json.text("namespace").orElse(""), remappings);
+    json.refuseOthers();
+    return launch;
+  }
+
+  private String plainModule(ObjectReader json) {
+    return name(json, "module", IDENTIFIER + "(\\." + IDENTIFIER + ")*", "a module");
   }
 
   private Component component(ObjectReader json) {

@@ -35,8 +35,8 @@ public record NodePackage(
   }
 
   /** Returns the file of a node's component. */
-  public Path componentFile(NodeManifest.Node node) {
-    return replaced.getOrDefault(node.name(), folder.resolve(node.component().file()));
+  public Path componentFile(NodeManifest.Node node, NodeManifest.Component component) {
+    return replaced.getOrDefault(node.name(), folder.resolve(component.file()));
   }
 
   /** Returns a copy whose processes may read a folder with other versions of components. */

@@ -15,6 +15,8 @@ import dev.eventchain.simulation.node.NodeManifest.Output;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -36,8 +38,18 @@ class NodeManifestTest {
         new Component(
             "aeb.components.First", "First", "aeb/components/First.py", List.of("a", "b"), outputs);
     String odd = "Größe \"[/file]\\\n";
-    assertEquals(new Node(odd, "aeb.first_node", "First_node", first), manifest.nodes().get(0));
-    assertEquals(2, manifest.nodes().size());
+    assertEquals(
+        new Node(odd, "aeb.first_node", "First_node", Optional.of(first), NodeManifest.Launch.NONE),
+        manifest.nodes().get(0));
+    assertEquals(3, manifest.nodes().size());
+    assertEquals(
+        new Node(
+            "Third",
+            "theirs.third",
+            "Third",
+            Optional.empty(),
+            new NodeManifest.Launch("", "/front", Map.of("in", "/input"))),
+        manifest.nodes().get(2));
     assertEquals("aeb.second_node", manifest.find("Second").orElseThrow().module());
     assertTrue(manifest.find("second").isEmpty());
   }

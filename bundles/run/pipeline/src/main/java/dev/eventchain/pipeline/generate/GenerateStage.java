@@ -50,6 +50,7 @@ public final class GenerateStage implements StageWork {
     fingerprint.addFiles(run.project().ownConstraints());
     fingerprint.addFiles(
         run.softwareBase().components().stream().map(SoftwareBase.Component::file).toList());
+    fingerprint.addFiles(HostedNodes.copies(run).values());
     fingerprint.addFiles(ComponentSources.helpers(run, run.chain().chain()).files().values());
     for (SoftwareNode node : run.chain().chain().getSoftware()) {
       fingerprint.addFile(run.file(ComponentFiles.name(node.getName())));
@@ -80,6 +81,7 @@ public final class GenerateStage implements StageWork {
     found.addAll(checked.diagnostics());
     SortedMap<String, byte[]> files = within(folder, generated);
     String written = components(run, model.chain(), helpers, folder, files);
+    HostedNodes.copies(run).forEach((name, file) -> files.put(written + "/" + name, content(file)));
     files.forEach(run::write);
     run.writeResult(
         TraceFile.NAME, TraceFile.content(generated.trace(), folder + "/", run.baseFolders()));
@@ -131,6 +133,7 @@ public final class GenerateStage implements StageWork {
     String version = GenerateStage.class.getPackage().getImplementationVersion();
     Map<String, String> properties = new TreeMap<>(run.project().configuration().packageFacts());
     properties.put("provenance.model", run.model().getFileName().toString());
+    properties.put("package.nodes", HostedNodes.entries(run));
     properties.put("package.helpers", String.join(" ", helpers.files().keySet()));
     properties.put("package.rosdep", String.join(" ", imports.rosdepKeys()));
     properties.put("package.pip", String.join(" ", imports.pipNames()));

@@ -117,7 +117,8 @@ public record GeneratedPackage(String folder, NodeManifest manifest) {
   public String componentFile(SoftwareNode node) {
     return manifest
         .find(node.getName())
-        .map(found -> folder + "/" + found.component().file())
+        .flatMap(NodeManifest.Node::component)
+        .map(component -> folder + "/" + component.file())
         .orElseThrow(
             () ->
                 new DiagnosticException(

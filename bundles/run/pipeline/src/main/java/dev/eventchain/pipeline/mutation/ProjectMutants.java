@@ -23,7 +23,8 @@ final class ProjectMutants {
   static List<SoftwareNode> nodes(RunContext run) {
     NodeManifest manifest = GeneratedPackage.required(run).manifest();
     return run.chain().chain().getSoftware().stream()
-        .filter(node -> manifest.find(node.getName()).isPresent())
+        .filter(
+            node -> manifest.find(node.getName()).flatMap(NodeManifest.Node::component).isPresent())
         .toList();
   }
 
@@ -36,7 +37,8 @@ final class ProjectMutants {
     NodeManifest manifest = GeneratedPackage.required(run).manifest();
     List<Mutant> mutants = new ArrayList<>();
     for (SoftwareNode node : nodes(run)) {
-      NodeManifest.Component component = manifest.find(node.getName()).orElseThrow().component();
+      NodeManifest.Component component =
+          manifest.find(node.getName()).flatMap(NodeManifest.Node::component).orElseThrow();
       Path file = ComponentFiles.of(run, node);
       SourceText source = SourceText.read(file);
       mutator

@@ -9,9 +9,11 @@ import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.output.OutputRules;
 import dev.eventchain.pipeline.generate.GeneratedPackage;
+import dev.eventchain.pipeline.generate.HostedNodes;
 import dev.eventchain.pipeline.stage.ComponentFiles;
 import dev.eventchain.pipeline.stage.ComponentSources;
 import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.simulation.node.NodeManifest;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -28,13 +30,19 @@ final class ComponentCopies {
     SortedMap<Path, Path> sources = new TreeMap<>();
     SortedMap<String, Path> helpers = ComponentSources.helpers(run, chain).files();
     for (SoftwareNode node : chain.getSoftware()) {
-      if (generated.manifest().find(node.getName()).isPresent()) {
+      if (generated
+          .manifest()
+          .find(node.getName())
+          .flatMap(NodeManifest.Node::component)
+          .isPresent()) {
         String copy = generated.componentFile(node);
         helpers.forEach(
             (name, file) -> sources.put(run.file(GeneratedPackage.besides(copy, name)), file));
         sources.put(run.file(copy), ComponentFiles.of(run, node));
       }
     }
+    HostedNodes.copies(run)
+        .forEach((name, file) -> sources.put(run.file(generated.folder() + "/" + name), file));
     return sources;
   }
 

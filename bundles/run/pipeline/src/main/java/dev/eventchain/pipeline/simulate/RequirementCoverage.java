@@ -6,12 +6,14 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.model.eventchain.ComponentImplementation;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.results.RequirementOutcome;
 import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.project.SoftwareBase;
 import dev.eventchain.simulation.SimulationResult;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.scenario.Scenario;
@@ -38,12 +40,15 @@ final class RequirementCoverage {
           SimulateRules.SIMULATION_STRENGTH_NONE,
           SimulateRules.SIMULATION_STRENGTH_IDLE);
 
+  private final SoftwareBase base;
   private final EventChain chain;
   private final TopicIndex topics;
   private final Bench bench;
   private final List<Scenario> scenarios;
 
-  private RequirementCoverage(EventChain chain, Bench bench, List<Scenario> scenarios) {
+  private RequirementCoverage(
+      RunContext run, EventChain chain, Bench bench, List<Scenario> scenarios) {
+    this.base = run.softwareBase();
     this.chain = chain;
     this.topics = TopicIndex.of(chain);
     this.bench = bench;
@@ -141,7 +146,7 @@ final class RequirementCoverage {
    */
   static Map<String, String> unproven(RunContext run, EventChain chain, List<Scenario> scenarios) {
     RequirementCoverage coverage =
-        new RequirementCoverage(chain, run.bench().withOutputsOf(chain), scenarios);
+        new RequirementCoverage(run, chain, run.bench().withOutputsOf(chain), scenarios);
     Map<String, String> unproven = new TreeMap<>();
     coverage.findIndependent(run.writtenRequirements(), unproven);
     coverage.findUnread(unproven);
@@ -169,6 +174,14 @@ final class RequirementCoverage {
     }
   }
 
+  /** Returns whether a node runs in the simulation: around a component, or as it is. */
+  private boolean isSimulated(SoftwareNode node) {
+    return node.getImplementation() == ComponentImplementation.COMPONENT
+        || base.find(String.valueOf(node.getName()))
+            .flatMap(SoftwareBase.Component::node)
+            .isPresent();
+  }
+
   private void findIndependent(
       List<WrittenRequirement> requirements, Map<String, String> unproven) {
     for (WrittenRequirement item : requirements) {
@@ -177,7 +190,7 @@ final class RequirementCoverage {
               .filter(
                   node -> node.getSatisfies().stream().anyMatch(it -> item.id().equals(it.getId())))
               .toList();
-      Set<String> influenced = topics.influencedBy(satisfying);
+      Set<String> influenced = topics.influencedBy(satisfying, this::isSimulated);
       if (satisfying.isEmpty()) {
         unproven.put(
             item.id(),

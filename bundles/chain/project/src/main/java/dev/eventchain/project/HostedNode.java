@@ -1,0 +1,86 @@
+package dev.eventchain.project;
+
+import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.messages.RosNames;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * A node of rclpy that is hosted as it is.
+ *
+ * @param root the folder on Python's path from which its module is imported
+ * @param module its module, with its packages
+ * @param className its class
+ * @param name the name that a launch file gives it; empty for its own
+ * @param namespace the namespace that a launch file gives it; empty for its own
+ * @param remappings full names of topics by the names that it uses
+ */
+public record HostedNode(
+    Path root,
+    String module,
+    String className,
+    String name,
+    String namespace,
+    Map<String, String> remappings) {
+
+  private static final String IDENTIFIER = "[A-Za-z_][A-Za-z0-9_]*";
+
+  /**
+   * Reads the description; invalid values are findings of the reader.
+   *
+   * @param file the file of the module
+   */
+  static HostedNode read(ObjectReader json, Path file) {
+    String className = legal(json, "class", json.requiredText("class"), IDENTIFIER);
+    String name = json.text("name").orElse("");
+    String namespace = json.text("namespace").orElse("");
+    Map<String, String> remappings = new LinkedHashMap<>();
+    json.object("remappings")
+        .ifPresent(
+            pairs -> pairs.names().forEach(from -> remappings.put(from, topic(pairs, from))));
+    json.refuseOthers();
+    Path root = root(file);
+    String path = root.relativize(file).toString().replace('\\', '/');
+    String module = path.replaceFirst("\\.py$", "").replace('/', '.');
+    return new HostedNode(
+        root,
+        module,
+        className,
+        legal(json, "name", name, "(" + IDENTIFIER + ")?"),
+        legal(json, "namespace", namespace, "(/|(/" + IDENTIFIER + ")+)?"),
+        Map.copyOf(remappings));
+  }
+
+  private static String topic(ObjectReader pairs, String from) {
+    String to = pairs.requiredText(from);
+    boolean legal = RosNames.isTopic(from) && to.startsWith("/") && RosNames.isTopic(to);
+    if (!to.isBlank() && !legal) {
+      pairs.find(
+          ProjectRules.MODELER_COMPONENT_NODE,
+          "'" + from + "' cannot be remapped to '" + to + "'.",
+          pairs.at(from));
+    }
+    return to;
+  }
+
+  private static String legal(ObjectReader json, String key, String value, String pattern) {
+    if (!value.matches(pattern)) {
+      json.find(
+          ProjectRules.MODELER_COMPONENT_NODE,
+          "'" + value + "' is not a legal " + key + " of a node.",
+          json.at(key));
+    }
+    return value;
+  }
+
+  /** Returns the folder above the outermost Python package of a file. */
+  private static Path root(Path file) {
+    Path folder = file.getParent();
+    while (Files.isRegularFile(folder.resolve("__init__.py"))) {
+      folder = folder.getParent();
+    }
+    return folder;
+  }
+}

@@ -1,0 +1,67 @@
+package dev.eventchain.pipeline.generate;
+
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.project.HostedNode;
+import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.SoftwareBase;
+import dev.eventchain.simulation.node.NodeManifest;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * Nodes of a chain that are hosted as they are: their sources, and their entries in the manifest.
+ */
+public final class HostedNodes {
+
+  private HostedNodes() {}
+
+  /** Returns the entries of the manifest, with commas between them; empty if there is none. */
+  static String entries(RunContext run) {
+    return nodes(run)
+        .map(component -> entry(component.name(), component.node().orElseThrow()).toString())
+        .collect(Collectors.joining(",\n    "));
+  }
+
+  private static ObjectNode entry(String name, HostedNode node) {
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    json.put("name", name).put("module", node.module()).put("class", node.className());
+    ObjectNode launch = json.putObject("launch");
+    launch.put("name", node.name()).put("namespace", node.namespace());
+    ObjectNode remappings = launch.putObject("remappings");
+    new TreeMap<>(node.remappings()).forEach(remappings::put);
+    return json;
+  }
+
+  /**
+   * Returns the Python files below the folders from which the nodes are imported, by the paths of
+   * their copies in the folder of the generated package.
+   */
+  public static SortedMap<String, Path> copies(RunContext run) {
+    SortedMap<String, Path> copies = new TreeMap<>();
+    for (Path root : nodes(run).map(each -> each.node().orElseThrow().root()).distinct().toList()) {
+      for (Path file : ProjectFolder.below(root)) {
+        if (file.toString().endsWith(".py")) {
+          String name = root.relativize(file).toString().replace('\\', '/');
+          copies.putIfAbsent(NodeManifest.NODES + "/" + name, file);
+        }
+      }
+    }
+    return copies;
+  }
+
+  private static Stream<SoftwareBase.Component> nodes(RunContext run) {
+    Map<String, SoftwareBase.Component> known = new TreeMap<>();
+    run.softwareBase().components().stream()
+        .filter(component -> component.node().isPresent())
+        .forEach(component -> known.put(component.name(), component));
+    return run.chain().chain().getSoftware().stream()
+        .filter(node -> known.containsKey(String.valueOf(node.getName())))
+        .map(node -> known.get(node.getName()));
+  }
+}
