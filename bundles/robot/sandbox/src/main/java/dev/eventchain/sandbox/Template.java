@@ -180,7 +180,7 @@ final class Template {
         try {
           JsonNode answer = answers.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
           if (answer == null) {
-            process.destroyForcibly();
+            send(JSON.createArrayNode().add("drop").add(number)); // should it ever answer
             throw new IOException("it does not answer");
           }
           return answer;

@@ -98,15 +98,17 @@ class Template:
             poll = select.poll()
             for descriptor in (self._requests, *(started.watch for started in self._started.values())):
                 poll.register(descriptor, select.POLLIN)
-            ready = {descriptor for descriptor, _ in poll.poll()}
+            # The last read may have brought the next request, too.
+            ready = {descriptor for descriptor, _ in poll.poll(0 if b"\n" in self._unread else None)}
             for number, started in list(self._started.items()):
                 if started.watch in ready:
                     self._end(number)
-            if self._requests in ready:
+            if self._requests in ready or b"\n" in self._unread:
                 request = self._read()
                 if request is None:
                     return
-                self._start(*request[1:])
+                if request[0] == "start":  # not what comes too late
+                    self._start(*request[1:])
 
     def _read(self) -> list[Any] | None:
         """Return the next request, None at their end."""

@@ -9,10 +9,16 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -131,6 +137,34 @@ class TemplateTest {
     hangs.close();
     assertFalse(hangs.isAlive());
     assertEquals(ConfinedProcess.Cause.CLOSED, hangs.await().cause());
+  }
+
+  @Test
+  void manyThreadsStartForksAtTheSameTime() throws Exception {
+    Path script = Files.writeString(folder.resolve("many.py"), "print('here')");
+    List<Callable<String>> starts = new ArrayList<>();
+    for (int i = 0; i < 24; i++) {
+      Path work = Files.createDirectory(folder.resolve("work of " + i));
+      starts.add(
+          () -> {
+            try (ConfinedProcess process =
+                ConfinedProcess.on(TestEnvironment.PYTHON)
+                    .script(script)
+                    .workFolder(work)
+                    .limits(LIMITS)
+                    .start()) {
+              return process.isForked() + " " + run(process);
+            }
+          });
+    }
+    ExecutorService threads = Executors.newFixedThreadPool(8);
+    try {
+      for (Future<String> each : threads.invokeAll(starts)) {
+        assertEquals("true " + new Run("here\n", "EXITED 0"), each.get());
+      }
+    } finally {
+      threads.shutdown();
+    }
   }
 
   @ParameterizedTest
