@@ -21,6 +21,7 @@ final class MatrixPage {
       .matrix td { border-top: 1px solid var(--line); }
       .matrix li + li { margin-top: .15rem; }
       .matrix td:first-child { min-width: 14rem; max-width: 24rem; }
+      .matrix td:last-child { width: 40%; }
       .mark { display: inline-block; padding: 0 .4em; border-radius: .25em; font-size: .8125rem; white-space: nowrap; }
       .is-good { background: var(--good-soft); color: var(--good); }
       .is-bad { background: var(--bad-soft); color: var(--bad); }
@@ -70,29 +71,27 @@ final class MatrixPage {
     page.raw("</ul></td>");
     List<Test> about =
         evidence.tests().stream().filter(each -> each.about(requirement.id()).isPresent()).toList();
-    tests(requirement, about.stream().filter(each -> each.component().isPresent()).toList());
-    scenarios(requirement, about.stream().filter(each -> each.component().isEmpty()).toList());
+    tests(requirement, about.stream().filter(each -> each.component().isPresent()).toList(), false);
+    tests(requirement, about.stream().filter(each -> each.component().isEmpty()).toList(), true);
     page.raw("</tr>\n");
   }
 
-  /** Adds how many tests passed, and the others by name. */
-  private void tests(Requirement requirement, List<Test> tests) {
+  /** Adds what did not pass, and then how many passed, by name if they are to be named. */
+  private void tests(Requirement requirement, List<Test> tests, boolean named) {
     page.raw("<td><ul>");
-    long passed = tests.stream().filter(each -> result(each, requirement) == Result.PASSED).count();
-    if (passed > 0) {
-      page.raw("<li>");
-      mark("is-good", passed + " passed");
-      page.raw("</li>");
-    }
     tests.stream()
         .filter(each -> result(each, requirement) != Result.PASSED)
         .forEach(each -> item(each, requirement));
-    page.raw("</ul></td>");
-  }
-
-  private void scenarios(Requirement requirement, List<Test> scenarios) {
-    page.raw("<td><ul>");
-    scenarios.forEach(each -> item(each, requirement));
+    List<String> passed =
+        tests.stream()
+            .filter(each -> result(each, requirement) == Result.PASSED)
+            .map(Test::fullName)
+            .toList();
+    if (!passed.isEmpty()) {
+      page.raw("<li>");
+      mark("is-good", passed.size() + " passed");
+      page.add(" %s</li>", named ? String.join(", ", passed) : "");
+    }
     page.raw("</ul></td>");
   }
 

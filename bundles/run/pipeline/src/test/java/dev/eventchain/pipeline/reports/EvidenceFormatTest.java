@@ -43,14 +43,14 @@ class EvidenceFormatTest {
 
   @ParameterizedTest
   @EnumSource
-  void evidenceOfNothingCanBeWritten(EvidenceFormat format) {
+  void evidenceOfNothingCanBeWritten(EvidenceFormat format) throws Exception {
     Path target = Path.of("x.html");
     assertEquals(
         format.files(target), List.copyOf(format.render(Evidences.none(), target).keySet()));
   }
 
   @Test
-  void thePageEscapesTextsAndNamesWhatDidNotPass() {
+  void thePageEscapesTextsAndNamesWhatDidNotPass() throws Exception {
     Path target = Path.of("Evidence.HTML");
     String page =
         new String(
