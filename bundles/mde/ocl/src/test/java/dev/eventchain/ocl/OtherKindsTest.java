@@ -129,7 +129,7 @@ class OtherKindsTest {
       case "Set" -> texts.addAll(OF_SETS);
       default -> texts.addAll(OF_SETS.subList(0, 4));
     }
-    TreeMap<String, String> differences = new TreeMap<>();
+    Map<String, String> differences = new TreeMap<>();
     for (String text : texts) {
       for (CollectionKind kind : CollectionKind.values()) {
         if (kind != CollectionKind.COLLECTION_LITERAL) {
@@ -141,7 +141,7 @@ class OtherKindsTest {
   }
 
   private void compare(
-      String declared, String text, CollectionKind kind, TreeMap<String, String> differences) {
+      String declared, String text, CollectionKind kind, Map<String, String> differences) {
     Object value = CollectionOperations.create(kind, List.of(3, 1, 1, 2));
     EClassifier type = language.type(declared + "(Integer)");
     List<Diagnostic> problems = new ArrayList<>();

@@ -61,8 +61,8 @@ public record HostProgram(
 
   private Path[] componentFiles() {
     return generated.manifest().nodes().stream()
-        .filter(node -> node.component() != null)
-        .map(generated::componentFile)
+        .flatMap(
+            node -> node.component().map(known -> generated.componentFile(node, known)).stream())
         .toArray(Path[]::new);
   }
 }

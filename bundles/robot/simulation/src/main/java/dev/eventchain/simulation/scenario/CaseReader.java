@@ -17,6 +17,6 @@ public final class CaseReader {
    * formula may be true or false whatever the software does.
    */
   public Scenario read(SourceText text, Bench bench) {
-    return ScenarioReader.readOnly(text, bench, false, files);
+    return ScenarioReader.readOnly(text, bench, false, files, warning -> {});
   }
 }
