@@ -21,6 +21,7 @@ final class MatrixPage {
       .matrix td { border-top: 1px solid var(--line); }
       .matrix li + li { margin-top: .15rem; }
       .matrix td:first-child { min-width: 14rem; max-width: 24rem; }
+      .matrix td:nth-child(4) { white-space: nowrap; }
       .matrix td:last-child { width: 40%; }
       .mark { display: inline-block; padding: 0 .4em; border-radius: .25em; font-size: .8125rem; white-space: nowrap; }
       .is-good { background: var(--good-soft); color: var(--good); }
