@@ -4,7 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.Report;
 import dev.eventchain.pipeline.evidence.Evidence;
-import dev.eventchain.pipeline.reports.EvidenceFormat;
+import dev.eventchain.pipeline.evidence.format.EvidenceFormat;
 import dev.eventchain.pipeline.run.RunResult;
 import java.io.IOException;
 import java.nio.file.Path;

@@ -1,2 +1,2 @@
 /** The evidence of a run in the formats that tools of requirements read. */
-package dev.eventchain.pipeline.reports;
+package dev.eventchain.pipeline.evidence.format;

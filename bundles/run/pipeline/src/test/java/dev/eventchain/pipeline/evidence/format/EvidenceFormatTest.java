@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.reports;
+package dev.eventchain.pipeline.evidence.format;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -23,7 +23,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 class EvidenceFormatTest {
 
   private static final Path EXPECTED =
-      Path.of("src/test/resources/dev/eventchain/pipeline/reports");
+      Path.of("src/test/resources/dev/eventchain/pipeline/evidence/format");
 
   @ParameterizedTest
   @CsvSource({

@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.reports;
+package dev.eventchain.pipeline.evidence.format;
 
 import dev.eventchain.diagnostics.XmlText;
 import dev.eventchain.pipeline.evidence.Evidence;

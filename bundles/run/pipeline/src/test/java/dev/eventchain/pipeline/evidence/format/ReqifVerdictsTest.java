@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.reports;
+package dev.eventchain.pipeline.evidence.format;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -23,7 +23,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ReqifVerdictsTest {
 
   private static final Path FILES =
-      Path.of("src/test/resources/dev/eventchain/pipeline/reports/reqif");
+      Path.of("src/test/resources/dev/eventchain/pipeline/evidence/format/reqif");
 
   @TempDir private Path folder;
 

@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.reports;
+package dev.eventchain.pipeline.evidence.format;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;

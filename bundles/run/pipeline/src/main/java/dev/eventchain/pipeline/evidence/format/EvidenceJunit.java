@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.reports;
+package dev.eventchain.pipeline.evidence.format;
 
 import dev.eventchain.diagnostics.JunitLinks;
 import dev.eventchain.diagnostics.SourceLocation;

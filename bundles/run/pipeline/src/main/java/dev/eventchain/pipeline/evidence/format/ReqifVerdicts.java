@@ -1,11 +1,11 @@
-package dev.eventchain.pipeline.reports;
+package dev.eventchain.pipeline.evidence.format;
 
 import dev.eventchain.diagnostics.Xml;
 import dev.eventchain.pipeline.evidence.Evidence;
 import dev.eventchain.pipeline.evidence.Evidence.Requirement;
 import dev.eventchain.pipeline.evidence.Evidence.Test;
 import dev.eventchain.pipeline.evidence.Evidence.Verdict;
-import dev.eventchain.pipeline.reports.XmlTree.Element;
+import dev.eventchain.pipeline.evidence.format.XmlTree.Element;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;

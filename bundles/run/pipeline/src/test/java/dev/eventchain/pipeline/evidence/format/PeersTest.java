@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.reports;
+package dev.eventchain.pipeline.evidence.format;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -263,7 +263,8 @@ class PeersTest {
 
   @Test
   void reqifIsValidAndSurvivesARoundTrip() throws Exception {
-    Path copy = Path.of("src/test/resources/dev/eventchain/pipeline/reports/reqif/copy.reqif");
+    Path copy =
+        Path.of("src/test/resources/dev/eventchain/pipeline/evidence/format/reqif/copy.reqif");
     for (Path file : List.of(folder.resolve("new.reqif"), copy.toAbsolutePath())) {
       String said = passes(folder, "reqif", "validate", "--use-reqif-schema", file);
       assertTrue(said.contains("0 errors, 0 schema issues found, 0 semantic issues"), said);

@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.reports;
+package dev.eventchain.pipeline.evidence.format;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.documents.CsvText;
