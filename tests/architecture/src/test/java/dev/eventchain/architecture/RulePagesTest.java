@@ -40,7 +40,7 @@ class RulePagesTest {
   private static final Set<String> NO_IDS =
       Set.of(
           "bash", "json", "py", "xmi", "ocl", "ecore", "js", "css", "html", "txt", "yaml", "md",
-          "msgs");
+          "msgs", "lobster");
 
   /**
    * Rules without a test: a disk failure during writing, an interrupt inside the JVM, and a node

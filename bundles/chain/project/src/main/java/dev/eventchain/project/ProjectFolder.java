@@ -9,23 +9,15 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.RosDistribution;
 import java.io.IOException;
-import java.nio.file.FileSystemLoopException;
-import java.nio.file.FileVisitOption;
-import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
-import java.nio.file.SimpleFileVisitor;
-import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.SortedSet;
-import java.util.TreeSet;
 
 /** A user's project folder: paths of its files, and of those results that are checked. */
 public class ProjectFolder {
@@ -352,39 +344,15 @@ public class ProjectFolder {
   /**
    * Returns the files in and below a folder, without compiled Python files. Links are followed, but
    * not into folders that they are in.
+   *
+   * @throws DiagnosticException INPUT if it, or a folder in it, cannot be read
    */
   public static List<Path> below(Path folder) {
-    SortedSet<Path> files = new TreeSet<>();
     try {
-      Files.walkFileTree(
-          folder,
-          EnumSet.of(FileVisitOption.FOLLOW_LINKS),
-          Integer.MAX_VALUE,
-          new SimpleFileVisitor<>() {
-            @Override
-            public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
-              if (attributes.isRegularFile() || isLinkToNothing(file)) {
-                files.add(file);
-              }
-              return FileVisitResult.CONTINUE;
-            }
-
-            @Override
-            public FileVisitResult visitFileFailed(Path file, IOException problem)
-                throws IOException {
-              return problem instanceof FileSystemLoopException
-                  ? FileVisitResult.CONTINUE
-                  : super.visitFileFailed(file, problem);
-            }
-          });
+      return FilesBelow.list(folder);
     } catch (IOException e) {
       throw unreadable(folder, e);
     }
-    return files.stream().filter(file -> !file.toString().contains("__pycache__")).toList();
-  }
-
-  private static boolean isLinkToNothing(Path file) {
-    return Files.isSymbolicLink(file) && !Files.exists(file);
   }
 
   /** Returns a file or folder of the project, unless it is certainly absent. */

@@ -305,16 +305,21 @@ public final class SoftwareBase {
             json.at(ChainNames.NODE));
         return Optional.empty();
       }
-      boolean needsFile = implementation == ComponentImplementation.COMPONENT || hosted.isPresent();
-      if (needsFile && !Files.isRegularFile(path)) {
+      if (implementation == ComponentImplementation.COMPONENT || hosted.isPresent()) {
+        requireFile(json, name, file, path);
+      }
+      Optional<HostedNode> node =
+          hosted.filter(it -> Files.isRegularFile(path)).map(it -> HostedNode.read(it, path));
+      return Optional.of(new Component(name, implementation, path, node, json.location()));
+    }
+
+    private static void requireFile(ObjectReader json, String name, String file, Path path) {
+      if (!Files.isRegularFile(path)) {
         json.find(
             ProjectRules.MODELER_COMPONENT_FILE,
             "The component '" + name + "' has no file " + file + ".",
             json.location());
       }
-      Optional<HostedNode> node =
-          hosted.filter(it -> Files.isRegularFile(path)).map(it -> HostedNode.read(it, path));
-      return Optional.of(new Component(name, implementation, path, node, json.location()));
     }
 
     private ComponentImplementation implementation(ObjectReader json) {

@@ -94,19 +94,12 @@ public final class MessageCatalog {
       RosFolder found = RosFolder.list(folder);
       for (Path file : found.files()) {
         if (isDefinition(file)) {
-          take(file, nameOf(folder, found.packageOf(file), file), ofThisFolder);
+          take(file, found.nameOf(file, folder), ofThisFolder);
         }
       }
     } catch (IOException e) {
       throw unreadable(folder, SourceText.reason(e));
     }
-  }
-
-  /** Returns the name of a file from its package on, or else from the folder on. */
-  private static String nameOf(Path folder, Optional<RosPackage> owner, Path file) {
-    String path = owner.map(RosPackage::folder).orElse(folder).relativize(file).toString();
-    String name = path.replace('\\', '/');
-    return owner.map(it -> it.name() + "/" + name).orElse(name);
   }
 
   private void take(Path file, String name, Set<String> ofThisFolder) {

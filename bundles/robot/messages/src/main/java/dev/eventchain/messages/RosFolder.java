@@ -54,6 +54,14 @@ public record RosFolder(SortedMap<Path, RosPackage> packages, SortedSet<Path> fi
     return Optional.empty();
   }
 
+  /** Returns the name of a file from its package on, or else from a folder on. */
+  String nameOf(Path file, Path otherwise) {
+    Optional<RosPackage> owner = packageOf(file);
+    Path above = owner.map(RosPackage::folder).orElse(otherwise);
+    String name = above.relativize(file).toString().replace('\\', '/');
+    return owner.map(it -> it.name() + "/" + name).orElse(name);
+  }
+
   private static final class Lister extends SimpleFileVisitor<Path> {
 
     private final Path root;

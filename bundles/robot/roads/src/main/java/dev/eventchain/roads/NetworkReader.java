@@ -26,7 +26,7 @@ final class NetworkReader {
   private final Map<String, Junction> junctions = new LinkedHashMap<>();
   private final Map<String, Place> places = new LinkedHashMap<>();
   private final List<Signal.Controller> controllers = new ArrayList<>();
-  private Header header;
+  private RoadNetwork.Header header;
 
   static RoadNetwork read(SourceText source) {
     NetworkReader reader = new NetworkReader();
@@ -45,7 +45,7 @@ final class NetworkReader {
     }
   }
 
-  private Header header(CheckedElement element) {
+  private RoadNetwork.Header header(CheckedElement element) {
     if (header != null) {
       problems.add(
           RoadRules.DUPLICATE, element, "There is a second `header`.", "Remove one of them.");
@@ -53,19 +53,19 @@ final class NetworkReader {
     double major = element.number("revMajor");
     double minor = element.number("revMinor");
     requireVersion(element, major, minor);
-    Header.Offset offset =
+    RoadNetwork.Header.Offset offset =
         element
             .child("offset")
             .map(
                 child ->
-                    new Header.Offset(
+                    new RoadNetwork.Header.Offset(
                         child.number("x"),
                         child.number("y"),
                         child.number("z", 0),
                         child.number("hdg", 0)))
-            .orElse(new Header.Offset(0, 0, 0, 0));
+            .orElse(new RoadNetwork.Header.Offset(0, 0, 0, 0));
     String projection = element.child("geoReference").map(CheckedElement::text).orElse("");
-    return new Header(
+    return new RoadNetwork.Header(
         (int) minor,
         element.optional("name").orElse(""),
         element.optional("vendor").orElse(""),

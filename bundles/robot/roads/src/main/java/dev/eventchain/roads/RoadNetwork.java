@@ -21,6 +21,29 @@ import java.util.Optional;
 /** A road network of an ASAM OpenDRIVE file, 1.4 to 1.8. Immutable. */
 public final class RoadNetwork {
 
+  /**
+   * The header of a file.
+   *
+   * @param minorVersion of OpenDRIVE 1, such as 8
+   * @param name of the network; often empty
+   * @param vendor of the program that wrote the file; often empty
+   * @param geoReference the projection as a PROJ string; empty if the network has none
+   * @param offset from the coordinates of the file to those of the projection
+   */
+  public record Header(
+      int minorVersion, String name, String vendor, String geoReference, Offset offset) {
+
+    /**
+     * A translation, after a rotation about z.
+     *
+     * @param x in m
+     * @param y in m
+     * @param z in m
+     * @param heading in rad
+     */
+    public record Offset(double x, double y, double z, double heading) {}
+  }
+
   private static final long LARGEST = 100L << 20;
 
   private final Header header;

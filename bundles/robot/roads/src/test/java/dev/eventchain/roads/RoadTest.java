@@ -28,12 +28,12 @@ class RoadTest {
   @Test
   void headerIsRead() {
     assertEquals(
-        new Header(
+        new RoadNetwork.Header(
             8,
             "tilted",
             "",
             "+proj=utm +zone=32 +datum=WGS84",
-            new Header.Offset(1000, 2000, 3, 0.5)),
+            new RoadNetwork.Header.Offset(1000, 2000, 3, 0.5)),
         NETWORK.header());
   }
 

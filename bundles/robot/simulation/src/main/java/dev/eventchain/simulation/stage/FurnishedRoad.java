@@ -13,7 +13,7 @@ import java.util.Optional;
 public final class FurnishedRoad {
 
   /** The code of the {@code userData} by which an exported file says it of its road. */
-  public static final String CODE = "eventchain.furnished";
+  public static final String CODE = "eventchain-furnished";
 
   private FurnishedRoad() {}
 

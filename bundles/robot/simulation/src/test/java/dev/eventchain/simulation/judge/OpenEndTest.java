@@ -70,7 +70,8 @@ class OpenEndTest {
     String scenario = scenario("duration_s: " + duration, "{" + actor + "}", criteria);
     Optional<Diagnostic> found = ScenarioJudge.openEnd(run(parsed(scenario), brake));
     assertEquals(open, found.isPresent(), found::toString);
-    found.ifPresent(it -> assertEquals("s.yaml:4:13", it.location().toString()));
+    found.ifPresent(
+        it -> assertEquals("s.yaml:4:13: simulation.end.open", it.location() + ": " + it.id()));
   }
 
   @Test

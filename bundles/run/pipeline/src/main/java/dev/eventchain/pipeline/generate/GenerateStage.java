@@ -81,7 +81,6 @@ public final class GenerateStage implements StageWork {
     found.addAll(checked.diagnostics());
     SortedMap<String, byte[]> files = within(folder, generated);
     String written = components(run, model.chain(), helpers, folder, files);
-    HostedNodes.copies(run).forEach((name, file) -> files.put(written + "/" + name, content(file)));
     files.forEach(run::write);
     run.writeResult(
         TraceFile.NAME, TraceFile.content(generated.trace(), folder + "/", run.baseFolders()));
@@ -184,7 +183,9 @@ public final class GenerateStage implements StageWork {
         }
       }
     }
-    return generated.map(GeneratedPackage::folder).orElse(folder + "/" + name);
+    String written = generated.map(GeneratedPackage::folder).orElse(folder + "/" + name);
+    HostedNodes.copies(run).forEach((copy, file) -> files.put(written + "/" + copy, content(file)));
+    return written;
   }
 
   private static byte[] content(Path file) {
