@@ -36,7 +36,7 @@ final class ComponentNames {
   }
 
   private static String capitalized(String name) {
-    return Arrays.stream(name.split("_"))
+    return Arrays.stream(name.split("_", -1))
         .filter(part -> !part.isEmpty())
         .map(part -> part.substring(0, 1).toUpperCase(Locale.ROOT) + part.substring(1))
         .collect(Collectors.joining("_"));

@@ -162,7 +162,7 @@ public final class Recording {
 
   /** Adds a definition, and those of the types that it uses, which follow it. */
   private void define(String name, String text) {
-    String[] parts = text.split("(?m)^=+\\R(?=MSG: )");
+    String[] parts = text.split("(?m)^=+\\R(?=MSG: )", -1);
     definitions.putIfAbsent(RosNames.fullMessageType(name), parts[0]);
     for (int i = 1; i < parts.length; i++) {
       String[] lines = parts[i].split("\\R", 2);

@@ -61,8 +61,7 @@ public final class Workspace {
     facts.path("questions").forEach(each -> questions.add(OpenQuestion.of(each)));
     LaunchRun.Sources sources =
         new LaunchRun.Sources(launchFiles(files, facts), folders(files, folder));
-    Optional<String> start =
-        launch.map(file -> named(file, files, sources)).or(() -> only(sources));
+    Optional<String> start = launch.map(file -> named(file, sources)).or(() -> only(sources));
     StartedNodes nodes = new StartedNodes(facts, sources.packages().keySet(), questions);
     List<FoundNode> found =
         start.isPresent()
@@ -133,7 +132,7 @@ public final class Workspace {
   }
 
   /** Returns the name of a launch file that was asked for. */
-  private String named(Path file, WorkspaceFiles files, LaunchRun.Sources sources) {
+  private String named(Path file, LaunchRun.Sources sources) {
     List<String> names = new ArrayList<>(List.of(file.toString().replace('\\', '/')));
     if (file.toAbsolutePath().normalize().startsWith(root.toAbsolutePath().normalize())) {
       names.add(

@@ -59,7 +59,7 @@ record CampaignPoints(String source, List<Score> scores) {
   String note() {
     return without() == 0
         ? source
-        : source + "; none for " + Coverage.counted((int) without(), "case") + " without a verdict";
+        : source + "; none for " + Coverage.counted(without(), "case") + " without a verdict";
   }
 
   /** Returns the points of a case, such as "0.5"; "-" if it has none. */
