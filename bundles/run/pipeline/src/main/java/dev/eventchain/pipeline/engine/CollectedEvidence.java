@@ -126,8 +126,8 @@ final class CollectedEvidence {
 
   private Evidence.Component component(SoftwareNode node) {
     SourceLocation place =
-        run.softwareBase()
-            .find(node.getName())
+        readable(run::softwareBase)
+            .flatMap(known -> known.find(node.getName()))
             .map(it -> SourceLocation.of(it.file()))
             .orElseGet(() -> SourceLocation.of(run.file(ComponentFiles.name(node.getName()))));
     return new Evidence.Component(
