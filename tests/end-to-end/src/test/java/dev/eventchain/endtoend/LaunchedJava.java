@@ -24,9 +24,9 @@ final class LaunchedJava {
         new ArrayList<>(
             List.of(
                 "-XX:+UseSerialGC",
-                "-XX:MaxNewSize=32m",
-                "-XX:MinHeapFreeRatio=20",
-                "-XX:MaxHeapFreeRatio=40",
+                "-XX:MaxNewSize=24m",
+                "-XX:MinHeapFreeRatio=10",
+                "-XX:MaxHeapFreeRatio=20",
                 "-XX:TieredStopAtLevel=1",
                 "-Xshare:auto",
                 "-Xlog:disable"));
