@@ -165,6 +165,11 @@ class RequirementSourcesTest {
     requirements("--diff", copy.path().resolve("older")).expect(2).says("file.missing");
     requirements("--diff", copy.path().resolve("bench.yaml")).expect(2).says("requirements.source");
     requirements("--format", "xml").expect(2).says("expected one of");
+    Path tests = copy.path().resolve("tests/Radar_Tracking.yaml");
+    Files.createDirectories(tests.getParent());
+    Files.writeString(tests, "- name: [broken");
+    requirements("--diff", copy.path()).expect(2).says("tests/Radar_Tracking.yaml:1");
+    Files.delete(tests);
     use("needs");
     copy.replace("specs/needs.json", "\"id\": \"RAD-1\"", "\"id\": RAD-1");
     requirements().expect(2).says("specs/needs.json:11").says("[requirements.source]");

@@ -43,7 +43,7 @@ public final class ReportFile {
       return Optional.empty();
     } catch (IOException e) {
       return Optional.of(
-          unwritable(e, file).withHint("Name another file with --report " + format + "=FILE."));
+          unwritable(e, file).withHint("Name another place with --report " + format + "=PLACE."));
     }
   }
 

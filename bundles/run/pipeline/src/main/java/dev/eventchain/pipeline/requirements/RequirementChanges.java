@@ -75,10 +75,10 @@ public record RequirementChanges(List<Change> changes, int same, List<Diagnostic
     OlderTexts older = OlderTexts.of(project, old);
     RunContext run = RequirementTable.reading(project, output, suppressions);
     Requirements requirements = run.requirements();
-    Evidence evidence = Evidence.of(run);
+    RequirementUses uses = RequirementUses.of(run);
     List<Change> changes = new ArrayList<>();
     for (WrittenRequirement item : requirements.items()) {
-      changed(project, item, older, evidence).ifPresent(changes::add);
+      changed(project, item, older, uses).ifPresent(changes::add);
     }
     int same = requirements.items().size() - changes.size();
     Set<String> gone = new LinkedHashSet<>(older.ids());
@@ -91,13 +91,13 @@ public record RequirementChanges(List<Change> changes, int same, List<Diagnostic
               Optional.empty(),
               older.text(id),
               Optional.empty(),
-              evidence.all(id)));
+              uses.all(id)));
     }
     return new RequirementChanges(changes, same, requirements.diagnostics());
   }
 
   private static Optional<Change> changed(
-      Project project, WrittenRequirement item, OlderTexts older, Evidence evidence) {
+      Project project, WrittenRequirement item, OlderTexts older, RequirementUses uses) {
     String text = AcceptedTexts.fingerprint(item.text());
     if (!older.ids().contains(item.id())) {
       return Optional.of(change(project, item, Kind.NEW, Optional.empty(), List.of()));
@@ -110,7 +110,7 @@ public record RequirementChanges(List<Change> changes, int same, List<Diagnostic
             .flatMap(all -> all.find(item.id()))
             .filter(entry -> entry.text().equals(text))
             .isPresent();
-    List<String> stale = accepted ? List.of() : evidence.all(item.id());
+    List<String> stale = accepted ? List.of() : uses.all(item.id());
     return Optional.of(change(project, item, Kind.CHANGED, older.text(item.id()), stale));
   }
 

@@ -69,11 +69,11 @@ public record RequirementTable(List<Row> rows, List<Diagnostic> diagnostics) {
   public static RequirementTable of(Project project, Path output, Suppressions suppressions) {
     RunContext run = reading(project, output, suppressions);
     Requirements requirements = run.requirements();
-    Evidence evidence = Evidence.of(run);
+    RequirementUses uses = RequirementUses.of(run);
     StandingVerdict verdict = StandingVerdict.of(run);
     List<Row> rows = new ArrayList<>();
     for (WrittenRequirement item : requirements.items()) {
-      rows.add(row(item, project.placeOf(item.location()), evidence, verdict));
+      rows.add(row(item, project.placeOf(item.location()), uses, verdict));
     }
     return new RequirementTable(rows, requirements.diagnostics());
   }
@@ -90,7 +90,7 @@ public record RequirementTable(List<Row> rows, List<Diagnostic> diagnostics) {
   }
 
   private static Row row(
-      WrittenRequirement item, String source, Evidence evidence, StandingVerdict verdict) {
+      WrittenRequirement item, String source, RequirementUses uses, StandingVerdict verdict) {
     Optional<String> reason = untested(item, verdict);
     Outcome outcome =
         reason.isPresent()
@@ -104,8 +104,8 @@ public record RequirementTable(List<Row> rows, List<Diagnostic> diagnostics) {
         item.details().status(),
         item.details().tags(),
         item.parentIds(),
-        evidence.components(item.id()),
-        evidence.scenarios(item.id()),
+        uses.components(item.id()),
+        uses.scenarios(item.id()),
         outcome.words(),
         reason);
   }

@@ -2,6 +2,8 @@ package dev.eventchain.pipeline.requirements;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.constraints.OclConstraint;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
@@ -20,14 +22,14 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 
 /** What of a project names a requirement: components, scenarios, constraints, component tests. */
-final class Evidence {
+final class RequirementUses {
 
   private final List<SoftwareNode> components;
   private final List<Scenario> scenarios;
   private final RunContext run;
   private final Map<String, Set<String>> tests = new TreeMap<>();
 
-  private Evidence(RunContext run, List<SoftwareNode> components, List<Scenario> scenarios) {
+  private RequirementUses(RunContext run, List<SoftwareNode> components, List<Scenario> scenarios) {
     this.run = run;
     this.components = components;
     this.scenarios = scenarios;
@@ -36,26 +38,30 @@ final class Evidence {
   /**
    * Reads scenarios, component tests and constraints, and the chain if there is one.
    *
-   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if one of them cannot be read
+   * @throws DiagnosticException INPUT if one of them cannot be read
    */
-  static Evidence of(RunContext run) {
+  static RequirementUses of(RunContext run) {
     boolean chain = run.project().model(run.options().output()).isPresent();
-    Evidence evidence =
-        new Evidence(
+    RequirementUses uses =
+        new RequirementUses(
             run,
             chain ? run.chain().chain().getSoftware() : List.of(),
             Scenario.readFolder(
                 run.project().scenarios(),
                 chain ? run.chain().bench() : run.bench(),
                 warning -> {}));
-    TestFiles.ofProject(run.project()).forEach(evidence::readTests);
-    return evidence;
+    TestFiles.ofProject(run.project()).forEach(uses::readTests);
+    return uses;
   }
 
   private void readTests(Path file) {
+    List<Diagnostic> problems = new ArrayList<>();
     Document document =
         Document.parse(
-            SourceText.read(file), DocumentFormat.YAML, ProjectSettings.RULES, problem -> {});
+            SourceText.read(file), DocumentFormat.YAML, ProjectSettings.RULES, problems::add);
+    if (Diagnostic.anyError(problems)) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
+    }
     String name = run.project().folder().relativize(file).toString();
     for (JsonNode test : document.root().findValues("requirement")) {
       tests.computeIfAbsent(test.asText(), id -> new TreeSet<>()).add(name);
