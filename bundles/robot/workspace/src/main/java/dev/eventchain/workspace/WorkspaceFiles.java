@@ -48,7 +48,18 @@ final class WorkspaceFiles {
   static WorkspaceFiles read(Path root, RosFolder folder, List<OpenQuestion> questions) {
     WorkspaceFiles files = new WorkspaceFiles(root, folder, questions);
     folder.packages().values().forEach(files::add);
+    folder.files().stream()
+        .filter(file -> file.endsWith(RosPackage.MANIFEST) && folder.packageOf(file).isEmpty())
+        .forEach(files::askForPackage);
     return files;
+  }
+
+  /** Asks for a package of which the name is unknown, so that nothing of it is read. */
+  private void askForPackage(Path manifest) {
+    String text =
+        "What is the name of this package? None can be read here that ROS 2 allows, and nothing of"
+            + " the package is read.";
+    questions.add(new OpenQuestion(text, name(manifest), 0));
   }
 
   /** Returns the request to the reader of sources. */

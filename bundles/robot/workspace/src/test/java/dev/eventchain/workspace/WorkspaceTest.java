@@ -91,6 +91,25 @@ class WorkspaceTest {
     assertEquals("workspace.unread", refused.diagnostics().get(0).id());
   }
 
+  /** A package whose manifest is broken, or names it illegally, must not vanish. */
+  @Test
+  void packagesWithoutALegalNameAreAskedFor(@TempDir Path folder) throws IOException {
+    copy("ws", folder);
+    for (String manifest :
+        List.of("<package><name>broken</name", "<package><name>No Name</name></package>")) {
+      Path nameless = Files.createDirectories(folder.resolve("src/nameless"));
+      Files.writeString(nameless.resolve("package.xml"), manifest);
+      FoundSoftware found = Workspace.read(folder, Optional.empty(), PYTHON);
+      assertEquals(
+          1,
+          found.questions().stream()
+              .filter(it -> it.file().equals("src/nameless/package.xml"))
+              .filter(it -> it.text().startsWith("What is the name of this package?"))
+              .count(),
+          manifest);
+    }
+  }
+
   /** Nothing of a workspace is run, whatever its files do or are. */
   @Test
   void hostileFilesAreAskedForAndNotRun(@TempDir Path folder) throws IOException {
