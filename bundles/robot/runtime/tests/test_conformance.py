@@ -45,7 +45,7 @@ def jazzy() -> Messages:
 
 
 def test_values_are_those_of_the_definitions(own: Messages) -> None:
-    """What `kinds_msgs/msg/Values` and `radar_msgs/msg/Target` write in each way that there is."""
+    """Bytes of `kinds_msgs/msg/Values` and `radar_msgs/msg/Target` in each representation that there is."""
     values: Any = own.get("kinds_msgs/msg/Values")
     assert values.EQUAL == "a = b"
     assert plain(values()) == {

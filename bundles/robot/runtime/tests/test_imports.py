@@ -1,4 +1,4 @@
-"""What the imports of a node find, and what they say about the parts of ROS 2 that are not there."""
+"""Imports of a node: modules that they find, and answers about parts of ROS 2 that are not there."""
 
 from __future__ import annotations
 

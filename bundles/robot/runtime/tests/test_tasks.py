@@ -1,4 +1,4 @@
-"""What comes later: futures, coroutines as callbacks, guard conditions, rates, sleeping and waiting."""
+"""Asynchronous work: futures, coroutines as callbacks, guard conditions, rates, sleeping and waiting."""
 
 from __future__ import annotations
 

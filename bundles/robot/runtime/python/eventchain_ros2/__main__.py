@@ -32,7 +32,7 @@ class UsageError(Exception):
 
 
 class Command(NamedTuple):
-    """What the command line says: files with messages, the file, its arguments, `(node, name, value)` of parameters.
+    """Contents of the command line: files with messages, the file, its arguments, `(node, name, value)` of parameters.
 
     A parameter without a node applies to all nodes; the last value takes precedence.
     """

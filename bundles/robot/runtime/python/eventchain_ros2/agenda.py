@@ -1,4 +1,4 @@
-"""What is to happen: the events and processes of a simulation, in simulated time."""
+"""Agenda of a simulation: its coming events and processes, in simulated time."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ from eventchain_ros2.cyclone import INFINITY
 from eventchain_ros2.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 
 LONGEST_BLOCK = 100_000_000
-"""How long one native call may take, in ns: Python sees signals only between calls."""
+"""Time that one native call may take, in ns: Python sees signals only between calls."""
 
 _XCDR1 = 0
 _MANUAL_BY_TOPIC = 2

@@ -29,9 +29,9 @@ _NANOSECONDS = 1_000_000_000
 _FOREVER = 2**62
 _LONGEST_SLEEP = 100_000_000
 _STEP = 0.01
-"""How often a thread looks at what it waits for, in s."""
+"""Interval at which a thread looks at what it waits for, in s."""
 _LOOK = 1_000_000
-"""How often a sleeping thread looks at `/clock`, in ns."""
+"""Interval at which a sleeping thread looks at `/clock`, in ns."""
 
 
 class Live(Simulation):

@@ -14,7 +14,7 @@ from eventchain_ros2.messages import Messages
 from eventchain_ros2.wire import Doorbell
 
 prepared: list[tuple[Participant, Doorbell]] = []
-"""What was made, for the host to take."""
+"""Prepared objects, for the host to take."""
 
 
 def prepare(settings: dict[str, Any]) -> None:

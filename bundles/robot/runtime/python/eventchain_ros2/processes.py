@@ -145,7 +145,7 @@ class Topic:
 
 
 class Launched(NamedTuple):
-    """What a launch file gives a node, as arguments of the command line would.
+    """Settings that a launch file gives a node, as arguments of the command line would.
 
     Args:
         name: its name; empty for its own.

@@ -19,7 +19,7 @@ class RealTime(Simulation):
     def __init__(self) -> None:
         super().__init__()
         self.late = 0
-        """How long after its start it was told to start, in ns."""
+        """Delay between its start and the order to start, in ns."""
         self.is_over = False
         self._start: int | None = None
 

@@ -85,7 +85,7 @@ def _without_identity(data: bytes | bytearray | memoryview) -> bytes:
 
 
 class ServiceIntrospectionState(IntEnum):
-    """What is told of requests and responses."""
+    """Listener of requests and responses."""
 
     OFF = 0
     METADATA = 1

@@ -17,7 +17,7 @@ Vector = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
 
 CACHE_TIME = 10_000_000_000
-"""How long transforms are kept, in ns."""
+"""Time for which transforms are kept, in ns."""
 
 _NEARLY_PARALLEL = 1 - 1e-9
 _LARGEST_NORM_ERROR = 1e-2

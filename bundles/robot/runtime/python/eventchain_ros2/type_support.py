@@ -27,7 +27,7 @@ IDENTITY = [
     Field("rmw_client", FieldType("uint64", "scalar", 0, 0), None),
     Field("rmw_request", FieldType("int64", "scalar", 0, 0), None),
 ]
-"""What precedes the fields of requests and responses on the wire (rmw_cyclonedds)."""
+"""Header before the fields of requests and responses on the wire (rmw_cyclonedds)."""
 
 _PRIMITIVE, _DEFINITION = 2, 1
 _STRING, _ARRAY, _SEQUENCE, _STRUCTURE = 16, 21, 22, 24

@@ -1,4 +1,4 @@
-"""How late the outputs of a component answer the values of its inputs, by counterfactual replays.
+"""Delay with which the outputs of a component answer the values of its inputs, by counterfactual replays.
 
 The recorded calls of a component are repeated with a fresh one, and the value of one input is another one in a single
 call: a pulse. The first call whose outputs differ from the recorded ones answers it. A delay inside a component answers
@@ -72,7 +72,7 @@ class Record:
 
 
 class Answer(NamedTuple):
-    """Which output answered a pulse of which input: the time of the pulse, and of the answer after it, in ns."""
+    """Answer of an output to a pulse of an input: the time of the pulse, and of the answer after it, in ns."""
 
     input: str
     output: str

@@ -15,7 +15,7 @@ from eventchain_ros2.qos import QoSProfile
 from eventchain_ros2.simulation import End, Publisher, Subscription
 
 _QUIET = 1_000_000_000
-"""How long an end on the wire is silent about missed deadlines after it has told of one, in ns."""
+"""Time for which an end on the wire is silent about missed deadlines after it has told of one, in ns."""
 
 
 _UNKNOWN = "_NODE_NAME_UNKNOWN_"

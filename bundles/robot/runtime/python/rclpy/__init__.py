@@ -43,7 +43,7 @@ _MODULES = {
     "utilities",
     "wait_for_message",
 }
-"""What `import rclpy` alone gives access to, when it is used."""
+"""Modules that `import rclpy` alone gives access to, when they are used."""
 _refuse = _refusals.of_module(__name__)
 _executors: list[_Executor] = []  # the global one
 

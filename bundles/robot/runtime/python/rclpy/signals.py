@@ -6,7 +6,7 @@ from eventchain_ros2 import refusals
 
 
 class SignalHandlerOptions(IntEnum):
-    """Which signals are handled."""
+    """Set of signals that are handled."""
 
     NO = 0
     SIGINT = 1

@@ -43,7 +43,7 @@ public final class DesignAgent {
   }
 
   /**
-   * What a design is asked for.
+   * Subject of a design.
    *
    * @param system name of the system: "Autonomous Emergency Braking"
    * @param frequency Hz, for new components unless the requirements ask for another one

@@ -1,7 +1,7 @@
 package dev.eventchain.agents;
 
 /**
- * What is wrong with a system that failed in the simulation.
+ * Diagnosis of a system that failed in the simulation.
  *
  * @param wrong the kind of part
  * @param name the component, or the id of the requirement; for a design, it may be empty

@@ -98,7 +98,7 @@ class LengthTest {
   }
 
   /** Returns the hand-written code that ships. */
-  private static List<Path> sources(String suffix) throws IOException {
+  static List<Path> sources(String suffix) throws IOException {
     try (Stream<Path> files = Files.walk(BundleFolders.BUNDLES)) {
       List<Path> found =
           new ArrayList<>(

@@ -68,7 +68,10 @@ class RulesTest {
     assertEquals(List.of(), disagreeing);
   }
 
-  /** What cannot be read was not checked; what is wrong with suppressions must not hide itself. */
+  /**
+   * A file that cannot be read was not checked; what is wrong with suppressions must not hide
+   * itself.
+   */
   @ArchTest
   static void whatHidesAMissingCheckCannotBeSuppressed(JavaClasses classes) throws Exception {
     NavigableSet<String> never =

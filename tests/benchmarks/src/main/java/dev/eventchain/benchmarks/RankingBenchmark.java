@@ -27,7 +27,7 @@ public final class RankingBenchmark {
   private static final List<String> METHODS = List.of("random", "cma_es");
   private static final String COMPONENT = "software-base/components/Brake_Request.py";
 
-  /** What a table says of a case. */
+  /** Row of a table about a case. */
   private record Row(String values, boolean failed) {}
 
   private final Path root;

@@ -22,10 +22,12 @@ class CutInTest {
 
   private static final String CELLS = "campaigns/r157-cells.csv";
 
-  /** How many cells a build simulates, other ones each day; the profile {@code thorough}: all. */
+  /**
+   * Number of cells that a build simulates, other ones each day; the profile {@code thorough}: all.
+   */
   private static final int CELLS_OF_A_BUILD = 28;
 
-  /** What the README of the example says. */
+  /** Numbers in the README of the example. */
   private static final int DIFFERENT = 32;
 
   private static final Map<String, String> NUMBERS =

@@ -184,7 +184,7 @@ class SearchTest {
         .says("[search.few-runs]");
   }
 
-  /** Whether it stands at the end has no margin while it does. */
+  /** Standing at the end has no margin while it does. */
   @InTurn
   @Test
   void aCriterionWithoutAMarginLeadsNowhere() throws IOException {

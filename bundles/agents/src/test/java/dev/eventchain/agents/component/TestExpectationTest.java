@@ -28,7 +28,9 @@ class TestExpectationTest {
     assertEquals("[\"inf\",5,\"inf\"]", expected.words());
   }
 
-  /** What is no array stays as it is written, and is reported for the type of the output. */
+  /**
+   * A value that is no array stays as it is written, and is reported for the type of the output.
+   */
   @ParameterizedTest
   @ValueSource(
       strings = {

@@ -36,7 +36,7 @@ import org.eclipse.emf.ecore.EPackage;
 /** Validation of models of any Ecore metamodel. */
 public final class ModelValidation {
 
-  /** How the names of UML profiles end. */
+  /** End of the names of UML profiles. */
   public static final String PROFILE = ".profile.uml";
 
   private final XmiStore store;
@@ -46,7 +46,7 @@ public final class ModelValidation {
   /** The named models, and those that they refer to. */
   private final List<LoadedModel> all;
 
-  /** Whether one of them is a model of UML, which is known without being named. */
+  /** True if one of them is a model of UML, which is known without being named. */
   private final boolean usesUml;
 
   private final Origins origins;

@@ -14,7 +14,7 @@ import java.util.Map;
 import java.util.stream.Stream;
 
 /**
- * Where references between files of models may lead, besides the folders of the named files.
+ * Folders to which references between files of models may lead, besides those of the named files.
  *
  * @param roots folders, such as that of a workspace or a repository
  * @param map the folders by the reference prefixes that they replace, such as {@code

@@ -20,7 +20,7 @@ public record WrittenRequirement(String id, String text, SourceLocation location
   }
 
   /**
-   * What tools for requirements say about one besides its text.
+   * Attributes of a requirement in tools for requirements besides its text.
    *
    * @param type the type, such as the tag of a node or the prefix of a document
    * @param status the status

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import picocli.CommandLine.Option;
 
-/** Where references between files may lead. */
+/** Options for the folders to which references between files may lead. */
 final class ReferenceOptions {
 
   @Option(

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import picocli.CommandLine.Option;
 
-/** What templates outside of projects need besides their own files. */
+/** Options for what templates outside of projects need besides their own files. */
 final class TemplateOptions {
 
   @Option(

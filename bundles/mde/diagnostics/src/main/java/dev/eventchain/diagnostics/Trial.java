@@ -22,7 +22,7 @@ public record Trial(
     List<Diagnostic> findings,
     Optional<Evidence> evidence) {
 
-  /** What was tested. */
+  /** Subject of the test. */
   public enum Kind {
     /** The software in a situation. */
     SCENARIO("scenarios"),

@@ -32,7 +32,7 @@ public final class XmlEvents {
 
   private XmlEvents() {}
 
-  /** What is done with tags and texts, in the order in which they stand. */
+  /** Receiver of tags and texts, in the order in which they stand. */
   public interface Handler {
 
     /**
@@ -54,7 +54,7 @@ public final class XmlEvents {
     void end();
   }
 
-  /** What makes a text no XML that is read. */
+  /** Reason why a text is no XML that is read. */
   public static final class MalformedException extends Exception {
 
     private static final long serialVersionUID = 1L;

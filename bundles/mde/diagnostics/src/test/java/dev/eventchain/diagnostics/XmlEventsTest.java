@@ -35,7 +35,7 @@ class XmlEventsTest {
     return events;
   }
 
-  /** What is in comments and texts is no tag, and a prefix need not be declared. */
+  /** Tags in comments and texts are none, and a prefix need not be declared. */
   @Test
   void tagsHaveTheirPlaces() throws XmlEvents.MalformedException {
     assertEquals(

@@ -39,7 +39,7 @@ final class StockEvaluator {
   private final OclEnvironment environment;
   private final Set<String> differences = new TreeSet<>();
 
-  /** Whether the unlimited number occurred in the latest evaluation. */
+  /** Occurrence of the unlimited number in the latest evaluation. */
   private boolean unlimited;
 
   StockEvaluator(OclEnvironment environment) {

@@ -15,7 +15,7 @@ import org.eclipse.uml2.uml.UMLPlugin;
 import org.eclipse.uml2.uml.profile.standard.StandardPackage;
 import org.eclipse.uml2.uml.resources.util.UMLResourcesUtil;
 
-/** What needs the classes of Eclipse UML2, apart so that {@link Uml} can do without. */
+/** Code that needs the classes of Eclipse UML2, apart so that {@link Uml} can do without. */
 final class UmlClasses {
 
   /** The files that come with UML2, and the URIs of the profiles among them by their namespaces. */

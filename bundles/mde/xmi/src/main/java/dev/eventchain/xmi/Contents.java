@@ -23,7 +23,7 @@ import org.eclipse.emf.ecore.util.InternalEList;
 final class Contents {
 
   /**
-   * How to find the children of the instances of a class.
+   * Access to the children of the instances of a class.
    *
    * @param references those that contain children, from last to first
    * @param elsewhere true if feature maps may contain children, too

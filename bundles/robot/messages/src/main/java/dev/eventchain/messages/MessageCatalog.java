@@ -35,10 +35,10 @@ public final class MessageCatalog {
   private static final String SUFFIX = ".msg";
   private static final String IDL_SUFFIX = ".idl";
 
-  /** What stands before the name of a type, in the format of recordings. */
+  /** Prefix of the name of a type, in the format of recordings. */
   static final String HEADING = "MSG: ";
 
-  /** What stands between two definitions, in the format of recordings. */
+  /** Separator of two definitions, in the format of recordings. */
   static final String SEPARATOR = "=".repeat(80) + "\n";
 
   private final RosDistribution distribution;

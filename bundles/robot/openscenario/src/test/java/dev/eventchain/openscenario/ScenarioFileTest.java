@@ -146,7 +146,7 @@ class ScenarioFileTest {
     assertEquals("osc.path", firstId(() -> ScenarioFile.read(copy).resolve(Map.of())));
   }
 
-  /** What version 1.0 says is in the form of the latest version. */
+  /** Contents of version 1.0 are in the form of the latest version. */
   @Test
   void olderVersionsAreBroughtToOneForm() throws IOException {
     Path folder = RESOURCES.resolve("versions");

@@ -12,7 +12,7 @@ import java.util.List;
  */
 public record Junction(String id, String name, Kind kind, List<Connection> connections) {
 
-  /** What the connections of a junction are. */
+  /** Kind of a junction by its connections. */
   public enum Kind {
     /** Roads that lead through the junction. */
     COMMON("default"),

@@ -33,7 +33,7 @@ public final class Road {
   }
 
   /**
-   * What a road is, apart from its geometry.
+   * Properties of a road apart from its geometry.
    *
    * @param junction the junction that it is part of
    * @param types the types of the road, in the order of s
@@ -58,7 +58,7 @@ public final class Road {
    */
   public record RoadType(double start, String type, Optional<SpeedLimit> limit) {}
 
-  /** What stands beside and on a road. */
+  /** Objects and signals beside and on a road. */
   record Furniture(
       List<RoadObject> objects, List<Signal> signals, List<Signal.Reference> references) {
 

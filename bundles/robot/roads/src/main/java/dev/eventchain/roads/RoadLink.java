@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * What follows an end of a road.
+ * Successor at an end of a road.
  *
  * @param junction whether it is a junction and no road
  * @param id the id of the road or junction
@@ -14,9 +14,9 @@ public record RoadLink(boolean junction, String id, Optional<Contact> contact) {
 
   /** An end of a road. */
   public enum Contact {
-    /** Where s is 0. */
+    /** Point where s is 0. */
     START,
-    /** Where s is the road's length. */
+    /** Point where s is the road's length. */
     END;
 
     String spelling() {

@@ -66,7 +66,10 @@ final class VirtualLinks {
         .flatMap(each -> end(each, lane));
   }
 
-  /** Who leaves a road comes along it, and who joins it goes on along it, in the direction. */
+  /**
+   * Vehicles that leave a road come along it, and those that join it go on along it, in the
+   * direction.
+   */
   private Optional<LaneEnd> end(PendingLinks.OfPlace link, int lane) {
     boolean atEnd = link.alongS() == (link.end() == RoadLink.Contact.START);
     Road road = roads.get(link.main());

@@ -19,7 +19,7 @@ class BrokenFilesTest {
           SourceText.read(Networks.FOLDER.resolve("tilted.xodr")).text(),
           SourceText.read(Networks.FOLDER.resolve("leaving.xodr")).text());
 
-  /** What replaces a piece of the text. */
+  /** Replacements of a piece of the text. */
   private static final List<String> DAMAGES =
       List.of("", "-", "0", "1e308", "NaN", "-1e-9", "\"", "<", ">", "/>", "&", "x", "\u0000", "é");
 

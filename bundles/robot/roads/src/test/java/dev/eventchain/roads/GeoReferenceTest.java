@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class GeoReferenceTest {
 
   /**
-   * What PROJ 9 says by pyproj (some on GRS 80, which is 0.2 mm off), and the length of a quarter
+   * Values of PROJ 9 by pyproj (some on GRS 80, which is 0.2 mm off), and the length of a quarter
    * of a meridian.
    */
   @ParameterizedTest

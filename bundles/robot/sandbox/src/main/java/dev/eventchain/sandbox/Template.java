@@ -32,7 +32,7 @@ import java.util.concurrent.TimeUnit;
 final class Template {
 
   /**
-   * What is the same in all processes of a template.
+   * Properties that all processes of a template share.
    *
    * @param pythonPath folders with Eventchain's packages
    * @param modules the modules that are imported besides Eventchain's own

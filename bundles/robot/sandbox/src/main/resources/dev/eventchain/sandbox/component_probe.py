@@ -26,7 +26,7 @@ from component_rules import STATE_HINT, Component, Finding, check_file
 from component_sources import check_needs
 
 REPEATED = 50
-"""How many of the calls are made again on a second object: what differs differs at once."""
+"""Number of calls that are made again on a second object: what differs differs at once."""
 
 
 class Probe:

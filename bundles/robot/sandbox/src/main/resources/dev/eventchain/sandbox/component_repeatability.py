@@ -1,4 +1,4 @@
-"""What makes the results of a hand-written file differ from run to run: clocks, random numbers and threads.
+"""Causes of results of a hand-written file that differ from run to run: clocks, random numbers and threads.
 
 Found in the syntax tree, without running the file. Only what a file names is found: a name that is computed, or a
 package of others that reads a clock itself, is left to the comparison of two runs.
@@ -44,7 +44,7 @@ _SEEDED = frozenset(
     }
     | {"numpy.random.seed"}
 )
-"""What is repeatable with an argument, and random without."""
+"""Functions that are repeatable with an argument, and random without."""
 
 CLOCK_HINT = "Count the calls of execute(), which come at the node's frequency, or read a time from a message."
 RANDOM_HINT = (

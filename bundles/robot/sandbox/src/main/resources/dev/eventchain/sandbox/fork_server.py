@@ -28,7 +28,7 @@ import component_process
 
 LONGEST_REQUEST = 1 << 18
 LOOK_SECONDS = 0.1
-"""How long the program waits for a component before it looks at the clocks."""
+"""Time for which the program waits for a component before it looks at the clocks."""
 
 _BUFFER = 1 << 20
 _MOST_DESCRIPTORS = 4096

@@ -30,7 +30,7 @@ class TemplateTest {
   private static final ConfinedProcess.Limits LIMITS =
       new ConfinedProcess.Limits(Duration.ofMinutes(2), Duration.ofSeconds(1), 256);
 
-  /** What a program can see of its surroundings. */
+  /** Surroundings as far as a program can see them. */
   private static final String SURROUNDINGS =
       """
       import gc, os, resource, signal, sys, threading

@@ -31,7 +31,7 @@ final class HostPool {
     State work(int number, NodeHosts hosts);
   }
 
-  /** What is left of a job and of its processes. */
+  /** Remains of a job and of its processes. */
   enum State {
     /** The job is done, and the processes can do another one. */
     DONE,

@@ -11,7 +11,7 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** What a launch file starts without arguments, in its order. */
+/** Nodes that a launch file starts without arguments, in its order. */
 final class LaunchRun {
 
   private static final int DEEPEST = 20;

@@ -33,7 +33,7 @@ final class McapSummary {
   /** The messages of a topic. */
   record Channel(int id, int schema, String topic, String encoding, Map<String, String> metadata) {}
 
-  /** What is wrong with a file, a clause. */
+  /** Defect of a file, as a clause. */
   static final class MalformedFileException extends Exception {
     private static final long serialVersionUID = 1L;
 

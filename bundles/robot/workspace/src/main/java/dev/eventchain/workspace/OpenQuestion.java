@@ -3,7 +3,7 @@ package dev.eventchain.workspace;
 import com.fasterxml.jackson.databind.JsonNode;
 
 /**
- * What the sources do not say, and somebody who knows the software has to.
+ * Fact that the sources do not state, and somebody who knows the software has to.
  *
  * @param text a question
  * @param file the file that it is about, relative to the workspace

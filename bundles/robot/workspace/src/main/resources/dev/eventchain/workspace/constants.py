@@ -27,7 +27,7 @@ class UnknownValueError(Exception):
 
 
 class Place(NamedTuple):
-    """Where an expression is: what its names mean.
+    """Scope of an expression: what its names mean.
 
     Args:
         classes: the class of ``self`` and its bases in the workspace, each with its module; empty outside a class.

@@ -12,7 +12,7 @@ Function = ast.FunctionDef | ast.AsyncFunctionDef
 
 
 class Question(NamedTuple):
-    """What the source does not say, with its place."""
+    """Question that the source leaves open, with its place."""
 
     file: str
     line: int

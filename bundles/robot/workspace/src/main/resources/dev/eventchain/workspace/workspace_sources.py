@@ -25,7 +25,7 @@ Json = dict[str, Any]
 
 
 class Workspace:
-    """What the sources say."""
+    """Content of the sources."""
 
     def __init__(self, packages: list[Json]) -> None:
         self._packages = packages

@@ -17,7 +17,7 @@ class NodlTest {
 
   private static final Path DOCUMENTS = Path.of("src/test/resources/nodl");
 
-  /** What a chain has no counterpart for is asked. */
+  /** A question stands for each thing that a chain has no counterpart for. */
   @Test
   void documentsAreASoftwareBase() throws IOException {
     FoundSoftware found = Nodl.read(List.of(DOCUMENTS.resolve("front__tracker.nodl.yaml")));

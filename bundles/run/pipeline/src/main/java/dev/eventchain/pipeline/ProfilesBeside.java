@@ -26,7 +26,7 @@ import org.eclipse.emf.ecore.EPackage;
  */
 final class ProfilesBeside {
 
-  /** What was read from a file: packages, or what is wrong with it. */
+  /** Content of a file: packages, or what is wrong with it. */
   private record Read(List<EPackage> definitions, List<Diagnostic> problems) {}
 
   private final ReferenceFolders references;

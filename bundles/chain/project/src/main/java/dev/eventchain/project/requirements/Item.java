@@ -25,7 +25,7 @@ final class Item {
   /** Types that are more general than its own, which a selection may name, too. */
   Set<String> generalTypes = Set.of();
 
-  /** Why it is no requirement for its own tool; empty if it is one. */
+  /** Reason why it is no requirement for its own tool; empty if it is one. */
   Optional<String> excluded = Optional.empty();
 
   Item(String id, String text, SourceLocation location) {

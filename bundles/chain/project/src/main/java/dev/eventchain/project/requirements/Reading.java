@@ -15,7 +15,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
 
-/** What is found while a source is read: items, in the order of the source, and findings. */
+/** Results of reading a source: items, in the order of the source, and findings. */
 final class Reading {
 
   /** Greatest number of characters of a file. */

@@ -11,8 +11,8 @@ import java.util.List;
 final class BodyTree {
 
   /**
-   * What is between two tags of a block. The first body of a block with alternatives counts as long
-   * as the whole block, a later one from its own tag to the next.
+   * Text and tags between two tags of a block. The first body of a block with alternatives counts
+   * as long as the whole block, a later one from its own tag to the next.
    */
   static final class Body {
     private final String source;

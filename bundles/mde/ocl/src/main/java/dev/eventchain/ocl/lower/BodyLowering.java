@@ -67,7 +67,7 @@ final class BodyLowering {
   private final OperationLowering operations;
   private final LoopLowering loops;
 
-  /** What values depend on. */
+  /** Dependencies of values. */
   private final Purity purity;
 
   /** The visible variables and their slots. */

@@ -23,7 +23,7 @@ import org.eclipse.ocl.expressions.Variable;
 import org.eclipse.ocl.expressions.VariableExp;
 import org.eclipse.ocl.utilities.PredefinedType;
 
-/** What the values of expressions depend on. */
+/** Dependencies of the values of expressions. */
 final class Purity {
 
   private final Lowering lowering;

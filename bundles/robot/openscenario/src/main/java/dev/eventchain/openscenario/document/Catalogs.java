@@ -42,7 +42,7 @@ final class Catalogs {
   /** A folder as it is written, and where. */
   record Location(String path, SourceLocation place) {}
 
-  /** What a reference leads to. */
+  /** Target of a reference. */
   record Entry(XmlElement element, Version version) {}
 
   private final Folder folder;

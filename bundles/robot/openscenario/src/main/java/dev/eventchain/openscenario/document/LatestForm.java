@@ -14,7 +14,7 @@ import java.util.Optional;
  */
 final class LatestForm {
 
-  /** What has moved into an element of its own, by type and child. */
+  /** Contents that have moved into an element of their own, by type and child. */
   private static final Map<String, Map<String, String>> MOVED =
       Map.of(
           "PrivateAction", Map.of("ActivateControllerAction", "ControllerAction"),

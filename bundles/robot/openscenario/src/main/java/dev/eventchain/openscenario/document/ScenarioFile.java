@@ -19,7 +19,7 @@ import java.util.Optional;
  */
 public final class ScenarioFile {
 
-  /** What a file describes. */
+  /** Kind of a file by its content. */
   public enum Kind {
     /** A scenario, which can be resolved. */
     SCENARIO,

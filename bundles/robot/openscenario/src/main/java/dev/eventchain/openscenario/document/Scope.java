@@ -26,7 +26,7 @@ final class Scope {
   private static final Pattern REFERENCE = Pattern.compile("\\$[A-Za-z_]\\w*");
   private static final int LONGEST_QUOTE = 100;
 
-  /** Where a value comes from: its declaration, or who gives another one. */
+  /** Origin of a value: its declaration, or who gives another one. */
   private record Source(
       ParameterDeclaration declared, String written, Scope scope, SourceLocation place) {}
 

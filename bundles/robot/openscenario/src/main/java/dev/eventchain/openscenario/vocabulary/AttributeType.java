@@ -14,7 +14,7 @@ import java.util.Optional;
 public record AttributeType(
     String name, String type, List<Use> uses, Optional<String> otherwise, String latest) {
 
-  /** What a version says about the presence of an attribute. */
+  /** Rule of a version about the presence of an attribute. */
   public record Use(Version since, boolean required) {}
 
   /** Copies the uses. */

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 
-/** What an element may contain. The order of children is not part of it. */
+/** Allowed contents of an element. The order of children is not part of it. */
 public sealed interface Content {
 
   /** The number of children without a limit. */

@@ -196,7 +196,7 @@ class FeatureTest {
     return Scenarios.tree(text);
   }
 
-  /** What is known is read, or lacks what it needs. */
+  /** A known feature is read, or lacks what it needs. */
   private static void assertAgrees(
       String names, ScenarioElement element, Consumer<ScenarioElement> read) {
     String name = names.replaceFirst(".*/", "");

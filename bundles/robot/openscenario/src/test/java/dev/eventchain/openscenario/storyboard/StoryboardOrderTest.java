@@ -120,7 +120,7 @@ class StoryboardOrderTest {
         events(3, event("E", "parallel", 3, "<UserDefinedAction/>", after(1))));
   }
 
-  /** What follows stands before what it follows. */
+  /** A follower stands before what it follows. */
   @Test
   void aConditionSeesWhatEndsInTheSameStep() {
     assertEquals(

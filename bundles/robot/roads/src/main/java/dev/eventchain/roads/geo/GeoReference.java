@@ -11,7 +11,7 @@ import java.util.Set;
  */
 public final class GeoReference {
 
-  /** What says nothing of the plane. Heights of a geoid concern heights only. */
+  /** Parameters that say nothing of the plane. Heights of a geoid concern heights only. */
   private static final Set<String> WITHOUT_EFFECT =
       Set.of("no_defs", "type", "wktext", "vunits", "geoidgrids", "geoid_crs");
 

@@ -9,12 +9,12 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * What is done with each element of OpenDRIVE: read, without effect, or refused because roads would
- * be different without it. The table is a file beside this class.
+ * Treatment of each element of OpenDRIVE: read, without effect, or refused because roads would be
+ * different without it. The table is a file beside this class.
  */
 public final class ElementTable {
 
-  /** What is done with an element. */
+  /** Treatment of an element. */
   enum Treatment {
     /** Read. */
     READ,

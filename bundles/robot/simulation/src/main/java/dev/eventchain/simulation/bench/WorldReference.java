@@ -12,7 +12,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** What benches and scenarios can name of the world, for the documentation. */
+/** Names of the world that benches and scenarios can use, for the documentation. */
 public final class WorldReference {
 
   private WorldReference() {}

@@ -8,7 +8,7 @@ import dev.eventchain.simulation.world.Shape;
 /** Entities with their boxes. What a scenario does not say of a vehicle is assumed. */
 final class EntityElements {
 
-  /** What the names of all properties begin with. */
+  /** Beginning of the names of all properties. */
   static final String PREFIX = "eventchain.";
 
   private static final double WHEEL = 0.6;

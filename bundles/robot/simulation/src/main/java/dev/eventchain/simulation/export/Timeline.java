@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What of a script with known times becomes which action. A half wave to the side at a constant
+ * Actions that the parts of a script with known times become. A half wave to the side at a constant
  * speed is a lane change; everything else to the side is a part of a trajectory, together with the
  * changes of the speed during it.
  */
@@ -15,7 +15,7 @@ final class Timeline {
   /** Angle by which the direction of a vehicle may differ for a moment, in rad. */
   private static final double MOST_TURNED = 0.02;
 
-  /** How far trajectories lead beyond the end, at which nothing is to change, in s. */
+  /** Time by which trajectories lead beyond the end, at which nothing is to change, in s. */
   private static final double BEYOND = 1.0;
 
   /** A time from which to which a trajectory leads, in s. */

@@ -10,7 +10,9 @@ final class Trajectory {
   /** Largest time between two vertices, in s. */
   private static final double LONGEST = 0.1;
 
-  /** How often such a time is halved at most, where a straight line is not near enough. */
+  /**
+   * Largest number of times that such a time is halved, where a straight line is not near enough.
+   */
   private static final int HALVES = 4;
 
   /** Distance and angle within which a straight line is near enough, in m and rad. */

@@ -31,7 +31,7 @@ final class WaitingEvents {
   /** The name of the event before; null if the maneuver before has a fixed time. */
   private String previous;
 
-  /** How much later than its maneuver that event begins, in s. */
+  /** Delay of that event after its maneuver, in s. */
   private double previousLag;
 
   /** The speed and the offset that the maneuvers before lead to. */

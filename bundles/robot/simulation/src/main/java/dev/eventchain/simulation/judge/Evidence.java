@@ -65,7 +65,7 @@ final class Evidence {
     return outputs;
   }
 
-  /** What a criterion that holds depends on. */
+  /** Dependencies of a criterion that holds. */
   private record Finding(Optional<String> lack, Set<String> idle, Set<String> dependsOn) {
 
     static Finding none(String why) {

@@ -26,8 +26,8 @@ import java.util.Optional;
 record OpenEnd(Actor ahead, double gap, double after, double speed) {
 
   /**
-   * How far a run is continued, in s: an approach that takes longer is that of a vehicle which
-   * follows another one.
+   * Time by which a run is continued, in s: an approach that takes longer is that of a vehicle
+   * which follows another one.
    */
   private static final double CONTINUED = 10.0;
 

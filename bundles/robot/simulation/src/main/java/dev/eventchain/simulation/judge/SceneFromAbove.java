@@ -19,7 +19,7 @@ import java.util.function.ToDoubleFunction;
 /** Scene of a scenario from above. */
 final class SceneFromAbove {
 
-  /** How far from the ego the picture shows something, in m. */
+  /** Distance from the ego up to which the picture shows something, in m. */
   private static final double SHOWN = 80.0;
 
   private final Situation situation;

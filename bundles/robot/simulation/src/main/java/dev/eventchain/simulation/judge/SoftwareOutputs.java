@@ -16,7 +16,7 @@ import java.util.TreeSet;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
-/** What the software writes, as signals of formulas, and whether it ever does something with it. */
+/** Outputs of the software as signals of formulas, and whether it ever does something with them. */
 final class SoftwareOutputs {
 
   private static final Actuator[] STEERING = {Actuator.STEERING, Actuator.STEERING_ANGLE};

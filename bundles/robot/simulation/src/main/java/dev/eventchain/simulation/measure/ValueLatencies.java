@@ -22,7 +22,8 @@ import java.util.function.Predicate;
 import java.util.stream.Stream;
 
 /**
- * How much later the values of components' outputs answer those of inputs than their messages say.
+ * Delay by which the values of components' outputs answer those of inputs later than their messages
+ * say.
  *
  * <p>A value is late if no pulse of the input was answered in the same call or the next one, and
  * several of them equally late: so does a delay. What is answered late for another reason, such as

@@ -49,7 +49,7 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
       String name, String module, String className, Optional<Component> component, Launch launch) {}
 
   /**
-   * What a launch file gives a node.
+   * Settings that a launch file gives a node.
    *
    * @param name empty for its own
    * @param namespace empty for its own

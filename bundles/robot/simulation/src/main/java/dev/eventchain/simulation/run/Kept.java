@@ -3,7 +3,7 @@ package dev.eventchain.simulation.run;
 import java.util.Optional;
 
 /**
- * What is kept of a run besides what it is judged by.
+ * Records that are kept of a run besides what it is judged by.
  *
  * @param answers true if the log has the answers of outputs to pulses of inputs; in lock-step only
  * @param log receives all messages of the nodes; empty for none

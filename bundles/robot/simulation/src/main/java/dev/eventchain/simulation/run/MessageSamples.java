@@ -92,7 +92,7 @@ public final class MessageSamples {
     return message.type().resolve(path).type().orElseThrow().kind() != FieldType.Kind.INT8;
   }
 
-  /** What the elements of an array have in common. */
+  /** Common properties of the elements of an array. */
   private static final class Extent {
     private double least = Double.POSITIVE_INFINITY;
     private double most = Double.NEGATIVE_INFINITY;

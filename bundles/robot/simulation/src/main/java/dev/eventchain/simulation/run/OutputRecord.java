@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.TreeMap;
 
-/** What was published in a scenario: the range of each field that components write. */
+/** Published values of a scenario: the range of each field that components write. */
 public final class OutputRecord {
 
   /** A large odd number, which spreads the hashes of single values over 64 bits. */

@@ -26,7 +26,7 @@ public record Criterion(
     List<String> requirements)
     implements Expectation {
 
-  /** Why a criterion about what is ahead was not tested where nothing was. */
+  /** Reason why a criterion about what is ahead was not tested where nothing was. */
   public static final String NOTHING_AHEAD = "nothing ahead";
 
   /** Copies the list. */

@@ -23,9 +23,9 @@ public record FormulaCriterion(
     String name, Formula formula, Form form, SourceLocation location, List<String> requirements)
     implements Expectation {
 
-  /** What a criterion asks for. */
+  /** Demand of a criterion. */
   enum Form {
-    /** What its formula says. */
+    /** Truth of its formula. */
     WRITTEN,
     /** That the software brings something about. */
     GOAL,

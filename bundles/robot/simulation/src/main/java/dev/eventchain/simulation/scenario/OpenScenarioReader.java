@@ -22,7 +22,7 @@ final class OpenScenarioReader {
   /** The key of which side positions on routes mean. */
   private static final String ROUTE_POSITIONS = "route_positions";
 
-  /** What the file has, so that the scenario may not say it. */
+  /** Keys that the file replaces, so that the scenario may not have them. */
   static final List<String> ELSEWHERE = List.of("road", "actors", "furniture");
 
   private OpenScenarioReader() {}

@@ -78,7 +78,7 @@ public final class Scenario {
   }
 
   /**
-   * What is asked of the software in a scenario.
+   * Demands on the software in a scenario.
    *
    * @param criteria what it has to keep to
    * @param observed what is reported, and not judged

@@ -61,8 +61,8 @@ record ScenarioFolder(Path folder) {
   }
 
   /**
-   * Returns all files, and those that they lead to: OpenSCENARIO files, and what these lead to.
-   * What cannot be read is a finding later.
+   * Returns all files, and those that they lead to: OpenSCENARIO files, and what these lead to. A
+   * file that cannot be read is a finding later.
    */
   List<Path> allFiles() {
     return withPlayed(files());

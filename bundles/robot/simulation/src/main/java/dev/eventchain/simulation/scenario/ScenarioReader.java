@@ -177,7 +177,7 @@ final class ScenarioReader {
     return new Scenario(heading, seed, duration, situation, inputs, phases, asked);
   }
 
-  /** What a scenario says about itself. */
+  /** Statements of a scenario about itself. */
   private record Words(String name, String title, String description) {}
 
   private static Words words(ObjectReader section, Optional<PlayedFile> played) {

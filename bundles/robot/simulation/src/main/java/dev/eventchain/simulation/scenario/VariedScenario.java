@@ -18,7 +18,7 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * What varies in a file in OpenSCENARIO XML: of a file of distributions, the parameters that differ
+ * Variations of a file in OpenSCENARIO XML: of a file of distributions, the parameters that differ
  * between its cases; of a scenario, the numbers that a constraint bounds on both sides.
  *
  * @param scenario the file of the scenario

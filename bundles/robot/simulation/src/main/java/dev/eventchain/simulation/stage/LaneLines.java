@@ -18,7 +18,7 @@ final class LaneLines {
   /** Distance between places at which a road is looked at first, in m. */
   private static final double COARSE = 40.0;
 
-  /** How far beside the ego's lane a line matters, in m: more than a picture shows. */
+  /** Distance from the ego's lane up to which a line matters, in m: more than a picture shows. */
   private static final double ASIDE = 60.0;
 
   /** Difference of direction from which on a place is kept, in rad. */

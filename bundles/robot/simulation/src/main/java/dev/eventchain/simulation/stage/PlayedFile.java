@@ -42,7 +42,7 @@ public final class PlayedFile {
   private final List<Diagnostic> warnings;
 
   /**
-   * What a scenario says about the file that it plays.
+   * Statements of a scenario about the file that it plays.
    *
    * @param parameters values for parameters, which no distribution may vary
    * @param ego the name of the vehicle with the software; empty: the one that is named so
@@ -66,7 +66,7 @@ public final class PlayedFile {
     this.words = words;
   }
 
-  /** What is played in a case: the scenario, and what is added to its name and its title. */
+  /** Contents of a case: the scenario, and what is added to its name and its title. */
   private record Case(ResolvedScenario scenario, String file, String suffix, String words) {}
 
   /**

@@ -23,7 +23,7 @@ final class RoadFurniture {
   /** Thickness of the sides of something with an outline, and of a sign, in m. */
   private static final double THIN = 0.1;
 
-  /** How far beside the ego's lane it matters, in m: more than a sensor sees. */
+  /** Distance from the ego's lane up to which it matters, in m: more than a sensor sees. */
   private static final double ASIDE = 120.0;
 
   private final RoadNetwork network;

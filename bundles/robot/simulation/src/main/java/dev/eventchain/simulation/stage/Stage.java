@@ -31,14 +31,14 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What a scenario needs to be played: its storyboard, its roads, and the ego at the start.
+ * Requisites of a scenario: its storyboard, its roads, and the ego at the start.
  *
  * <p>The world has its origin where the ego's front bumper is at the start, in the middle of its
  * lane, and its x axis along that lane.
  */
 final class Stage {
 
-  /** How far the ego's lane is followed, in m. */
+  /** Distance for which the ego's lane is followed, in m. */
   private static final double AHEAD = 20_000.0;
 
   private static final double BEHIND = 1_000.0;

@@ -98,7 +98,10 @@ final class StoryboardDirector implements Director {
     return List.copyOf(all);
   }
 
-  /** What the storyboard cannot play is a problem of the scenario, which notices no fault by it. */
+  /**
+   * Actions that the storyboard cannot play are a problem of the scenario, which notices no fault
+   * by it.
+   */
   @Override
   public void continueAt(int moment, Ego seen) {
     try {

@@ -33,7 +33,7 @@ public final class FaultTrial {
   private State kept = state;
   private Aim aim = new Aim(Set.of(), 0, false);
 
-  /** What the criteria of a requirement did so far. */
+  /** State of the criteria of a requirement so far. */
   private record Attempts(int count, double nearest, Optional<Reaction> reaction) {
 
     private static final Attempts NONE =
@@ -62,7 +62,7 @@ public final class FaultTrial {
   }
 
   /**
-   * What further runs are for.
+   * Purpose of further runs.
    *
    * @param requirements those that may notice the fault
    * @param limit the number of their scenarios in which it is tried

@@ -14,7 +14,7 @@ import java.util.Optional;
 /** A variant of a component in one scenario after the other, until one notices it. */
 public final class VariantTrial {
 
-  /** What a node does with values of its component that it cannot send. */
+  /** Treatment by a node of values of its component that it cannot send. */
   private static final List<Rule> OF_NODE =
       List.of(HostRules.NODE_FAILED, HostRules.NODE_TIMEOUT, HostRules.MESSAGE_MALFORMED);
 

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * What became of one case of a campaign.
+ * Result of one case of a campaign.
  *
  * @param reason why it is not passed, in words; empty if it is
  * @param criteria in the order of the scenario

@@ -14,7 +14,7 @@ import java.util.List;
 public record FieldSamples(
     String topic, String path, String unit, Form form, List<Sample> samples) {
 
-  /** What a value is. */
+  /** Kind of a value. */
   public enum Form {
     NUMBER,
     /** 1 or 0. */

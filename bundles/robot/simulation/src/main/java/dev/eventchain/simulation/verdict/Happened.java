@@ -10,7 +10,7 @@ import java.util.OptionalDouble;
  */
 public record Happened(String name, Kind kind, double start, OptionalDouble end) {
 
-  /** What it is. */
+  /** Kind of the event. */
   public enum Kind {
     /** An event of the storyboard. */
     EVENT,

@@ -15,7 +15,7 @@ import java.util.Optional;
  */
 public record VariantReaction(Kind kind, String scenario, String words, Optional<Margin> margin) {
 
-  /** Whether and how a variant was noticed. */
+  /** Way in which a variant was noticed, if it was. */
   public enum Kind {
     /** A criterion that holds without it fails. */
     CRITERION,

@@ -10,7 +10,7 @@ import java.util.function.Predicate;
  */
 public record Maneuver(Start start, Change change, boolean optional) {
 
-  /** What starts it. */
+  /** Trigger of the maneuver. */
   public sealed interface Start permits After, When {
 
     /** Returns it in words, such as "when gap < 30 m". */
@@ -39,7 +39,7 @@ public record Maneuver(Start start, Change change, boolean optional) {
     }
   }
 
-  /** What changes: the speed or the offset. */
+  /** Quantity that changes: the speed or the offset. */
   public sealed interface Change permits SpeedProfile.Change, LateralProfile.Change {
 
     /** Returns the same change at another time, in s. */

@@ -32,10 +32,10 @@ public final class World {
   private long now;
   private boolean ended;
 
-  /** How long the ego's speed is constant, in ns; 0 if it changes continuously. */
+  /** Time for which the ego's speed is constant, in ns; 0 if it changes continuously. */
   private final long speedStep;
 
-  /** When the next such step begins, in ns. */
+  /** Begin of the next such step, in ns. */
   private long nextStep;
 
   /** Times at which the driver lets go of the pedals and of the wheel, in ns. */

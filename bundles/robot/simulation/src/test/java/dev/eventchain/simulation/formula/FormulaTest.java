@@ -91,7 +91,7 @@ class FormulaTest {
     assertEquals(times, outcome.otherwise().toString(), outcome::toString);
   }
 
-  /** What a beginning violates fails in the whole run. */
+  /** A formula that a beginning violates fails in the whole run. */
   @ParameterizedTest
   @CsvFileSource(resources = "/formulas/judged.csv", delimiter = ';', numLinesToSkip = 1)
   void noBeginningViolatesWhatDoesNotFail(String formula, String expected) {

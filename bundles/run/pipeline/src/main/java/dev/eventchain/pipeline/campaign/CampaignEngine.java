@@ -12,7 +12,7 @@ import java.util.List;
  */
 public record CampaignEngine(String address, List<String> options, List<Path> files) {
 
-  /** What stands for the folder of a node's copies of files, before their absolute paths. */
+  /** Placeholder of the folder of a node's copies of files, before their absolute paths. */
   public static final String FILES = "{files}";
 
   public CampaignEngine {

@@ -27,7 +27,10 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 
-/** What the cases of a campaign file are simulated with: the generated nodes and the scenario. */
+/**
+ * Environment in which the cases of a campaign file are simulated: the generated nodes and the
+ * scenario.
+ */
 final class CampaignScene {
 
   private final RunContext run;

@@ -20,7 +20,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** What became of the cases of a campaign, as findings and as text. */
+/** Results of the cases of a campaign, as findings and as text. */
 final class CampaignSummary {
 
   private final CampaignPlan plan;

@@ -37,7 +37,7 @@ final class RayCampaign {
 
   private static final int MOST_PARTS = 999_999;
 
-  /** What a result may depend on besides files: see the fingerprint of the stage. */
+  /** Dependencies of a result besides files: see the fingerprint of the stage. */
   private static final Set<String> SETTINGS = Set.of("EVENTCHAIN_CONFINEMENT");
 
   /** Folders of the output folder that no stage reads. */

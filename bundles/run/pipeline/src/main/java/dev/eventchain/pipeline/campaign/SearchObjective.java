@@ -13,8 +13,8 @@ import java.util.TreeMap;
 import java.util.function.Predicate;
 
 /**
- * What a search minimises: margins of criteria, each in units of how much those of its criterion
- * differ, since metres and seconds have no order.
+ * Objective that a search minimises: margins of criteria, each in units of how much those of its
+ * criterion differ, since metres and seconds have no order.
  */
 final class SearchObjective {
 

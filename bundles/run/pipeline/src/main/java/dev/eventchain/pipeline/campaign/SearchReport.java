@@ -13,7 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 
-/** What a search came to, as findings, as text and as a table. */
+/** Result of a search, as findings, as text and as a table. */
 final class SearchReport {
 
   private final CampaignPlan plan;

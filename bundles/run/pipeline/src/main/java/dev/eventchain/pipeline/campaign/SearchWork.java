@@ -41,7 +41,7 @@ final class SearchWork {
   private final List<SearchRun> first = new ArrayList<>();
 
   /**
-   * What a search came to.
+   * Result of a search.
    *
    * @param runs in an order that is the same each time
    * @param isFlat whether the seeds had nothing to go by

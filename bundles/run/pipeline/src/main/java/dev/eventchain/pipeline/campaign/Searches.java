@@ -40,7 +40,7 @@ public final class Searches {
   private final SearchSettings settings;
   private final boolean keeps;
 
-  /** What a search and the making of simple finds came to. */
+  /** Results of a search and of the making of simple finds. */
   private record Results(
       SearchWork.Result search, List<SearchFinds.Find> finds, List<CampaignCase> asked) {}
 

@@ -25,11 +25,11 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * What components read and wrote around the time that decides a criterion, as a table in Markdown:
- * every message, with the numbers of the world beside it. A row holds the messages from its time to
- * the next row's; no two of one topic share a row. What never changes, and time stamps, which only
- * count as the rows do, are left out of it. What held at the nearest times at which the criterion
- * was good has rows of its own.
+ * Values that components read and wrote around the time that decides a criterion, as a table in
+ * Markdown: every message, with the numbers of the world beside it. A row holds the messages from
+ * its time to the next row's; no two of one topic share a row. What never changes, and time stamps,
+ * which only count as the rows do, are left out of it. What held at the nearest times at which the
+ * criterion was good has rows of its own.
  */
 final class SampleTable {
   private static final int MOST_ROWS = 40;

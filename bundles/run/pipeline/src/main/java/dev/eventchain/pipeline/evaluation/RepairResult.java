@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * How often an error in an answer was mended in the next one.
+ * Counts of how often an error in an answer was mended in the next one.
  *
  * @param error as {@code task: id}
  * @param sentBack number of answers with it that were sent back and answered again

@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 
 /**
- * How often a language model did a task.
+ * Counts of how often a language model did a task.
  *
  * @param task as in configurations; {@code verdict} for a correction after a failed verdict
  * @param asked number of its questions, each with the repairs that follow it

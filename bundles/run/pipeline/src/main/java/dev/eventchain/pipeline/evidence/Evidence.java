@@ -7,8 +7,8 @@ import java.util.Optional;
 import java.util.OptionalLong;
 
 /**
- * What a run says about the requirements of a project. What was not tested is neither passed nor
- * failed, and supports no requirement.
+ * Statements of a run about the requirements of a project. What was not tested is neither passed
+ * nor failed, and supports no requirement.
  *
  * @param name the name of the project
  * @param title its title
@@ -32,7 +32,7 @@ public record Evidence(
     tests = List.copyOf(tests);
   }
 
-  /** What is said of a requirement. */
+  /** Verdict about a requirement. */
   public enum Verdict {
     PROVED,
     VIOLATED,
@@ -44,7 +44,7 @@ public record Evidence(
     }
   }
 
-  /** How a test ended. */
+  /** End of a test. */
   public enum Result {
     PASSED,
     FAILED,
@@ -145,7 +145,7 @@ public record Evidence(
     }
   }
 
-  /** What a test says about a requirement. */
+  /** Statement of a test about a requirement. */
   public record About(String requirement, Result result) {}
 
   /** Returns the requirement with this id. */

@@ -1,2 +1,4 @@
-/** What a run says about each requirement: its components, tests and scenarios, and a verdict. */
+/**
+ * Statements of a run about each requirement: its components, tests and scenarios, and a verdict.
+ */
 package dev.eventchain.pipeline.evidence;

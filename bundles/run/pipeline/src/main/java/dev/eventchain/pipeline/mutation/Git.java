@@ -21,7 +21,7 @@ final class Git {
   private final Path folder;
   private final Duration limit;
 
-  /** What Git has said. */
+  /** Output of Git. */
   record Answer(int exitCode, String text) {}
 
   /**

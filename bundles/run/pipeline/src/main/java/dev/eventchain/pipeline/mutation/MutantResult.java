@@ -3,7 +3,7 @@ package dev.eventchain.pipeline.mutation;
 import java.util.Optional;
 
 /**
- * What noticed a mutant, or came nearest.
+ * Test or scenario that noticed a mutant, or came nearest.
  *
  * @param component the component's name
  * @param mutant the mutant's id
@@ -24,7 +24,7 @@ record MutantResult(
     Optional<String> words,
     Optional<String> left) {
 
-  /** Whether and how a mutant was noticed. */
+  /** Way in which a mutant was noticed, if it was. */
   enum Outcome {
     /** Not tried with the current files. */
     NOT_TRIED(false),

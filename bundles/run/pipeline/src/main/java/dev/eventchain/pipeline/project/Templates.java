@@ -28,7 +28,10 @@ public final class Templates {
   private static final SortedMap<String, String> FOLDERS =
       new TreeMap<>(Map.of(DEFAULT, "ros2", "cyclonedds-python", "cyclonedds"));
 
-  /** What ships never changes, and compiling it takes longer than generating with it. */
+  /**
+   * Cache: shipped templates never change, and compiling them takes longer than generating with
+   * them.
+   */
   private static final Map<Shipped, TemplateModule> COMPILED = new ConcurrentHashMap<>();
 
   private record Shipped(String set, String module, List<EPackage> packages) {}

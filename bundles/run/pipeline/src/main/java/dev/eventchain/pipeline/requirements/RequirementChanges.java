@@ -19,7 +19,7 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What changed in the requirements of a project since an older state, and which evidence is about
+ * Changes in the requirements of a project since an older state, and the evidence that is about
  * older texts. Evidence that somebody has accepted for the current text is not stale.
  *
  * @param changes the changed requirements, the new ones and those that are gone

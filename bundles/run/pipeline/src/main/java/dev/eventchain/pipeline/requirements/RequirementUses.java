@@ -21,7 +21,9 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 
-/** What of a project names a requirement: components, scenarios, constraints, component tests. */
+/**
+ * Places of a project that name a requirement: components, scenarios, constraints, component tests.
+ */
 final class RequirementUses {
 
   private final List<SoftwareNode> components;

@@ -1,2 +1,2 @@
-/** What is known of the requirements of a project, and what a change of them does. */
+/** Facts about the requirements of a project, and effects of a change of them. */
 package dev.eventchain.pipeline.requirements;

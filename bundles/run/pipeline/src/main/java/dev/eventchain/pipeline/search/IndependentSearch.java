@@ -13,7 +13,7 @@ public final class IndependentSearch {
   private static final int QUESTIONS = 20;
 
   /**
-   * What a function says of a point.
+   * Value of a function at a point.
    *
    * @param evaluated whether it took an evaluation; false where the value was known, or has not to
    *     be known

@@ -12,7 +12,7 @@ import org.hipparchus.optim.nonlinear.scalar.ObjectiveFunction;
 import org.hipparchus.optim.nonlinear.scalar.noderiv.CMAESOptimizer;
 import org.hipparchus.random.Well19937c;
 
-/** How the next point of the unit cube is chosen. */
+/** Choice of the next point of the unit cube. */
 public enum SearchMethod {
   /**
    * Evolution with an adapted covariance matrix (N. Hansen, The CMA Evolution Strategy: A Tutorial,

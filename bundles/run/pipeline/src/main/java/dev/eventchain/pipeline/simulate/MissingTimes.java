@@ -49,7 +49,7 @@ final class MissingTimes {
           METAMODEL.getChainMeasurement_Latencies(),
           METAMODEL.getLatencyMeasurement_Latency());
 
-  /** What bounds a latency that a component is part of, for users, by the component. */
+  /** Bound of a latency that a component is part of, for users, by the component. */
   private final Map<SoftwareNode, Set<String>> bounds = new LinkedHashMap<>();
 
   private final Set<String> ids = new TreeSet<>();

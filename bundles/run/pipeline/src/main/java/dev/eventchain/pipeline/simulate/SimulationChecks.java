@@ -11,7 +11,7 @@ import dev.eventchain.simulation.scenario.Scenario;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What is checked before anything is simulated. */
+/** Checks before anything is simulated. */
 public final class SimulationChecks {
 
   private SimulationChecks() {}

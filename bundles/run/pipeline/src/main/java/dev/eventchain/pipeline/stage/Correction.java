@@ -9,7 +9,7 @@ import java.util.Set;
 import java.util.stream.Stream;
 
 /**
- * What language models corrected after a failed verdict.
+ * Corrections by language models after a failed verdict.
  *
  * @param design the corrected design, if it was the cause
  * @param kept the components whose description a corrected design leaves as it is

@@ -72,7 +72,7 @@ class CampaignsTest {
     assertFalse(Files.exists(output.resolve("campaigns/two/parts/000001.json")));
   }
 
-  /** What is kept by then would else be taken for cases of the files as they are again. */
+  /** Results kept by then would else be taken for cases of the files as they are again. */
   @Test
   void anInterruptedCampaignKeepsNoCaseAfterAnEditThatIsTakenBack() throws IOException {
     Path bench = copy.resolve("bench.yaml");

@@ -36,10 +36,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Tests that the files of all examples put their actors where the simulation has them. */
 class ExportedExamplesTest {
 
-  /** What straight lines between the vertices of a trajectory leave open, in m and rad. */
+  /** Tolerance for straight lines between the vertices of a trajectory, in m and rad. */
   private static final double NEAR = 0.03;
 
-  /** How far apart the ways of two controllers that steer the ego are, in m. */
+  /** Distance between the ways of two controllers that steer the ego, in m. */
   private static final double STEERED = 0.6;
 
   @TempDir Path folder;

@@ -3,7 +3,7 @@ package dev.eventchain.openscenario.storyboard.action;
 import dev.eventchain.openscenario.document.ScenarioElement;
 
 /**
- * How a value gets to its target.
+ * Way in which a value gets to its target.
  *
  * @param dimension {@code time}, {@code rate} or {@code distance}
  * @param value in s, in the value's unit per second, or in m

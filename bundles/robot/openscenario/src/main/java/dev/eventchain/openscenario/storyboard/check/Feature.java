@@ -10,7 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * What is done with an element, an attribute or a value of the standard.
+ * Treatment of an element, an attribute or a value of the standard.
  *
  * @param name {@code Element}, {@code Element@attribute} or {@code Element@attribute=value}
  * @param reason why it is refused or has no effect; may be empty for what is supported
@@ -19,7 +19,7 @@ public record Feature(String name, Support support, String reason) {
 
   private static final Map<String, Feature> ALL = read();
 
-  /** How far the storyboard supports something. */
+  /** Degree of support by the storyboard. */
   public enum Support {
     SUPPORTED,
     REFUSED,

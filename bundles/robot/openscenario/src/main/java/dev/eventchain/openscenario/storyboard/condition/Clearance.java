@@ -14,8 +14,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * Whether no other entity is near on some lanes. Lanes are counted from the entity's own, positive
- * to its left; an entity is on the lane of its reference point.
+ * Test that no other entity is near on some lanes. Lanes are counted from the entity's own,
+ * positive to its left; an entity is on the lane of its reference point.
  */
 final class Clearance {
 

@@ -16,7 +16,7 @@ final class Condition {
   private final Edge edge;
   private final long delay;
 
-  /** What it was by time in ns, as far back as the delay asks. */
+  /** Values by time in ns, as far back as the delay asks. */
   private final TreeMap<Long, Outcome> outcomes = new TreeMap<>();
 
   private long step = -1;

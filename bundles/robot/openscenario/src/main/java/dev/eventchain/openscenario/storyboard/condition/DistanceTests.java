@@ -14,7 +14,7 @@ import java.util.OptionalDouble;
 /** Expressions on where an entity is. */
 final class DistanceTests {
 
-  /** What a distance is measured to; empty while it is not in the world. */
+  /** Target of a distance; empty while it is not in the world. */
   @FunctionalInterface
   private interface Target {
     Optional<Body> in(Scene scene);

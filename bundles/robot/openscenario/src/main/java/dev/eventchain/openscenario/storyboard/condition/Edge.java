@@ -1,6 +1,6 @@
 package dev.eventchain.openscenario.storyboard.condition;
 
-/** How a condition looks at the change of its expression from the step before. */
+/** Kind of change of an expression from the step before at which a condition looks. */
 enum Edge {
   NONE,
   RISING,

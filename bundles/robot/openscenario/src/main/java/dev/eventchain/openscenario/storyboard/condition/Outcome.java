@@ -3,7 +3,7 @@ package dev.eventchain.openscenario.storyboard.condition;
 import java.util.List;
 
 /**
- * What a condition or a trigger says.
+ * Value of a condition or a trigger.
  *
  * @param entities those that made it hold, without doubles; empty for conditions on values
  */

@@ -9,7 +9,7 @@ import dev.eventchain.openscenario.storyboard.world.Pose;
 import java.util.Optional;
 
 /**
- * What distances are measured from and to: an entity, or a position.
+ * Start or end of a distance: an entity, or a position.
  *
  * @param box empty for a position
  * @param vx velocity in the world, in m/s

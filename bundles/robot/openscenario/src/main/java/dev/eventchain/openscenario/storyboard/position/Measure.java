@@ -9,7 +9,7 @@ import java.util.DoubleSummaryStatistics;
 import java.util.OptionalDouble;
 
 /**
- * How a distance is measured.
+ * Way in which a distance is measured.
  *
  * @param kind along which dimension
  * @param frame in whose coordinates

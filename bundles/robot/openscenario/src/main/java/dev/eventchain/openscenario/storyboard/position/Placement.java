@@ -5,7 +5,7 @@ import dev.eventchain.openscenario.storyboard.world.Pose;
 import java.util.Optional;
 
 /**
- * Where a position is.
+ * Place of a position.
  *
  * @param road the point of a road; empty off the roads
  */

@@ -5,7 +5,7 @@ import dev.eventchain.openscenario.storyboard.world.LanePoint;
 import dev.eventchain.openscenario.storyboard.world.Pose;
 import java.util.Optional;
 
-/** What decides the way of an entity. Immutable. */
+/** Control of the way of an entity. Immutable. */
 public interface Lateral {
 
   /**

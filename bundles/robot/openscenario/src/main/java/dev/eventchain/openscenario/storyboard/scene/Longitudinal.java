@@ -1,6 +1,6 @@
 package dev.eventchain.openscenario.storyboard.scene;
 
-/** What decides the speed of an entity. Immutable. */
+/** Control of the speed of an entity. Immutable. */
 public interface Longitudinal {
 
   /** Keeps the speed that the entity has. */

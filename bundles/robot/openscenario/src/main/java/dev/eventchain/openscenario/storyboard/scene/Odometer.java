@@ -3,7 +3,7 @@ package dev.eventchain.openscenario.storyboard.scene;
 import dev.eventchain.openscenario.storyboard.world.EntityState;
 
 /**
- * What an entity did so far.
+ * Movement of an entity so far.
  *
  * @param travelled the length of its way, in m, jumps left out
  * @param standing for how long it has been standing, in s; negative while it moves

@@ -1,6 +1,6 @@
 package dev.eventchain.openscenario.storyboard.scene;
 
-/** What an action has an entity do over time. */
+/** Task that an action gives an entity over time. */
 public final class Task {
 
   private final String entity;

@@ -11,7 +11,7 @@ import java.util.Optional;
 /** An event. It starts at most once in a step, so that events cannot start each other forever. */
 final class Event extends Node {
 
-  /** What an event does to the others of its maneuver. */
+  /** Effect of an event on the others of its maneuver. */
   enum Priority {
     OVERRIDE,
     PARALLEL,

@@ -1,6 +1,6 @@
 package dev.eventchain.openscenario.storyboard.world;
 
-/** Which entities are in contact at a moment. */
+/** Entities that are in contact at a moment. */
 @FunctionalInterface
 public interface Collisions {
 

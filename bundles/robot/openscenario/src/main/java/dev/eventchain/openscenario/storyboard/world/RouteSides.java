@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Which side a lane and a t of a {@code RoutePosition} mean where the route leads against the s of
+ * Side that a lane and a t of a {@code RoutePosition} mean where the route leads against the s of
  * the road. The standard does not say it, and programs differ.
  */
 public enum RouteSides {
@@ -13,7 +13,7 @@ public enum RouteSides {
   /** The side that they have as one looks along the route: to the right below 0. */
   ROUTE;
 
-  /** What is meant where nobody says it. */
+  /** Default reading. */
   public static final RouteSides USUAL = ROUTE;
 
   /** Returns the word of a setting. */

@@ -1,6 +1,6 @@
 package dev.eventchain.openscenario.storyboard.world;
 
-/** Who sees an entity: the pictures, sensors, and the other entities. */
+/** Observers that see an entity: the pictures, sensors, and the other entities. */
 public record Visibility(boolean graphics, boolean sensors, boolean traffic) {
 
   /** That of an entity of which nothing else is said. */

@@ -12,7 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What a campaign file says of a campaign.
+ * Statements of a campaign file about a campaign.
  *
  * @param part its name in a file of several campaigns; empty in one of a single campaign
  * @param name that of its results

@@ -14,7 +14,7 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * How a protocol counts points for cases.
+ * Points of a protocol for cases.
  *
  * @param source the protocol, with its version
  * @param most the points of a case that passed without an impact

@@ -3,7 +3,7 @@ package dev.eventchain.pipeline.campaign.plan;
 import java.util.Locale;
 
 /**
- * Which combinations of the factors' values are simulated.
+ * Choice of the combinations of the factors' values that are simulated.
  *
  * @param cases how many; 0 for those that follow from the values
  */

@@ -12,7 +12,7 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * What a campaign file says of a search.
+ * Statements of a campaign file about a search.
  *
  * @param criterion the one whose margin is minimised; without it, another one by each seed
  * @param runs how many cases are simulated until it ends, without those that make finds simpler

@@ -24,7 +24,7 @@ import java.util.stream.Collectors;
  */
 final class ReqifVerdicts {
 
-  /** How all identifiers begin that are added. */
+  /** Beginning of all identifiers that are added. */
   private static final String OURS = "eventchain-";
 
   private static final String DATATYPES =

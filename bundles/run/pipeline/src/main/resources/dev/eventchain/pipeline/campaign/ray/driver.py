@@ -45,7 +45,7 @@ WITHOUT_CLUSTER = (
 
 
 class DriverError(Exception):
-    """What cannot be done, with a hint."""
+    """Failure for users, with a hint."""
 
     def __init__(self, message: str, hint: str = "") -> None:
         super().__init__(message)

@@ -1,4 +1,4 @@
-"""What a node does for a campaign: it unpacks program and project once, and runs parts of the campaign.
+"""Work of a node for a campaign: it unpacks program and project once, and runs parts of the campaign.
 
 Ray sends this module to the nodes, where only the standard library can be imported.
 """
@@ -27,7 +27,7 @@ BY_ANOTHER_PROGRAM = "import ctypes, os, sys; ctypes.CDLL(None).prctl(1, 9); os.
 
 @dataclass(frozen=True)
 class Work:
-    """What is the same for all parts of a campaign."""
+    """Properties that all parts of a campaign share."""
 
     program: str  # the name of the pack of the program
     files: str  # the name of the pack of the project
@@ -41,7 +41,7 @@ class Work:
 
 @dataclass(frozen=True)
 class Part:
-    """What became of a part: its cases, or the output of the program that failed."""
+    """Result of a part: its cases, or the output of the program that failed."""
 
     node: str
     cases: str = ""
