@@ -20,6 +20,9 @@ public final class CheckedElement {
   /** Attributes that tell elements of a name apart, the first one first. */
   private static final List<String> IDENTIFYING = List.of("id", "s", "sOffset");
 
+  /** Largest number that is read: cubes of such numbers are finite, and no road needs more. */
+  private static final double LARGEST = 1e12;
+
   private final SourceText source;
   private final Problems problems;
   private final String name;
@@ -174,14 +177,14 @@ public final class CheckedElement {
     return value == null ? absent : parsed(attribute, value);
   }
 
-  /** Returns the finite number of an attribute; {@code NaN} if it is none, and no problem. */
+  /** Returns the number of an attribute as far as it can be read; else {@code NaN}, no problem. */
   public double numberOrNaN(String attribute) {
     String value = value(attribute);
     double number = value == null ? Double.NaN : decimal(value.strip());
-    return Double.isFinite(number) ? number : Double.NaN;
+    return Math.abs(number) <= LARGEST ? number : Double.NaN;
   }
 
-  /** Returns whether an attribute is a finite number; reports nothing. */
+  /** Returns whether an attribute is a number that can be read; reports nothing. */
   public boolean isNumber(String attribute) {
     return !Double.isNaN(numberOrNaN(attribute));
   }
@@ -194,6 +197,14 @@ public final class CheckedElement {
           at(attribute),
           "`" + attribute + "` is `" + shortened(value) + "`, which is no finite number.",
           "Write a decimal number, such as `12.5` or `1.2e-3`.");
+      return Double.NaN;
+    }
+    if (Math.abs(number) > LARGEST) {
+      problems.add(
+          XmlRules.NUMBER,
+          at(attribute),
+          "`" + attribute + "` is `" + shortened(value) + "`, and no road is described by that.",
+          "Numbers up to 1e12 are read, in m, rad or per m.");
       return Double.NaN;
     }
     return number;
