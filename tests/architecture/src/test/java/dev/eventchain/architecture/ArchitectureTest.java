@@ -153,6 +153,7 @@ class ArchitectureTest {
               ROOT + "diagnostics..",
               ROOT + "documents..",
               ROOT + "output..",
+              ROOT + "editing..",
               ROOT + "ocl..",
               ROOT + "constraints..",
               ROOT + "m2t..",

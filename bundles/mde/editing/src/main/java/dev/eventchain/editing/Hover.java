@@ -1,0 +1,9 @@
+package dev.eventchain.editing;
+
+/**
+ * What is known about the word at a position.
+ *
+ * @param markdown the text in Markdown
+ * @param range the word that it is about
+ */
+public record Hover(String markdown, TextRange range) {}

@@ -1,0 +1,29 @@
+package dev.eventchain.editing;
+
+import dev.eventchain.diagnostics.SourceText;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.emf.ecore.EPackage;
+
+/**
+ * The files of a workspace, as a {@link LanguageService} sees them. The same instances mean that
+ * nothing has changed: an implementation keeps the text of a file until it changes, and the list of
+ * metamodels, too. Thread-safe.
+ */
+public interface Workspace {
+
+  /** Returns all files, in a stable order; also those that are open and not yet saved. */
+  List<Path> files();
+
+  /** Returns the text of a file: that of an open editor, or else of the disk; empty without one. */
+  Optional<SourceText> text(Path file);
+
+  /** Returns the metamodels that a file may name, outermost packages only, in a stable order. */
+  List<EPackage> metamodels(Path file);
+
+  /** Returns the folders in which modules of templates are looked up by qualified names. */
+  default List<Path> templateRoots(Path file) {
+    return List.of();
+  }
+}
