@@ -102,6 +102,21 @@ def test_a_cache_finds_messages_by_time(simulation: Simulation) -> None:
     assert (cache.getOldestTime().nanoseconds, cache.getLastestTime().nanoseconds) == (20_000_000, 40_000_000)
 
 
+def test_a_sample_counts_as_read_when_it_is_given_on(simulation: Simulation) -> None:
+    kind = type(at(0))
+    fusion, sensors = Node("fusion"), Node("sensors")
+    output = fusion.create_publisher(kind, "fused", 10)
+    sources = [Subscriber(fusion, kind, name) for name in ("left", "right")]
+    both = TimeSynchronizer(sources, 5)
+    both.registerCallback(lambda *_: output.publish(at(0)))
+    left, right = (sensors.create_publisher(kind, name, 10) for name in ("left", "right"))
+    for now, (publisher, stamp) in enumerate([(left, 10), (left, 20), (left, 30), (right, 20)], 1):
+        publisher.publish(at(stamp))
+        simulation.advance(now * MILLISECOND)
+    (activation,) = sources[0].sub.process.activations
+    assert dict(activation.reads) == {"/left": 1, "/right": 0}
+
+
 def test_subscriptions_are_sources(simulation: Simulation) -> None:
     heard: list[list[int]] = []
 

@@ -7,7 +7,9 @@ from itertools import product
 from typing import Any
 
 from eventchain_ros2.clock import Clock, ClockType, Duration, Time
+from eventchain_ros2.context import current, ok
 from eventchain_ros2.node import Node
+from eventchain_ros2.processes import Sample
 
 
 class SimpleFilter:
@@ -126,6 +128,12 @@ class Cache(SimpleFilter):
         return self._kept[-1][1] if self._kept else None
 
 
+def _held() -> Sample | None:
+    """Return the sample that the running callback is given: it counts as read once its message is given on."""
+    process = current().current if ok() else None
+    return None if process is None else process.hold()
+
+
 class TimeSynchronizer(SimpleFilter):
     """Gives messages of several sources together that have the same stamp.
 
@@ -140,7 +148,7 @@ class TimeSynchronizer(SimpleFilter):
     def __init__(self, fs: Sequence[SimpleFilter], queue_size: int) -> None:
         super().__init__()
         self.queue_size = queue_size
-        self.queues: list[dict[int, Any]] = [{} for _ in fs]
+        self.queues: list[dict[int, tuple[Any, Sample | None]]] = [{} for _ in fs]
         for index, source in enumerate(fs):
             source.registerCallback(self.add, index)
 
@@ -148,7 +156,7 @@ class TimeSynchronizer(SimpleFilter):
         """Note a message of a source; give those that belong to it, if they are complete."""
         time = _stamp(msg, headerless=self._headerless)
         queue = self.queues[index]
-        queue[time] = msg
+        queue[time] = msg, _held()
         while len(queue) > self.queue_size:
             del queue[min(queue)]
         if time in queue:
@@ -159,7 +167,11 @@ class TimeSynchronizer(SimpleFilter):
             self._give([time] * len(self.queues))
 
     def _give(self, times: list[int]) -> None:
-        self.signalMessage(*[queue.pop(time) for queue, time in zip(self.queues, times, strict=True)])
+        given = [queue.pop(time) for queue, time in zip(self.queues, times, strict=True)]
+        for _, sample in given:
+            if sample is not None and (process := current().current) is not None:
+                process.latest[sample.topic] = sample.sequence
+        self.signalMessage(*[msg for msg, _ in given])
 
 
 class ApproximateTimeSynchronizer(TimeSynchronizer):

@@ -174,6 +174,9 @@ class Process:
         self.paused = False  # while an executor of other nodes runs
         self.inbox: list[tuple[Subscription, Sample]] = []
         self.latest: dict[str, int] = {}
+        self.held: tuple[Sample, int | None] | None = (
+            None  # what the running callback is given, and what was read before
+        )
         self.writes: list[tuple[str, int]] | None = None  # of the running callback
         self.activations: list[Activation] = []
 
@@ -184,6 +187,22 @@ class Process:
         mine = [index for index, (receiver, _) in enumerate(self.inbox) if receiver is subscription]
         if capacity is not None and len(mine) > capacity:
             del self.inbox[mine[0]]
+
+    def read(self, sample: Sample) -> None:
+        """Count a sample as read by the callbacks from now on."""
+        self.held = sample, self.latest.get(sample.topic)
+        self.latest[sample.topic] = sample.sequence
+
+    def hold(self) -> Sample | None:
+        """Return the sample of the running callback, which does not count as read until it is given on."""
+        if self.held is None:
+            return None
+        sample, before = self.held
+        if before is None:
+            self.latest.pop(sample.topic, None)
+        else:
+            self.latest[sample.topic] = before
+        return sample
 
     def end(self) -> None:
         """Stop running callbacks; waiting samples are never received."""

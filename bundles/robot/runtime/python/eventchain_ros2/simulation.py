@@ -358,8 +358,9 @@ class Simulation(Agenda):
 
     def _receive(self, process: Process, subscription: Subscription, sample: Sample) -> None:
         if sample is not NOTHING:
-            process.latest[sample.topic] = sample.sequence
+            process.read(sample)
         self._activate(process, subscription.receive, sample, timed=False)
+        process.held = None
 
     def _fire(self, scheduled: tuple[Timer, int]) -> None:
         timer, token = scheduled

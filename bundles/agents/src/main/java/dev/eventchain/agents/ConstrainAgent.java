@@ -7,11 +7,13 @@ import dev.eventchain.agents.prompt.ModelNames;
 import dev.eventchain.agents.prompt.PromptTemplate;
 import dev.eventchain.agents.prompt.RuleText;
 import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.model.eventchain.EventchainPackage.Literals;
 import dev.eventchain.project.Requirements;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 
@@ -20,6 +22,12 @@ public final class ConstrainAgent {
   private static final PromptTemplate PROMPT = PromptTemplate.load("constrain/v1");
   private static final String FILE = "generated.ocl";
   private static final String ROOT = "EventChain";
+
+  /** Features that are newer than the prompt, and are constrained by hand. */
+  private static final Set<String> UNASKED =
+      Set.of(
+          Literals.SOFTWARE_NODE__SYNCHRONIZED.getName(),
+          Literals.SOFTWARE_NODE__TOLERANCE.getName());
 
   private final AgentContext context;
 
@@ -47,7 +55,8 @@ public final class ConstrainAgent {
       List<? extends EObject> model) {
     Map<String, String> values =
         Map.of(
-            "metamodel", MetamodelText.of(metamodel, ROOT, feature -> true),
+            "metamodel",
+                MetamodelText.of(metamodel, ROOT, feature -> !UNASKED.contains(feature.getName())),
             "event chain", ModelNames.of(model),
             "design rules", RuleText.items(rules.items()));
     List<String> ids = rules.items().stream().map(WrittenRequirement::id).toList();

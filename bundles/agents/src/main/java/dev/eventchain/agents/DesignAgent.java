@@ -109,7 +109,7 @@ public final class DesignAgent {
             "requirements", RuleText.items(asked.requirements().items()),
             "design rules",
                 asked.designRules().map(rules -> RuleText.items(rules.items())).orElse("None."),
-            "software component description in json format", Budgets.without(components),
+            "software component description in json format", NotAsked.without(components),
             "signals", SignalText.of(base.signalsText()),
             "message types", types.definitions(),
             "message packages", types.packages());
@@ -121,7 +121,7 @@ public final class DesignAgent {
     Modeled<EventChain> chain =
         EventChainReader.read(text, "chain", requirements.items(), OptionalDouble.empty());
     List<Diagnostic> diagnostics = new ArrayList<>(chain.diagnostics());
-    base.addBudgets(chain.root(), chain.root());
+    base.addUnasked(chain.root(), chain.root());
     diagnostics.addAll(base.check(chain.root(), chain.origins()::locate));
     diagnostics.addAll(
         ChainAnalysis.of(messages, base.signals())

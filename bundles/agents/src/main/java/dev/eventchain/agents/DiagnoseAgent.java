@@ -69,7 +69,7 @@ public final class DiagnoseAgent {
   public Diagnosis diagnose(Failure failure, Requirements requirements) {
     String design =
         failure.path().stream()
-            .map(name -> Budgets.without(ChainView.component(failure.chain(), name).json()))
+            .map(name -> NotAsked.without(ChainView.component(failure.chain(), name).json()))
             .map(JsonLayout::compact)
             .collect(Collectors.joining(",\n", "[\n", "\n]"));
     Map<String, String> values =

@@ -116,7 +116,7 @@ public final class ImplementAgent {
     return Map.of(
         "requirements", RuleText.items(RequirementCheck.own(described.json(), requirements)),
         "Description of target software extracted from the event chain description.",
-            JsonLayout.compact(Budgets.without(described.json())));
+            JsonLayout.compact(NotAsked.without(described.json())));
   }
 
   private Function<SourceText, List<Diagnostic>> check(

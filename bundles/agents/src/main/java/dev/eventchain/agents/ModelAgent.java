@@ -49,7 +49,8 @@ public final class ModelAgent {
   }
 
   /**
-   * Models a chain without its budgets: see {@link SoftwareBase#addBudgets}.
+   * Models a chain without what language models are not asked for: see {@link
+   * SoftwareBase#addUnasked}.
    *
    * @param metamodel the metamodel of event chains with its documentation
    * @param chain the event-chain description
@@ -67,7 +68,7 @@ public final class ModelAgent {
       String name,
       Requirements requirements,
       SoftwareBase base) {
-    SourceText description = SourceText.of(chain.name(), Budgets.without(chain));
+    SourceText description = SourceText.of(chain.name(), NotAsked.without(chain));
     EventChain direct = direct(description, name, requirements, base);
     Map<String, String> values =
         Map.ofEntries(

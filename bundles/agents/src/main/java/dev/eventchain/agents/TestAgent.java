@@ -81,7 +81,7 @@ public final class TestAgent {
   private static Map<String, String> values(Component described, Requirements requirements) {
     return Map.of(
         "requirements", RuleText.items(RequirementCheck.own(described.json(), requirements)),
-        "description", JsonLayout.compact(Budgets.without(described.json())));
+        "description", JsonLayout.compact(NotAsked.without(described.json())));
   }
 
   static List<Diagnostic> check(SourceText text, Component component, Requirements requirements) {

@@ -57,7 +57,7 @@ final class GoodAnswers {
         base.components().stream().map(SoftwareBase.Component::name).collect(Collectors.toSet());
     GoodAnswer design = design().get(0);
     description = SourceText.of("chain.json", design.block());
-    chain = chain(SourceText.of("chain.json", Budgets.without(description)));
+    chain = chain(SourceText.of("chain.json", NotAsked.without(description)));
     base.markExisting(chain);
   }
 

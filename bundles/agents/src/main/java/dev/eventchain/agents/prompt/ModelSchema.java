@@ -29,6 +29,8 @@ public final class ModelSchema {
           Literals.SOFTWARE_NODE__BEST_CASE_EXECUTION_TIME,
           Literals.SOFTWARE_NODE__WORST_CASE_EXECUTION_TIME,
           Literals.SOFTWARE_NODE__MEMORY,
+          Literals.SOFTWARE_NODE__SYNCHRONIZED,
+          Literals.SOFTWARE_NODE__TOLERANCE,
           Literals.SOFTWARE_NODE__MEASURED);
 
   private static final List<EStructuralFeature> ALWAYS =

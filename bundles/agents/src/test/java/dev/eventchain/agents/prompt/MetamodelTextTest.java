@@ -51,7 +51,14 @@ class MetamodelTextTest {
   void modelsAreAskedForWhatADescriptionSaysOnly() {
     String text = ModelSchema.text(METAMODEL);
     for (String left :
-        List.of("measured", "latencyConstraints", "memory", "class Statistics", "percentile")) {
+        List.of(
+            "measured",
+            "latencyConstraints",
+            "memory",
+            "synchronized",
+            "tolerance",
+            "class Statistics",
+            "percentile")) {
       assertFalse(text.contains(left), left);
     }
     assertTrue(text.contains("  topicName: String"), text);

@@ -172,7 +172,7 @@ public final class ChainModel {
             settings.name(),
             requirements.items(),
             OptionalDouble.empty());
-    base.addBudgets(direct.root(), direct.root());
+    base.addUnasked(direct.root(), direct.root());
     complete(direct.root(), settings, base);
     return direct;
   }

@@ -73,6 +73,7 @@ public final class ChainAnalysis {
       ages.check(topic);
       qos.check(topic);
     }
+    new SynchronizationContracts(types, findings).check(chain);
     new FlowRules(chain, flow, findings).check();
     return findings.result();
   }

@@ -10,6 +10,8 @@ public enum ContractRule {
   TYPE_MISMATCH(Rule.error("contract.type.mismatch")),
   AGE(Rule.error("contract.age.impossible")),
   SAFE_VALUE(Rule.error("contract.value.unfit")),
+  SYNCHRONIZED_IMPOSSIBLE(Rule.error("contract.synchronized.impossible")),
+  SYNCHRONIZED_HEADER(Rule.error("contract.synchronized.header")),
   TOPIC_TYPE(Rule.error("contract.topic.type")),
   FIELD_UNSET(Rule.error("contract.field.unset")),
   UNIT_MISMATCH(Rule.error("contract.unit.mismatch")),

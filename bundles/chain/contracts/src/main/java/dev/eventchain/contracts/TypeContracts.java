@@ -70,6 +70,21 @@ final class TypeContracts {
         : typeOf(data.getMessageType()).flatMap(type -> type.resolve(data.getFieldName()).type());
   }
 
+  /** Returns whether the type of the messages with some data is known. */
+  boolean isKnown(Data data) {
+    return isQualified(data.getMessageType()) && typeOf(data.getMessageType()).isPresent();
+  }
+
+  /** Returns whether the messages with some data have a header with a stamp. */
+  boolean isStamped(Data data) {
+    return typeOf(data.getMessageType())
+        .flatMap(type -> type.resolve("header").type())
+        .filter(field -> field.shape() == FieldType.Shape.SINGLE)
+        .flatMap(FieldType::message)
+        .filter(type -> type.name().equals("std_msgs/msg/Header"))
+        .isPresent();
+  }
+
   private Optional<MessageType> typeOf(String name) {
     return types.computeIfAbsent(name, this::find);
   }

@@ -33,6 +33,12 @@ public final class ChainNames {
   /** Of a component, in MiB. */
   public static final String MEMORY = "memory";
 
+  /** Of a component: the topics of the inputs that belong together. */
+  public static final String SYNCHRONIZED = "synchronized";
+
+  /** Of a component with synchronized inputs, in ms. */
+  public static final String TOLERANCE = "tolerance";
+
   /** Of a component of a software base: {@code component} or {@code node}. */
   public static final String IMPLEMENTATION = "implementation";
 
@@ -118,6 +124,8 @@ public final class ChainNames {
     BY_FEATURE.put(Literals.SOFTWARE_NODE__MEMORY, MEMORY);
     BY_FEATURE.put(Literals.SOFTWARE_NODE__INPUT, INPUT);
     BY_FEATURE.put(Literals.SOFTWARE_NODE__OUTPUT, OUTPUT);
+    BY_FEATURE.put(Literals.SOFTWARE_NODE__SYNCHRONIZED, SYNCHRONIZED);
+    BY_FEATURE.put(Literals.SOFTWARE_NODE__TOLERANCE, TOLERANCE);
     BY_FEATURE.put(Literals.DATA__NAME, NAME);
     BY_FEATURE.put(Literals.DATA__FIELD_NAME, FIELD);
     BY_FEATURE.put(Literals.DATA__TYPE, TYPE);

@@ -11,6 +11,7 @@ public final class DescriptionRules {
   public static final Rule NAME_DUPLICATE = Rule.error("modeler.name.duplicate");
   public static final Rule NAME_ILLEGAL = Rule.error("modeler.name.illegal");
   public static final Rule QOS_UNKNOWN = Rule.error("modeler.qos.unknown");
+  public static final Rule SYNCHRONIZED_UNKNOWN = Rule.error("modeler.synchronized.unknown");
   public static final Rule TOPIC_ILLEGAL = Rule.error("modeler.topic.illegal");
   public static final Rule TYPE_ILLEGAL = Rule.error("modeler.type.illegal");
 

@@ -49,7 +49,8 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
  * {@code frequency} (Hz), {@code requirements} (ids), {@code type}, {@code unit}, {@code
  * maximum_age} (ms) and {@code safe_value} of values, {@code consumer} ("external") and {@code
  * requirements} of outputs that leave the chain, and {@code worst_case_execution_time}, {@code
- * best_case_execution_time} (ms) and {@code memory} (MiB) of components, all optional.
+ * best_case_execution_time} (ms) and {@code memory} (MiB) of components, and {@code synchronized}
+ * topics of their inputs with a {@code tolerance} (ms), all optional.
  *
  * <p>Each element's origin is its JSON pointer in the description, so that later findings in the
  * model point back to it.
@@ -157,6 +158,7 @@ public final class EventChainReader {
     node.getSatisfies().addAll(readRequirements(json));
     readPorts(json, ChainNames.INPUT, node.getInput(), port -> value -> {});
     readPorts(json, ChainNames.OUTPUT, node.getOutput(), this::readConsumer);
+    SynchronizationReader.read(json, text, node);
     json.refuseOthers();
   }
 

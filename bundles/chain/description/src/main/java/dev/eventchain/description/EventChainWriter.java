@@ -45,6 +45,13 @@ public final class EventChainWriter {
     if (node.isSetMemory()) {
       json.put(ChainNames.MEMORY, node.getMemory());
     }
+    if (!node.getSynchronized().isEmpty()) {
+      ArrayNode topics = json.putArray(ChainNames.SYNCHRONIZED);
+      node.getSynchronized().stream().map(Data::getTopicName).distinct().forEach(topics::add);
+    }
+    if (node.isSetTolerance()) {
+      json.put(ChainNames.TOLERANCE, node.getTolerance());
+    }
     ArrayNode requirements = json.putArray(ChainNames.REQUIREMENTS);
     node.getSatisfies().stream().map(Requirement::getId).forEach(requirements::add);
     json.set(ChainNames.INPUT, ports(node.getInput()));

@@ -88,6 +88,10 @@ class RoundTripTest {
       chain.getSoftware().add(node);
       addData(chain, node.getInput(), random);
       addData(chain, node.getOutput(), random);
+      if (random.nextBoolean()) {
+        node.getSynchronized().addAll(node.getInput());
+        node.setTolerance(random.nextInt(100) + 0.5);
+      }
     }
     linkAsTheReaderDoes(chain);
     return chain;

@@ -88,6 +88,15 @@ public final class TopicIndex {
         : Optional.of(RosNames.resolve(name, owner));
   }
 
+  /** Returns the full names of the topics whose messages a component is given together, sorted. */
+  public static List<String> synchronizedBy(SoftwareNode node) {
+    return node.getSynchronized().stream()
+        .flatMap(input -> nameOf(input, node).stream())
+        .distinct()
+        .sorted()
+        .toList();
+  }
+
   /** Returns all topics, in the order of appearance. */
   public Collection<Topic> topics() {
     return Collections.unmodifiableCollection(topics.values());

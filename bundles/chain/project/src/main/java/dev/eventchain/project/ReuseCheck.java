@@ -52,6 +52,7 @@ final class ReuseCheck {
     NUMBERS.put(
         Literals.SOFTWARE_NODE__WORST_CASE_EXECUTION_TIME, "worst-case execution time (ms)");
     NUMBERS.put(Literals.SOFTWARE_NODE__MEMORY, "memory");
+    NUMBERS.put(Literals.SOFTWARE_NODE__TOLERANCE, "tolerance (ms)");
   }
 
   private final SoftwareNode existing;
@@ -74,6 +75,7 @@ final class ReuseCheck {
     compare("input", byName(existing.getInput()), byName(used.getInput()));
     compare("output", byName(existing.getOutput()), byName(used.getOutput()));
     NUMBERS.forEach(this::compareNumber);
+    compareSynchronization();
   }
 
   private void compare(String side, Map<String, Data> there, Map<String, Data> here) {
@@ -117,6 +119,15 @@ final class ReuseCheck {
     if (existing.eIsSet(attribute)) {
       String given = used.eIsSet(attribute) ? String.valueOf(used.eGet(attribute)) : NOT_STATED;
       compare(words, "", used, attribute, String.valueOf(existing.eGet(attribute)), given);
+    }
+  }
+
+  /** Compares the synchronized topics; the chain may add some if the component states none. */
+  private void compareSynchronization() {
+    String wanted = String.join(", ", TopicIndex.synchronizedBy(existing));
+    String given = String.join(", ", TopicIndex.synchronizedBy(used));
+    if (!wanted.isEmpty()) {
+      compare("synchronized topics", "", used, Literals.SOFTWARE_NODE__SYNCHRONIZED, wanted, given);
     }
   }
 

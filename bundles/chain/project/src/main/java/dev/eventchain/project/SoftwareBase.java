@@ -13,6 +13,7 @@ import dev.eventchain.jsonmodels.JsonDocument;
 import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.model.PythonNames;
 import dev.eventchain.model.Signal;
+import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.eventchain.ComponentImplementation;
 import dev.eventchain.model.eventchain.ComponentOrigin;
 import dev.eventchain.model.eventchain.Data;
@@ -61,11 +62,12 @@ public final class SoftwareBase {
   private static final String COMPONENTS = "components.json";
   private static final String SIGNALS = "signals.json";
 
-  private static final List<EAttribute> BUDGETS =
+  private static final List<EAttribute> UNASKED =
       List.of(
           Literals.SOFTWARE_NODE__BEST_CASE_EXECUTION_TIME,
           Literals.SOFTWARE_NODE__WORST_CASE_EXECUTION_TIME,
-          Literals.SOFTWARE_NODE__MEMORY);
+          Literals.SOFTWARE_NODE__MEMORY,
+          Literals.SOFTWARE_NODE__TOLERANCE);
 
   private final Map<String, Component> components;
   private final String componentsText;
@@ -143,26 +145,32 @@ public final class SoftwareBase {
   }
 
   /**
-   * Adds the budgets of components, which language models are not asked for, from the description
-   * or else from this software base.
+   * Adds what language models are not asked for, from the description or else from this software
+   * base: the budgets of components, and which of their inputs are synchronized.
    *
    * @param described the chain read directly from its description
    */
-  public void addBudgets(EventChain chain, EventChain described) {
+  public void addUnasked(EventChain chain, EventChain described) {
     for (SoftwareNode node : chain.getSoftware()) {
       described.getSoftware().stream()
           .filter(other -> Objects.equals(other.getName(), node.getName()))
           .findFirst()
-          .ifPresent(other -> addBudgets(node, other));
-      described(String.valueOf(node.getName())).ifPresent(other -> addBudgets(node, other));
+          .ifPresent(other -> addUnasked(node, other));
+      described(String.valueOf(node.getName())).ifPresent(other -> addUnasked(node, other));
     }
   }
 
-  private static void addBudgets(SoftwareNode node, SoftwareNode from) {
-    for (EAttribute budget : BUDGETS) {
-      if (!node.eIsSet(budget) && from.eIsSet(budget)) {
-        node.eSet(budget, from.eGet(budget));
+  private static void addUnasked(SoftwareNode node, SoftwareNode from) {
+    for (EAttribute attribute : UNASKED) {
+      if (!node.eIsSet(attribute) && from.eIsSet(attribute)) {
+        node.eSet(attribute, from.eGet(attribute));
       }
+    }
+    if (node.getSynchronized().isEmpty()) {
+      List<String> topics = TopicIndex.synchronizedBy(from);
+      node.getInput().stream()
+          .filter(it -> TopicIndex.nameOf(it, node).filter(topics::contains).isPresent())
+          .forEach(node.getSynchronized()::add);
     }
   }
 
@@ -243,7 +251,8 @@ public final class SoftwareBase {
   /**
    * Checks that a chain uses the existing components as described: the same values of the same
    * fields of the same topics, and stated units, quality of service, ages, safe values, frequency,
-   * execution times and memory. An omitted output is a warning, any other deviation an error.
+   * execution times, memory and synchronized inputs. An omitted output is a warning, any other
+   * deviation an error.
    *
    * @param locator returns the locations of the features of the chain's elements
    */

@@ -62,7 +62,7 @@ class GeneratedPackageTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"aeb", "fork-and-join", "hostile", "names", "topics"})
+  @ValueSource(strings = {"aeb", "fork-and-join", "hostile", "names", "synchronized", "topics"})
   void theLinterFindsNothing(String name) throws Exception {
     Path folder = write(name);
     for (List<String> settings :
@@ -79,7 +79,8 @@ class GeneratedPackageTest {
 
   /** Names of 64 characters, topics and units of several lines, fields inside fields. */
   @ParameterizedTest
-  @ValueSource(strings = {"aeb", "fork-and-join", "hostile", "long", "names", "topics"})
+  @ValueSource(
+      strings = {"aeb", "fork-and-join", "hostile", "long", "names", "synchronized", "topics"})
   void linesAreAsShortAsAmentWantsAndFunctionsHaveTypes(String name) throws Exception {
     Path folder = write(name);
     List<String> ament = List.of("--isolated", "--line-length", "99");
@@ -95,7 +96,7 @@ class GeneratedPackageTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"aeb", "fork-and-join", "long", "names", "topics"})
+  @ValueSource(strings = {"aeb", "fork-and-join", "long", "names", "synchronized", "topics"})
   void thePackageNamesWhatItImports(String name) throws Exception {
     String script = RESOURCES.resolve("packages/dependencies.py").toString();
     String missing = python(write(name), List.of(script, ".")).expect(0);
@@ -149,7 +150,7 @@ class GeneratedPackageTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"aeb, 39", "fork-and-join, 53", "long, 28", "topics, 32"})
+  @CsvSource({"aeb, 39", "fork-and-join, 53", "long, 28", "synchronized, 31", "topics, 32"})
   void itsOwnTestsPass(String name, int number) throws Exception {
     Path folder = writeComplete(name);
     String output = test(folder).expect(0);
@@ -195,6 +196,19 @@ class GeneratedPackageTest {
   })
   void itsTestsTellTopicsApart(String right, String wrong, String noticedBy) throws Exception {
     notices("topics", "frequency", right, wrong, noticedBy);
+  }
+
+  /** Messages that do not belong together are not given to the component. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "0.02,  # s | 20.0,  # s | other_stamps",
+        "messages[1] | messages[0] | gets_what_was_sent"
+      })
+  void itsTestsNoticeInputsThatDoNotBelongTogether(String right, String wrong, String noticedBy)
+      throws Exception {
+    notices("synchronized", "gap_fusion", right, wrong, noticedBy);
   }
 
   private void notices(String name, String node, String right, String wrong, String noticedBy)

@@ -2,8 +2,10 @@ package dev.eventchain.simulation.measure;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.simulation.chain.SimulatedChain;
+import dev.eventchain.simulation.formula.RootLocale;
 import dev.eventchain.simulation.host.RunLog;
 import dev.eventchain.simulation.host.RunLog.Activation;
 import dev.eventchain.simulation.host.RunLog.SampleId;
@@ -12,6 +14,7 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
@@ -90,9 +93,11 @@ public final class Silence {
 
   private List<Diagnostic> findings() {
     List<Diagnostic> findings = new ArrayList<>();
+    waiting.forEach((name, missing) -> unmatched(name, missing).ifPresent(findings::add));
     waiting.forEach(
         (name, missing) ->
             missing.stream()
+                .filter(topic -> !isUnmatched(name, topic))
                 .filter(topic -> chain.writers(topic).stream().noneMatch(this::isSilent))
                 .map(topic -> waits(name, topic))
                 .forEach(findings::add));
@@ -101,6 +106,42 @@ public final class Silence {
       findings.add(waitForEachOther());
     }
     return findings;
+  }
+
+  /**
+   * Returns a finding if messages of synchronized topics came, but never with stamps that belong
+   * together.
+   */
+  private Optional<Diagnostic> unmatched(String name, Set<String> missing) {
+    return missing.stream()
+        .filter(topic -> isUnmatched(name, topic))
+        .findFirst()
+        .flatMap(topic -> node(name))
+        .map(
+            node ->
+                finding(
+                    name,
+                    "%s never executed: all of %s came, but never with %s."
+                        .formatted(
+                            quoted(name),
+                            String.join(", ", TopicIndex.synchronizedBy(node)),
+                            node.isSetTolerance()
+                                ? RootLocale.format(
+                                    "stamps that differ by less than the tolerance of %s ms",
+                                    node.getTolerance())
+                                : "equal stamps"),
+                    "Compare the stamps in the headers: give a tolerance above what writers and"
+                        + " latencies put between them, or do not synchronize these inputs."));
+  }
+
+  /** Returns whether a missing topic and all that are synchronized with it were published. */
+  private boolean isUnmatched(String name, String topic) {
+    List<String> topics = node(name).map(TopicIndex::synchronizedBy).orElse(List.of());
+    return topics.contains(topic) && topics.stream().allMatch(this::isPublished);
+  }
+
+  private Optional<SoftwareNode> node(String name) {
+    return chain.nodes().stream().filter(node -> name.equals(node.getName())).findFirst();
   }
 
   private boolean isSilent(String name) {

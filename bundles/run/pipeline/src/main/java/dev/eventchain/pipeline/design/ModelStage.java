@@ -70,7 +70,7 @@ public final class ModelStage implements StageWork {
     AgentResult answered = answer.result();
     refuseErrors(answer.model().diagnostics());
     EventChain chain = (EventChain) answer.model().root();
-    run.softwareBase().addBudgets(chain, direct);
+    run.softwareBase().addUnasked(chain, direct);
     ChainModel.complete(chain, run.project().configuration().settings(), run.softwareBase());
     run.write(ProjectFolder.MODEL, XmiStore.toBytes(chain));
     return new StageResult(

@@ -10,26 +10,29 @@ import dev.eventchain.jsonmodels.JsonDocument;
 import java.util.Set;
 
 /**
- * Budgets of components in chain descriptions. They do not affect behaviour, so prompts leave them
- * out: a new budget needs no new answer.
+ * Properties of components in chain descriptions that prompts leave out: budgets, and which inputs
+ * are synchronized. They do not affect what a component computes from its inputs, so changing them
+ * needs no new answer.
  */
-final class Budgets {
+final class NotAsked {
   private static final Set<String> KEYS =
       Set.of(
           ChainNames.BEST_CASE_EXECUTION_TIME,
           ChainNames.WORST_CASE_EXECUTION_TIME,
-          ChainNames.MEMORY);
+          ChainNames.MEMORY,
+          ChainNames.SYNCHRONIZED,
+          ChainNames.TOLERANCE);
 
-  private Budgets() {}
+  private NotAsked() {}
 
-  /** Returns the components without budgets, as an array. */
+  /** Returns the components without these properties, as an array. */
   static String without(SourceText components) {
     JsonNode json = EventChainSchema.components(JsonDocument.parse(components).root()).deepCopy();
-    json.forEach(Budgets::remove);
+    json.forEach(NotAsked::remove);
     return JsonLayout.compact(json) + "\n";
   }
 
-  /** Returns the component without budgets. */
+  /** Returns the component without these properties. */
   static JsonNode without(JsonNode component) {
     JsonNode copy = component.deepCopy();
     remove(copy);
