@@ -75,6 +75,7 @@ public final class ChainAnalysis {
     }
     new SynchronizationContracts(types, findings).check(chain);
     new FlowRules(chain, flow, findings).check();
+    new LatencyContracts(chain, findings).check();
     return findings.result();
   }
 }

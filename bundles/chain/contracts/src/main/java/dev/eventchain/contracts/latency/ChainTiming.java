@@ -1,0 +1,211 @@
+package dev.eventchain.contracts.latency;
+
+import dev.eventchain.contracts.timing.Gap;
+import dev.eventchain.contracts.timing.LatencyType;
+import dev.eventchain.contracts.timing.PathLatency;
+import dev.eventchain.contracts.timing.Task;
+import dev.eventchain.contracts.timing.TaskGraph;
+import dev.eventchain.contracts.timing.Trigger;
+import dev.eventchain.model.DataFlowIndex;
+import dev.eventchain.model.TopicIndex;
+import dev.eventchain.model.eventchain.ComponentImplementation;
+import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.LatencyConstraint;
+import dev.eventchain.model.eventchain.LatencyKind;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.Set;
+
+/**
+ * Bounds on the latencies of an event chain. Each component is a periodic task of any phase on a
+ * processor of its own, as the generated nodes are in a simulation: its timer has the model's
+ * frequency, it reads the last messages when it starts, and publishes after its worst-case
+ * execution time. What activates a node that is given whole is not in the model.
+ */
+public final class ChainTiming {
+
+  private static final double SECOND = 1e9;
+  private static final double MILLISECOND = 1e6;
+
+  private final EventChain chain;
+  private final DataFlowIndex flow;
+  private final TopicIndex topics;
+  private final Stimuli stimuli;
+  private final TaskGraph graph = new TaskGraph();
+  private final Map<SoftwareNode, String> names = new HashMap<>();
+
+  private ChainTiming(EventChain chain, Stimuli stimuli) {
+    this.chain = chain;
+    this.stimuli = stimuli;
+    flow = DataFlowIndex.of(chain);
+    topics = TopicIndex.of(chain);
+    // Names may be missing or occur twice, which other rules report.
+    chain.getSoftware().forEach(node -> names.put(node, name(node)));
+    chain.getSoftware().forEach(node -> graph.add(task(node, names.get(node))));
+    for (SoftwareNode node : chain.getSoftware()) {
+      flow.successors(node).forEach(reader -> graph.connect(names.get(node), names.get(reader)));
+    }
+  }
+
+  /** Returns the bounds of a chain; later changes of the chain are not seen. */
+  public static ChainTiming of(EventChain chain, Stimuli stimuli) {
+    return new ChainTiming(chain, stimuli);
+  }
+
+  private String name(SoftwareNode node) {
+    boolean known = node.getName() != null && !names.containsValue(node.getName());
+    return known ? node.getName() : node.getName() + " (" + names.size() + ")";
+  }
+
+  private static Task task(SoftwareNode node, String name) {
+    boolean timer = isComponent(node);
+    return new Task(
+        name,
+        timer ? Trigger.PERIODIC : Trigger.SPORADIC,
+        timer ? period(node) : OptionalLong.empty(),
+        OptionalLong.empty(),
+        response(node),
+        0,
+        Task.Placement.UNKNOWN);
+  }
+
+  private static boolean isComponent(SoftwareNode node) {
+    return node.getImplementation() == ComponentImplementation.COMPONENT;
+  }
+
+  private static OptionalLong period(SoftwareNode node) {
+    double period = SECOND / node.getFrequency();
+    return node.isSetFrequency() && period > 0 && period < Long.MAX_VALUE / 1e3
+        ? OptionalLong.of((long) Math.ceil(period))
+        : OptionalLong.empty();
+  }
+
+  /** Returns the worst-case response time; empty if it is unknown or exceeds the period. */
+  private static OptionalLong response(SoftwareNode node) {
+    double time = node.getWorstCaseExecutionTime() * MILLISECOND;
+    boolean stated = node.isSetWorstCaseExecutionTime() && time > 0;
+    return stated && !isOverloaded(node) && time < Long.MAX_VALUE / 1e3
+        ? OptionalLong.of((long) Math.ceil(time))
+        : OptionalLong.empty();
+  }
+
+  private static boolean isOverloaded(SoftwareNode node) {
+    OptionalLong period = period(node);
+    return period.isPresent()
+        && node.getWorstCaseExecutionTime() * MILLISECOND > period.getAsLong();
+  }
+
+  /** Returns the estimate of a constraint with both ends. */
+  public LatencyEstimate of(LatencyConstraint constraint) {
+    LatencyType type =
+        constraint.getKind() == LatencyKind.DATA_AGE ? LatencyType.DATA_AGE : LatencyType.REACTION;
+    Set<String> unknown = new LinkedHashSet<>();
+    long outside = outside(type, constraint, unknown);
+    Optional<List<PathLatency>> paths =
+        graph.between(type, names.get(constraint.getFirst()), names.get(constraint.getLast()));
+    if (paths.isEmpty()) {
+      unknown.add("data take more than 1,000 paths");
+    }
+    paths.orElse(List.of()).stream()
+        .flatMap(path -> path.gaps().stream())
+        .forEach(gap -> unknown.add(text(gap)));
+    return new LatencyEstimate(type, outside, paths.orElse(List.of()), List.copyOf(unknown));
+  }
+
+  /** Returns what counts before the first component, and adds what is not known of it. */
+  private long outside(LatencyType type, LatencyConstraint constraint, Set<String> unknown) {
+    long longest = 0;
+    for (String topic : stimuli(constraint.getFirst())) {
+      long time = stimuli.before(topic, constraint);
+      if (type == LatencyType.DATA_AGE) {
+        OptionalLong interval = interval(topic, constraint.getFirst());
+        if (interval.isEmpty()) {
+          unknown.add("how long a message of " + topic + " stays the last one is not known");
+        }
+        time += interval.orElse(0);
+      }
+      longest = Math.max(longest, time);
+    }
+    return longest;
+  }
+
+  /**
+   * Returns the topics that a component reads, except for those written by components behind it.
+   */
+  private Set<String> stimuli(SoftwareNode first) {
+    Set<SoftwareNode> behind = new LinkedHashSet<>(List.of(first));
+    Deque<SoftwareNode> open = new ArrayDeque<>(behind);
+    while (!open.isEmpty()) {
+      flow.successors(open.remove()).stream().filter(behind::add).forEach(open::add);
+    }
+    Set<String> found = new LinkedHashSet<>();
+    for (Data input : first.getInput()) {
+      TopicIndex.nameOf(input, first)
+          .filter(topic -> writers(topic).stream().noneMatch(behind::contains))
+          .ifPresent(found::add);
+    }
+    return found;
+  }
+
+  private List<SoftwareNode> writers(String topic) {
+    return topics.find(topic).stream()
+        .flatMap(found -> found.publishers().stream())
+        .map(TopicIndex.Endpoint::node)
+        .toList();
+  }
+
+  /** Returns how old a message may be when a component reads it; empty if not known. */
+  private OptionalLong interval(String topic, SoftwareNode reader) {
+    List<SoftwareNode> writers = writers(topic);
+    List<OptionalLong> intervals = new ArrayList<>();
+    if (writers.isEmpty()) {
+      intervals.add(stimuli.interval(topic));
+    }
+    for (SoftwareNode writer : writers) {
+      OptionalLong period = isComponent(writer) ? period(writer) : OptionalLong.empty();
+      OptionalLong response = response(writer);
+      intervals.add(
+          period.isPresent() && response.isPresent()
+              ? OptionalLong.of(period.getAsLong() + response.getAsLong())
+              : OptionalLong.empty());
+    }
+    return intervals.stream().allMatch(OptionalLong::isPresent)
+        ? intervals.stream().mapToLong(OptionalLong::getAsLong).max()
+        : maximumAge(topic, reader);
+  }
+
+  /** Returns the age from which on a component does not execute with a message. */
+  private static OptionalLong maximumAge(String topic, SoftwareNode reader) {
+    return reader.getInput().stream()
+        .filter(input -> TopicIndex.nameOf(input, reader).filter(topic::equals).isPresent())
+        .filter(input -> input.isSetMaximumAge() && input.getMaximumAge() > 0)
+        .mapToLong(input -> (long) Math.ceil(input.getMaximumAge() * MILLISECOND))
+        .min();
+  }
+
+  private String text(Gap gap) {
+    SoftwareNode node =
+        chain.getSoftware().stream()
+            .filter(each -> names.get(each).equals(gap.task()))
+            .findFirst()
+            .orElseThrow();
+    String name = "'" + gap.task() + "'";
+    if (gap.kind() == Gap.Kind.PERIOD) {
+      return isComponent(node)
+          ? name + " states no frequency"
+          : name + " is a node of its own, and the model does not say what activates it";
+    }
+    return isOverloaded(node)
+        ? name + " may execute longer than its period"
+        : name + " states no worst-case execution time";
+  }
+}
