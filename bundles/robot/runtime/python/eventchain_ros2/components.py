@@ -59,7 +59,7 @@ class Configuration(NamedTuple):
 
 
 class Environment(NamedTuple):
-    """Requisites of the processes of components: folders for `sys.path`, files of message definitions, and the limits."""
+    """Needs of the processes of components: folders for `sys.path`, files of message definitions, and the limits."""
 
     path: list[str]
     sources: list[str]
