@@ -1,5 +1,6 @@
 package dev.eventchain.constraints;
 
+import dev.eventchain.constraints.document.ConstraintRules;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;

@@ -1,5 +1,8 @@
 package dev.eventchain.constraints;
 
+import dev.eventchain.constraints.document.ConstraintRules;
+import dev.eventchain.constraints.document.ResolvedClause;
+import dev.eventchain.constraints.document.RuleDocument;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;

@@ -1,5 +1,6 @@
 package dev.eventchain.constraints;
 
+import dev.eventchain.constraints.document.DocumentImports;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;

@@ -1,5 +1,7 @@
 package dev.eventchain.constraints;
 
+import dev.eventchain.constraints.document.ConstraintRules;
+import dev.eventchain.constraints.document.RuleDocument;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.Severity;

@@ -1,5 +1,11 @@
 package dev.eventchain.constraints;
 
+import dev.eventchain.constraints.document.ConstraintRules;
+import dev.eventchain.constraints.document.Contexts;
+import dev.eventchain.constraints.document.DocumentImports;
+import dev.eventchain.constraints.document.MemberContext;
+import dev.eventchain.constraints.document.ResolvedClause;
+import dev.eventchain.constraints.document.RuleDocument;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;

@@ -11,6 +11,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -78,6 +79,18 @@ public final class Definitions {
       DiagnosticException.runAt(each.definition().location(), () -> complete(each));
     }
     spoilUsers();
+  }
+
+  /**
+   * Adds the signatures of definitions to their classes, without their values, for editors.
+   *
+   * @return the operations and properties with their definitions
+   */
+  public Map<Object, Definition> declareAll(List<Definition> definitions) {
+    definitions.forEach(this::declare);
+    Map<Object, Definition> features = new LinkedHashMap<>();
+    declared.forEach(each -> features.put(each.feature(), each.definition()));
+    return features;
   }
 
   /** Marks the users of unusable definitions as unusable. */

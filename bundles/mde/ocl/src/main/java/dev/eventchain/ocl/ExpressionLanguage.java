@@ -11,15 +11,11 @@ import dev.eventchain.ocl.metamodel.PackageIndex;
 import dev.eventchain.ocl.model.ModelAccess;
 import dev.eventchain.ocl.nodes.Lowered;
 import dev.eventchain.ocl.parse.FrequentMistakes;
-import dev.eventchain.ocl.parse.OclAnalyzer;
 import dev.eventchain.ocl.parse.OclEnvironment;
 import dev.eventchain.ocl.parse.OclEnvironmentFactory;
-import dev.eventchain.ocl.parse.ProblemCollector;
 import dev.eventchain.ocl.parse.StringLiterals;
-import dev.eventchain.ocl.parse.SyntaxTexts;
 import dev.eventchain.ocl.text.ExpressionRules;
 import dev.eventchain.ocl.text.Lexer;
-import dev.eventchain.ocl.tree.InvalidOrigin;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
@@ -40,7 +36,6 @@ import org.eclipse.ocl.expressions.CollectionKind;
 import org.eclipse.ocl.expressions.LetExp;
 import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.Variable;
-import org.eclipse.ocl.parser.ValidationVisitor;
 import org.eclipse.ocl.types.CollectionType;
 import org.eclipse.ocl.util.TypeUtil;
 import org.eclipse.ocl.utilities.ExpressionInOCL;
@@ -248,28 +243,19 @@ public final class ExpressionLanguage implements TypeSystem {
       String suffix,
       OclEnvironment environment,
       List<Diagnostic> problems) {
-    ProblemCollector collector =
-        new ProblemCollector(range, prefix.length(), root::hasStatic, problems);
-    environment.setProblemHandler(collector);
-    try {
-      // Eclipse OCL ends a comment at line feeds only.
-      String input = prefix + range.text().replace('\r', '\n') + suffix;
-      OclAnalyzer analyzer = new OclAnalyzer(environment, input);
-      analyzer.setCharacterOffset(range.start() - prefix.length());
-      Constraint constraint = analyzer.parseInvOrDefCS();
-      if (collector.failed() || constraint == null) {
-        return Optional.empty();
-      }
-      OCLExpression<EClassifier> body = constraint.getSpecification().getBodyExpression();
-      body.accept(ValidationVisitor.getInstance(environment));
-      body.eAdapters().add(new InvalidOrigin.Source(range.source()));
-      return collector.failed() ? Optional.empty() : Optional.of(body);
-    } catch (RuntimeException | StackOverflowError e) {
-      collector.add(ExpressionRules.SYNTAX, true, "The expression " + SyntaxTexts.unread(e), "", 0);
-      return Optional.empty();
-    } finally {
-      root.clean();
-    }
+    return ParsedText.read(range, prefix, suffix, environment, root, problems).valid();
+  }
+
+  /** Parses as much of an expression as can be understood, for editors; reports nothing. */
+  synchronized Optional<OCLExpression<EClassifier>> understand(SourceRange range, Scope scope) {
+    return ParsedText.read(
+            range,
+            EXPRESSION_PREFIX + scope.prefix(),
+            "",
+            environment(scope),
+            root,
+            new ArrayList<>())
+        .understood();
   }
 
   private OclEnvironment environment(Scope scope) {
@@ -396,5 +382,10 @@ public final class ExpressionLanguage implements TypeSystem {
   /** As {@link #lower}, into nodes that record why a value is invalid. */
   synchronized Lowered trace(OCLExpression<EClassifier> expression) {
     return tracing.lower(expression);
+  }
+
+  /** Returns what editors can know about expressions of this language. */
+  public ExpressionAssistant assistant() {
+    return new ExpressionAssistant(this);
   }
 }

@@ -48,6 +48,25 @@ public interface OperationLibrary {
   }
 
   /**
+   * Returns the operations for sources of a type, for editors.
+   *
+   * @param source as for {@link #lookup}
+   */
+  default List<Signature> signatures(TypeSystem types, EClassifier source) {
+    return List.of();
+  }
+
+  /**
+   * An operation as an editor shows it.
+   *
+   * @param parameters the parameters after the source, such as {@code index : Integer}
+   * @param result the type of the result, as far as it does not depend on a call; may be empty
+   * @param origin what kind of operation it is: {@code template}, {@code query}; empty for one of
+   *     the library itself
+   */
+  record Signature(String name, List<String> parameters, String result, String origin) {}
+
+  /**
    * An operation of a library.
    *
    * @param name its name

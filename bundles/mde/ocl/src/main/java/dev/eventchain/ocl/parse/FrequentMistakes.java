@@ -58,7 +58,7 @@ public final class FrequentMistakes {
           "def");
 
   /** The names that may have a bar inside their parentheses. */
-  static final Set<String> ITERATORS =
+  public static final Set<String> ITERATORS =
       Set.of(
           "forAll",
           "exists",

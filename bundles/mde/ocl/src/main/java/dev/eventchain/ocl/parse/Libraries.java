@@ -47,6 +47,13 @@ public final class Libraries {
     return libraries.stream().flatMap(library -> library.names().stream()).distinct().toList();
   }
 
+  /** Returns the operations of all libraries for sources of a type; {@code null} for none. */
+  public List<OperationLibrary.Signature> signatures(EClassifier source) {
+    return libraries.stream()
+        .flatMap(library -> library.signatures(typeSystem, source).stream())
+        .toList();
+  }
+
   /** Returns the type of the variable that stands for the source of a call without source. */
   EClass functions() {
     return functions;

@@ -203,7 +203,7 @@ public final class OclEnvironment extends EcoreEnvironment {
     return factory.dialect();
   }
 
-  Libraries libraries() {
+  public Libraries libraries() {
     return factory.libraries();
   }
 

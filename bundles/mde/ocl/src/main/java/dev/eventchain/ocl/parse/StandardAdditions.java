@@ -46,6 +46,31 @@ final class StandardAdditions implements OperationLibrary {
         : withOthers(types, source, name, argumentTypes);
   }
 
+  @Override
+  public List<Signature> signatures(TypeSystem types, EClassifier source) {
+    if (source == null) {
+      return List.of();
+    }
+    List<Signature> found = new ArrayList<>();
+    for (String name : List.of(REVERSE, TYPE, CONTAINER, CONTENTS)) {
+      withoutArguments(types, source, name)
+          .ifPresent(each -> found.add(signature(name, List.of(), each.resultType())));
+    }
+    for (String name : List.of(INCLUDING_ALL, EXCLUDING_ALL)) {
+      withOthers(types, source, name, List.of(source))
+          .ifPresent(
+              each -> {
+                String others = "others : " + source.getName();
+                found.add(signature(name, List.of(others), each.resultType()));
+              });
+    }
+    return found;
+  }
+
+  private static Signature signature(String name, List<String> parameters, EClassifier result) {
+    return new Signature(name, parameters, result.getName(), "");
+  }
+
   private static Optional<Operation> withoutArguments(
       TypeSystem types, EClassifier source, String name) {
     Optional<EClassifier> object = Optional.of(source).filter(EClass.class::isInstance);

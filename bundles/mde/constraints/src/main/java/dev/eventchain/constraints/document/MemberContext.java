@@ -1,4 +1,4 @@
-package dev.eventchain.constraints;
+package dev.eventchain.constraints.document;
 
 import dev.eventchain.diagnostics.SourceRange;
 import java.util.List;
@@ -11,14 +11,14 @@ import java.util.List;
  * @param parameters the names of an operation's parameters; {@code null} for a feature
  * @param text the expression; {@code null} if there is none yet
  */
-record MemberContext(
+public record MemberContext(
     RuleDocument.Path packagePath,
     RuleDocument.Path owner,
     String name,
     List<String> parameters,
     SourceRange text) {
 
-  MemberContext with(SourceRange expression) {
+  public MemberContext with(SourceRange expression) {
     return new MemberContext(packagePath, owner, name, parameters, expression);
   }
 }

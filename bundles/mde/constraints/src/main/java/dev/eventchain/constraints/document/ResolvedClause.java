@@ -1,4 +1,4 @@
-package dev.eventchain.constraints;
+package dev.eventchain.constraints.document;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
@@ -15,24 +15,25 @@ import org.eclipse.emf.ecore.EPackage;
  * @param context its class or data type
  * @param contextPackage the package whose types come first
  */
-record ResolvedClause(RuleDocument.Clause clause, EClassifier context, EPackage contextPackage) {
+public record ResolvedClause(
+    RuleDocument.Clause clause, EClassifier context, EPackage contextPackage) {
 
   /** Returns the scope with {@code self} and its alias, if there is one. */
-  Scope scope(ExpressionLanguage language) {
+  public Scope scope(ExpressionLanguage language) {
     Scope scope = language.root().in(contextPackage).with("self", context);
     String alias = clause.alias();
     return alias.isEmpty() ? scope : scope.withAlias(alias, clause.context().toString());
   }
 
-  Definitions.Definition definition(ExpressionLanguage language) {
+  public Definitions.Definition definition(ExpressionLanguage language) {
     return new Definitions.Definition(clause.text(), scope(language), clause.location());
   }
 
-  SourceText source() {
+  public SourceText source() {
     return clause.text().source();
   }
 
-  SourceLocation location() {
+  public SourceLocation location() {
     return clause.location();
   }
 
@@ -42,7 +43,7 @@ record ResolvedClause(RuleDocument.Clause clause, EClassifier context, EPackage 
   }
 
   /** Returns whether another clause is the same in another document, which is no fault. */
-  boolean repeats(ResolvedClause other) {
+  public boolean repeats(ResolvedClause other) {
     return source() != other.source() && words().equals(other.words());
   }
 }

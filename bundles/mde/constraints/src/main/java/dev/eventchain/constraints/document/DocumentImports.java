@@ -1,4 +1,4 @@
-package dev.eventchain.constraints;
+package dev.eventchain.constraints.document;
 
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -18,17 +18,17 @@ import java.util.Set;
  * importing document. A URI, which names a place in a workspace, stands for the file of that name
  * next to the importing document.
  */
-final class DocumentImports {
+public final class DocumentImports {
 
   /** An import line: a URI, a file or a name. */
-  record Import(String target, SourceLocation location) {}
+  public record Import(String target, SourceLocation location) {}
 
   private static final String EXTENSION = ".ocl";
 
   private DocumentImports() {}
 
   /** Returns the files and then those that they import, each once. */
-  static List<Path> files(List<Path> given) {
+  public static List<Path> files(List<Path> given) {
     List<Path> files = new ArrayList<>();
     Set<Path> seen = new HashSet<>();
     for (Path file : given) {
@@ -53,7 +53,7 @@ final class DocumentImports {
   }
 
   /** Returns whether an import names one of the documents. */
-  static boolean names(Import wanted, List<String> documents) {
+  public static boolean names(Import wanted, List<String> documents) {
     Optional<Path> file = fileOf(wanted, Path.of(wanted.location().file()));
     return file.isPresent()
         && documents.stream()
@@ -61,7 +61,7 @@ final class DocumentImports {
   }
 
   /** Returns whether the target of an import is a rule document. */
-  static boolean isDocument(String target) {
+  public static boolean isDocument(String target) {
     return target.endsWith(EXTENSION);
   }
 

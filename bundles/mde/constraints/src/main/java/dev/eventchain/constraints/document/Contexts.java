@@ -1,4 +1,4 @@
-package dev.eventchain.constraints;
+package dev.eventchain.constraints.document;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -21,7 +21,7 @@ import org.eclipse.emf.ecore.EcorePackage;
 import org.eclipse.emf.ecore.resource.Resource;
 
 /** Finds the metamodels, packages and classes that rule documents name. */
-final class Contexts {
+public final class Contexts {
 
   /** URI of the standard library in Eclipse OCL, which is always available. */
   private static final String STANDARD_LIBRARY = "http://www.eclipse.org/ocl/";
@@ -29,7 +29,7 @@ final class Contexts {
   private final PackageIndex packages;
   private final List<Diagnostic> problems;
 
-  Contexts(PackageIndex packages, List<Diagnostic> problems) {
+  public Contexts(PackageIndex packages, List<Diagnostic> problems) {
     this.packages = packages;
     this.problems = problems;
   }
@@ -38,7 +38,7 @@ final class Contexts {
    * Checks that an import names a loaded metamodel, by its URI, its file or its package, one of the
    * documents, or the standard library.
    */
-  void check(DocumentImports.Import wanted, List<String> documents) {
+  public void check(DocumentImports.Import wanted, List<String> documents) {
     String target = wanted.target().replaceFirst("#.*", "");
     boolean known =
         target.equals(EcorePackage.eNS_URI)
@@ -78,7 +78,7 @@ final class Contexts {
   /**
    * Finds the class or data type of a clause; reports a problem unless exactly one has its name.
    */
-  Optional<ResolvedClause> resolve(RuleDocument.Clause clause) {
+  public Optional<ResolvedClause> resolve(RuleDocument.Clause clause) {
     return classifierOf(clause.packagePath(), clause.context())
         .map(
             context ->
@@ -89,7 +89,7 @@ final class Contexts {
   }
 
   /** Finds the operation or feature that a context names; reports it if its class has none. */
-  Optional<ETypedElement> resolve(MemberContext member) {
+  public Optional<ETypedElement> resolve(MemberContext member) {
     Optional<EClass> owner =
         classifierOf(member.packagePath(), member.owner())
             .filter(found -> isClass(found, member.owner()))

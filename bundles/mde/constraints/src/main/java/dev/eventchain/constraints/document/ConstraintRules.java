@@ -1,4 +1,4 @@
-package dev.eventchain.constraints;
+package dev.eventchain.constraints.document;
 
 import dev.eventchain.diagnostics.CommonTrait;
 import dev.eventchain.diagnostics.Rule;

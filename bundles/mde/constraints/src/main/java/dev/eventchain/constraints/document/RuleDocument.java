@@ -1,4 +1,4 @@
-package dev.eventchain.constraints;
+package dev.eventchain.constraints.document;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -14,10 +14,10 @@ import java.util.Set;
  * Splits a Complete OCL document into clauses that are parsed separately, so that an error in one
  * does not hide those in others.
  */
-final class RuleDocument {
+public final class RuleDocument {
 
   /** A qualified name and its location. */
-  record Path(List<String> names, SourceLocation location) {
+  public record Path(List<String> names, SourceLocation location) {
     @Override
     public String toString() {
       return String.join("::", names);
@@ -38,7 +38,7 @@ final class RuleDocument {
    * @param comments the text with the comments above it; for the first clause, above the context
    * @param contextComment the text that ends with the comment above its context
    */
-  record Clause(
+  public record Clause(
       boolean definition,
       Path packagePath,
       Path context,
@@ -51,7 +51,7 @@ final class RuleDocument {
       SourceRange contextComment) {
 
     /** Returns the text that ends with the comment right above it. */
-    SourceRange ownComment() {
+    public SourceRange ownComment() {
       return comments.get(comments.size() - 1);
     }
   }
@@ -60,10 +60,6 @@ final class RuleDocument {
   private static final Set<String> CONDITIONS = Set.of("pre", "post", "body", "init", "derive");
 
   private static final Set<String> COMPUTING = Set.of("body", "derive");
-
-  /** Tokens after which a keyword is a name inside an expression. */
-  private static final Set<String> BEFORE_NAMES =
-      Set.of(".", "->", "::", "^", ",", "(", "{", "|", "let");
 
   private static final Set<String> AFTER_CONTEXT =
       Set.of("inv", "def", "static", "pre", "post", "body", "init", "derive");
@@ -91,7 +87,7 @@ final class RuleDocument {
   }
 
   /** Reads a document; clauses other than invariants and definitions are reported as problems. */
-  static RuleDocument read(SourceText source, List<Diagnostic> problems) {
+  public static RuleDocument read(SourceText source, List<Diagnostic> problems) {
     RuleDocument document = new RuleDocument(source, problems);
     int comment = document.tokens.unclosedComment();
     if (comment >= 0) {
@@ -105,25 +101,25 @@ final class RuleDocument {
     return document;
   }
 
-  List<DocumentImports.Import> imports() {
+  public List<DocumentImports.Import> imports() {
     return imports;
   }
 
-  List<Clause> clauses() {
+  public List<Clause> clauses() {
     return clauses;
   }
 
   /** Returns the operations and features that the document computes. */
-  List<MemberContext> members() {
+  public List<MemberContext> members() {
     return members;
   }
 
   /** Returns the number of runtime conditions: {@code pre}, {@code post}, {@code init}. */
-  int unchecked() {
+  public int unchecked() {
     return unchecked;
   }
 
-  boolean isEmpty() {
+  public boolean isEmpty() {
     return clauses.isEmpty() && members.isEmpty() && unchecked == 0;
   }
 
@@ -352,35 +348,9 @@ final class RuleDocument {
 
   private void skipToClause(int from) {
     at = from;
-    while (at < tokens.size() && !startsClause(at)) {
+    while (at < tokens.size() && !ClauseStarts.at(tokens, at)) {
       at++;
     }
-  }
-
-  private boolean startsClause(int index) {
-    if (index > 0 && BEFORE_NAMES.contains(tokens.text(index - 1))) {
-      return false;
-    }
-    String token = tokens.text(index);
-    boolean named = tokens.isName(index + 1);
-    return switch (token) {
-      case "endpackage" -> true;
-      case "context", "package" -> named;
-      case "import", "include", "library" -> tokens.isString(index + 1) || isNamedImport(index);
-      case "static" -> tokens.is(index + 1, "def");
-      case "inv" -> true;
-      case "invariant", "Inv", "INV" -> named && tokens.is(index + 2, ":");
-      case "def", "pre", "post", "body", "init", "derive" ->
-          tokens.is(index + 1, ":") || (named && tokens.is(index + 2, ":"));
-      default -> false;
-    };
-  }
-
-  /** Returns whether the import has the form {@code import name : 'uri'} or {@code import a::b}. */
-  private boolean isNamedImport(int index) {
-    return tokens.isName(index + 1)
-        && (tokens.is(index, "import")
-            || (tokens.is(index + 2, ":") && tokens.isString(index + 3)));
   }
 
   private SourceLocation location(int token) {

@@ -1,0 +1,60 @@
+package dev.eventchain.constraints.editing;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.editing.Answers;
+import dev.eventchain.editing.MemoryWorkspace;
+import dev.eventchain.editing.TextLines;
+import dev.eventchain.editing.TextPosition;
+import dev.eventchain.fixtures.MarkedCase;
+import dev.eventchain.fixtures.TestModels;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EPackage;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Tests the answers of {@link RuleLanguageService}, case by case. */
+class RuleEditingTest {
+
+  private static final Path RULES = Path.of("rules.ocl");
+  private static final EPackage LIBRARY = new TestModels("library").metamodel();
+
+  static Stream<MarkedCase> cases() {
+    return MarkedCase.read(Path.of("src/test/resources/editing/cases.txt")).stream();
+  }
+
+  @ParameterizedTest
+  @MethodSource("cases")
+  void answers(MarkedCase marked) {
+    MemoryWorkspace workspace = new MemoryWorkspace(List.of(LIBRARY));
+    marked.files().forEach((name, text) -> workspace.put(Path.of(name), text));
+    TextPosition position =
+        new TextLines(marked.files().get(marked.file())).position(marked.offset());
+    List<String> answer =
+        Answers.to(
+            marked.question(),
+            new RuleLanguageService(workspace),
+            Path.of(marked.file()),
+            position);
+    assertEquals(List.of(), marked.faults(answer));
+  }
+
+  /** An analysis is kept until a text changes, and a closed file has none. */
+  @Test
+  void keepsAnswersByVersion() {
+    MemoryWorkspace workspace = new MemoryWorkspace(List.of(LIBRARY));
+    workspace.put(RULES, "context Book def: long : Boolean = pages > 500");
+    RuleLanguageService service = new RuleLanguageService(workspace);
+    assertSame(service.analysis(RULES).orElseThrow(), service.analysis(RULES).orElseThrow());
+    workspace.put(RULES, "context Book def: huge : Boolean = pages > 500");
+    assertEquals(
+        "huge", service.analysis(RULES).orElseThrow().symbols().get(0).children().get(0).name());
+    workspace.remove(RULES);
+    assertTrue(service.analysis(RULES).isEmpty());
+  }
+}
