@@ -41,6 +41,7 @@ public final class SiteBuilder {
           Map.entry("diagrams", "Diagrams"),
           Map.entry("build-server", "Build servers"),
           Map.entry("evidence", "Evidence"),
+          Map.entry("coding-agents", "Coding agents"),
           Map.entry("eclipse", "Eclipse"),
           Map.entry("java", "Java API"),
           Map.entry("formats", "File formats"),

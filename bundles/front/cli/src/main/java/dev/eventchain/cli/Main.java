@@ -56,6 +56,7 @@ public final class Main {
           ExportCommand.class,
           DescribeCommand.class,
           ExplainCommand.class,
+          McpCommand.class,
           DoctorCommand.class);
 
   /** As wide as the lines of the descriptions. */

@@ -1,0 +1,179 @@
+package dev.eventchain.mcp.project;
+
+import com.github.difflib.DiffUtils;
+import com.github.difflib.UnifiedDiffUtils;
+import dev.eventchain.documents.AtomicFile;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.regex.Pattern;
+
+/**
+ * A change of a project that is not made yet.
+ *
+ * @param changes the texts of each file, by its name
+ */
+public record Proposal(Path project, Map<String, Change> changes) {
+
+  private static final int CONTEXT = 3;
+  private static final int ID_LENGTH = 12;
+
+  /** Files in which a person decides what counts, what is tried, and what is accepted. */
+  private static final Set<String> PROTECTED =
+      Set.of("eventchain.yaml", "eventchain-suppressions.yaml", "mutants.yaml", "accepted.yaml");
+
+  /** Files that say what is right. */
+  private static final Pattern JUDGES =
+      Pattern.compile(
+          "(?:scenarios|tests|requirements)/.*|requirements\\..*|constraints\\.ocl"
+              + "|faults\\.yaml|design-rules\\.md|bench\\.yaml");
+
+  /**
+   * A file before and after.
+   *
+   * @param before empty if it is new
+   */
+  public record Change(Optional<String> before, String after) {}
+
+  /**
+   * Returns the change that edits make, one after the other.
+   *
+   * @throws dev.eventchain.diagnostics.DiagnosticException if they cannot be made, or may not
+   */
+  public static Proposal of(Boundary boundary, Path project, List<Edit> edits) {
+    Map<String, Change> changes = new TreeMap<>();
+    for (Edit edit : edits) {
+      Path file = boundary.inside(project, edit.file());
+      String name = requireChangeable(project, file, edit.file());
+      Change earlier = changes.get(name);
+      Optional<String> before = earlier == null ? textOf(file, edit) : earlier.before();
+      String now = earlier == null ? before.orElse("") : earlier.after();
+      changes.put(name, new Change(before, edit.in(now)));
+    }
+    changes.values().removeIf(each -> each.before().equals(Optional.of(each.after())));
+    if (changes.isEmpty()) {
+      throw McpRules.refusal(McpRules.CHANGE, "", "Nothing would change.", "Give other texts.");
+    }
+    return new Proposal(project, changes);
+  }
+
+  private static Optional<String> textOf(Path file, Edit edit) {
+    return Files.exists(file)
+        ? Optional.of(ProjectFiles.read(file, edit.file()))
+        : Optional.empty();
+  }
+
+  private static String requireChangeable(Path project, Path file, String named) {
+    if (!file.startsWith(project) || file.equals(project)) {
+      throw refusal(named, "It is no file of the project.");
+    }
+    Path relative = project.relativize(file);
+    for (Path part : relative) {
+      if (part.toString().startsWith(".")) {
+        throw refusal(named, "A hidden file is not changed.");
+      }
+    }
+    if (relative.startsWith("out")) {
+      throw refusal(named, "It is a result; a run writes it.");
+    }
+    if (PROTECTED.contains(relative.toString()) || relative.startsWith("recordings")) {
+      throw refusal(named, "A person decides what stands there.");
+    }
+    if (Files.isSymbolicLink(file)) {
+      throw refusal(named, "It is a symbolic link.");
+    }
+    return relative.toString();
+  }
+
+  private static RuntimeException refusal(String file, String message) {
+    return McpRules.refusal(
+        McpRules.PROTECTED,
+        file,
+        message,
+        "Settings, suppressions, accepted findings and recordings are changed by people, outside"
+            + " this server.");
+  }
+
+  /** Returns the name by which the client can have it made. */
+  public String id() {
+    try {
+      byte[] digest =
+          MessageDigest.getInstance("SHA-256").digest(diff().getBytes(StandardCharsets.UTF_8));
+      return HexFormat.of().formatHex(digest).substring(0, ID_LENGTH);
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  /** Returns the files that say what is right: a change of them changes what a verdict means. */
+  public List<String> judges() {
+    return changes.keySet().stream().filter(name -> JUDGES.matcher(name).matches()).toList();
+  }
+
+  /** Returns the change as a unified diff. */
+  public String diff() {
+    List<String> lines = new ArrayList<>();
+    changes.forEach(
+        (name, change) -> {
+          List<String> before = change.before().map(Proposal::lines).orElse(List.of());
+          String from = change.before().isPresent() ? "a/" + name : "/dev/null";
+          lines.addAll(
+              UnifiedDiffUtils.generateUnifiedDiff(
+                  from,
+                  "b/" + name,
+                  before,
+                  DiffUtils.diff(before, lines(change.after())),
+                  CONTEXT));
+        });
+    return String.join("\n", lines) + "\n";
+  }
+
+  private static List<String> lines(String text) {
+    return text.lines().toList();
+  }
+
+  /**
+   * Writes the files.
+   *
+   * @throws dev.eventchain.diagnostics.DiagnosticException if a file has changed since
+   */
+  public void apply(Boundary boundary) {
+    changes.forEach(
+        (name, change) -> {
+          Path file = boundary.inside(project, name);
+          Optional<String> now =
+              Files.exists(file) ? Optional.of(ProjectFiles.read(file, name)) : Optional.empty();
+          if (!now.equals(change.before())) {
+            throw McpRules.refusal(
+                McpRules.CHANGE,
+                name,
+                "The file has changed since the proposal was made.",
+                "Propose the change again.");
+          }
+        });
+    writeTo(project);
+  }
+
+  /** Writes the files into a folder, which may be a copy of the project. */
+  void writeTo(Path folder) {
+    changes.forEach(
+        (name, change) -> {
+          try {
+            AtomicFile.write(folder.resolve(name), change.after());
+          } catch (IOException e) {
+            throw new UncheckedIOException(e);
+          }
+        });
+  }
+}

@@ -1,0 +1,216 @@
+package dev.eventchain.mcp.project;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.NearestName;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+
+/** The tables among the results of a project. */
+public final class ResultTables {
+
+  private static final String CURVES = "curves/";
+  private static final long LARGEST = 64 << 20;
+  private static final int CHANGED_NAMES = 10;
+
+  private final Path project;
+  private final Path output;
+  private final Map<String, Supplier<Table>> tables = new TreeMap<>();
+
+  /**
+   * Finds the tables of a project, in a folder inside the boundary that nothing leads out of.
+   *
+   * @throws dev.eventchain.diagnostics.DiagnosticException if it has no results
+   */
+  public ResultTables(Path project) {
+    this.project = project;
+    this.output = project.resolve("out");
+    find("requirements", "verdict.json", verdict -> list(verdict.path("requirements")));
+    find("scenarios", "verdict.json", verdict -> list(verdict.path("scenarios")));
+    find("criteria", "verdict.json", ResultTables::criteria);
+    find("mutants", "mutants.json", mutants -> list(mutants.path("mutants")));
+    findCsv();
+    if (tables.isEmpty()) {
+      throw McpRules.refusal(
+          McpRules.RESULTS,
+          "",
+          "The project has no results.",
+          "The tools run, simulate, mutate and campaign make some.");
+    }
+  }
+
+  /** What a table is read from. */
+  private interface Rows {
+    List<JsonNode> of(JsonNode json);
+  }
+
+  private void find(String name, String file, Rows rows) {
+    Path path = output.resolve(file);
+    if (Files.isRegularFile(path)) {
+      tables.put(
+          name,
+          () -> {
+            List<JsonNode> objects = new ArrayList<>();
+            rows.of(json(path)).forEach(each -> objects.add(withoutLists(each)));
+            return Table.ofObjects(objects);
+          });
+    }
+  }
+
+  private void findCsv() {
+    if (!Files.isDirectory(output)) {
+      return;
+    }
+    try (Stream<Path> files = Files.walk(output)) {
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
+        String name = output.relativize(file).toString();
+        if (name.endsWith(".csv")) {
+          tables.put(name.substring(0, name.length() - 4), () -> Table.ofCsv(text(file)));
+        }
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static List<JsonNode> list(JsonNode array) {
+    List<JsonNode> list = new ArrayList<>();
+    array.forEach(list::add);
+    return list;
+  }
+
+  private static List<JsonNode> criteria(JsonNode verdict) {
+    List<JsonNode> criteria = new ArrayList<>();
+    for (JsonNode scenario : verdict.path("scenarios")) {
+      for (JsonNode criterion : scenario.path("criteria")) {
+        ObjectNode row = new ObjectMapper().createObjectNode();
+        row.set("scenario", scenario.path("name"));
+        criterion.properties().forEach(each -> row.set(each.getKey(), each.getValue()));
+        criteria.add(row);
+      }
+    }
+    return criteria;
+  }
+
+  /** Returns an object without lists of objects, which are other tables or too much for a cell. */
+  private static JsonNode withoutLists(JsonNode row) {
+    ObjectNode copy = row.deepCopy();
+    List<String> names = new ArrayList<>();
+    copy.properties()
+        .forEach(
+            each -> {
+              if (each.getValue().path(0).isObject() || each.getKey().equals("criteria")) {
+                names.add(each.getKey());
+              } else if (each.getValue() instanceof ObjectNode inner) {
+                copy.set(each.getKey(), withoutLists(inner));
+              }
+            });
+    return copy.remove(names);
+  }
+
+  private static JsonNode json(Path file) {
+    try {
+      return new ObjectMapper().readTree(text(file));
+    } catch (IOException e) {
+      throw McpRules.refusal(
+          McpRules.RESULTS, file.getFileName().toString(), "It is no JSON.", "Run again.");
+    }
+  }
+
+  private static String text(Path file) {
+    try {
+      if (Files.size(file) > LARGEST) {
+        throw McpRules.refusal(
+            McpRules.RESULTS,
+            file.getFileName().toString(),
+            "A table of " + Files.size(file) + " bytes is not read; the limit is " + LARGEST,
+            "Read the file by other means.");
+      }
+      return Files.readString(file);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Returns the names of the tables. */
+  public List<String> names() {
+    return List.copyOf(tables.keySet());
+  }
+
+  /**
+   * Returns a table.
+   *
+   * @throws dev.eventchain.diagnostics.DiagnosticException if there is none of this name
+   */
+  public Table table(String name) {
+    Supplier<Table> table = tables.get(name);
+    if (table == null) {
+      throw unknown("table", name, names());
+    }
+    return table.get();
+  }
+
+  /** Returns the curves of a scenario. */
+  public Table curves(String scenario) {
+    List<String> known =
+        names().stream()
+            .filter(name -> name.startsWith(CURVES))
+            .map(name -> name.substring(CURVES.length()))
+            .toList();
+    if (!known.contains(scenario)) {
+      throw unknown("scenario", scenario, known);
+    }
+    return tables.get(CURVES + scenario).get();
+  }
+
+  private static RuntimeException unknown(String kind, String name, List<String> known) {
+    return McpRules.refusal(
+        McpRules.RESULTS,
+        "",
+        "There are no results of a " + kind + " '" + name + "'.",
+        NearestName.of(name, known)
+            .map(near -> "Did you mean '" + near + "'?")
+            .orElse("There are: " + String.join(", ", known) + "."));
+  }
+
+  /**
+   * Returns files of the project that were changed after the verdict was reached, the first ones:
+   * the results are not about them.
+   */
+  public List<String> changedSince() {
+    Path verdict = output.resolve("verdict.json");
+    try (Stream<Path> files = Files.walk(project)) {
+      if (!Files.exists(verdict)) {
+        return List.of();
+      }
+      FileTime reached = Files.getLastModifiedTime(verdict);
+      return files
+          .filter(file -> !file.startsWith(output) && isChangedSince(file, reached))
+          .map(file -> project.relativize(file).toString())
+          .filter(name -> !name.startsWith("."))
+          .sorted()
+          .limit(CHANGED_NAMES)
+          .toList();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static boolean isChangedSince(Path file, FileTime time) {
+    try {
+      return Files.isRegularFile(file) && Files.getLastModifiedTime(file).compareTo(time) > 0;
+    } catch (IOException e) {
+      return true;
+    }
+  }
+}

@@ -1,0 +1,2 @@
+/** What a client may read and change: files, results as tables, changes on a copy. */
+package dev.eventchain.mcp.project;

@@ -1,0 +1,54 @@
+package dev.eventchain.mcp.protocol;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.Optional;
+
+/** The lines of a stream, each up to a largest length. */
+final class InputLines {
+
+  /** Longest line in bytes: a change of a few large files. */
+  static final int LONGEST = 4 << 20;
+
+  private final InputStream in;
+
+  InputLines(InputStream in) {
+    this.in = in;
+  }
+
+  /**
+   * A line.
+   *
+   * @param whole false if it was longer than the limit; the bytes are then its beginning
+   */
+  record Line(byte[] bytes, boolean whole) {
+
+    boolean isBlank() {
+      for (byte each : bytes) {
+        if (each != ' ' && each != '\t' && each != '\r') {
+          return false;
+        }
+      }
+      return true;
+    }
+  }
+
+  /** Returns the next line, also an unfinished last one; empty at the end. */
+  Optional<Line> next() throws IOException {
+    ByteArrayOutputStream line = new ByteArrayOutputStream();
+    boolean whole = true;
+    int next = in.read();
+    if (next < 0) {
+      return Optional.empty();
+    }
+    for (; next >= 0 && next != '\n'; next = in.read()) {
+      if (line.size() < LONGEST) {
+        line.write(next);
+      } else {
+        whole = false;
+      }
+    }
+    return Optional.of(new Line(line.toByteArray(), whole));
+  }
+}

@@ -1,0 +1,146 @@
+package dev.eventchain.mcp.tools;
+
+import dev.eventchain.mcp.project.Boundary;
+import dev.eventchain.mcp.project.Edit;
+import dev.eventchain.mcp.project.McpRules;
+import dev.eventchain.mcp.project.ProjectFiles;
+import dev.eventchain.mcp.project.Proposal;
+import dev.eventchain.mcp.project.TrialCopy;
+import dev.eventchain.mcp.tools.Parameter.Type;
+import dev.eventchain.mcp.tools.Tool.Call;
+import dev.eventchain.mcp.tools.Tool.Effect;
+import dev.eventchain.mcp.tools.Tool.Result;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/** The tools that propose changes and make them. */
+final class ChangeTools {
+
+  private static final int MOST = 20;
+
+  private static final Map<String, Object> FILES =
+      Map.of("type", "array", "items", Map.of("type", "string"));
+
+  private final Commands commands;
+  private final Boundary boundary;
+  private final Map<String, Proposal> proposals = new LinkedHashMap<>();
+
+  ChangeTools(Commands commands, Boundary boundary) {
+    this.commands = commands;
+    this.boundary = boundary;
+  }
+
+  /** Returns the tools. */
+  List<Tool> all() {
+    return List.of(propose(), apply());
+  }
+
+  private Tool propose() {
+    Map<String, Object> output = new LinkedHashMap<>(Commands.OUTPUT);
+    output.put("proposal", Map.of("type", "string", "description", "Its name, for 'apply'."));
+    output.put("diff", Map.of("type", "string", "description", "The change as a unified diff."));
+    output.put("judges", judges());
+    return new Tool(
+        "propose",
+        "Check a change without making it",
+        "Makes a change on a copy of the project, checks the copy, and returns the change as a diff"
+            + " with what the check said. The project stays as it is. Results, settings,"
+            + " suppressions, accepted findings and recordings cannot be changed.",
+        Effect.READS,
+        List.of(
+            CommandTools.PROJECT,
+            Parameter.required(
+                "edits",
+                Type.OBJECTS,
+                "The changes, one after the other: {\"file\": relative to the project, \"old\": text"
+                    + " that occurs once in it, \"new\": what takes its place}. Without \"old\","
+                    + " \"new\" is the whole file."),
+            Parameter.oneOf(
+                "check",
+                "What checks the copy: 'validate' (the default, seconds) or 'run' (to a verdict).",
+                List.of("validate", "run"))),
+        output,
+        this::proposed);
+  }
+
+  private static Map<String, Object> judges() {
+    Map<String, Object> schema = new LinkedHashMap<>(FILES);
+    schema.put(
+        "description",
+        "Changed files that say what is right (requirements, scenarios, tests, constraints): with"
+            + " them, a verdict means something else. A person should look at them.");
+    return schema;
+  }
+
+  private Result proposed(Arguments arguments, Call call) {
+    Path project = boundary.inside(arguments.text("project", "."));
+    boundary.requireClosed(project);
+    List<Edit> edits = arguments.list("edits").stream().map(ChangeTools::edit).toList();
+    Proposal proposal = Proposal.of(boundary, project, edits);
+    Result checked;
+    try (TrialCopy copy = TrialCopy.of(boundary, proposal)) {
+      String command = arguments.text("check", "validate");
+      checked = commands.report(List.of(command, boundary.argument(project)), copy.folder(), call);
+    }
+    keep(proposal);
+    Map<String, Object> structured = new LinkedHashMap<>(checked.structured());
+    structured.put("proposal", proposal.id());
+    structured.put("diff", proposal.diff());
+    structured.put("judges", proposal.judges());
+    String text = "Proposal " + proposal.id() + "\n" + proposal.diff() + "\n" + checked.text();
+    return new Result(text, structured, checked.failed());
+  }
+
+  private static Edit edit(Object json) {
+    Map<?, ?> edit = (Map<?, ?>) json;
+    Object old = edit.containsKey("old") ? edit.get("old") : "";
+    boolean known = Set.of("file", "old", "new").containsAll(edit.keySet());
+    if (known
+        && edit.get("file") instanceof String file
+        && old instanceof String replaced
+        && edit.get("new") instanceof String text
+        && text.length() <= ProjectFiles.LARGEST) {
+      return new Edit(file, replaced, text);
+    }
+    throw Arguments.wrong(
+        "An edit has \"file\" and \"new\", and may have \"old\"; all are texts.",
+        "Such as {\"file\": \"model/chain.xmi\", \"old\": \"5\", \"new\": \"10\"}.");
+  }
+
+  private synchronized void keep(Proposal proposal) {
+    if (proposals.size() >= MOST) {
+      proposals.remove(proposals.keySet().iterator().next());
+    }
+    proposals.put(proposal.id(), proposal);
+  }
+
+  private Tool apply() {
+    return new Tool(
+        "apply",
+        "Make a proposed change",
+        "Writes the files of a proposal as its diff says, if they are still as they were. Then use"
+            + " 'run': no verdict is about the changed project yet.",
+        Effect.CHANGES_FILES,
+        List.of(Parameter.required("proposal", Type.TEXT, "The name that 'propose' has given.")),
+        Map.of("files", FILES),
+        (arguments, call) -> applied(arguments.text("proposal", "")));
+  }
+
+  private synchronized Result applied(String id) {
+    Proposal proposal = proposals.get(id);
+    if (proposal == null) {
+      throw McpRules.refusal(
+          McpRules.CHANGE,
+          "",
+          "There is no proposal '" + id + "' in this session.",
+          "Propose the change; the last " + MOST + " proposals are kept.");
+    }
+    proposal.apply(boundary);
+    proposals.remove(id);
+    List<String> files = List.copyOf(proposal.changes().keySet());
+    return new Result("Changed: " + String.join(", ", files), Map.of("files", files), false);
+  }
+}

@@ -1,0 +1,244 @@
+package dev.eventchain.mcp.tools;
+
+import dev.eventchain.mcp.project.Boundary;
+import dev.eventchain.mcp.tools.Parameter.Type;
+import dev.eventchain.mcp.tools.Tool.Call;
+import dev.eventchain.mcp.tools.Tool.Effect;
+import dev.eventchain.mcp.tools.Tool.Result;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The tools that are commands. */
+final class CommandTools {
+
+  /** The project that a tool is about. */
+  static final Parameter PROJECT =
+      Parameter.of(
+          "project",
+          Type.TEXT,
+          "The project's folder, relative to the server's. Default: the server's folder itself.");
+
+  private static final Parameter SCENARIOS =
+      Parameter.of(
+          "scenarios",
+          Type.TEXTS,
+          "Names of the scenarios to be simulated, without .yaml. Default: all. With a choice the"
+              + " verdict is about less, and INCOMPLETE at best.");
+
+  private final Commands commands;
+  private final Boundary boundary;
+
+  CommandTools(Commands commands, Boundary boundary) {
+    this.commands = commands;
+    this.boundary = boundary;
+  }
+
+  /** Returns the tools. */
+  List<Tool> all() {
+    return List.of(
+        init(), validate(), explain(), generate(), simulate(), run(), campaign(), mutate());
+  }
+
+  private Tool init() {
+    return new Tool(
+        "init",
+        "Start a project",
+        "Creates a project in a new or empty folder: a small example that runs as it is, or, with"
+            + " 'workspace', one around the nodes of a ROS 2 workspace. Existing files stay.",
+        Effect.CHANGES_FILES,
+        List.of(
+            PROJECT,
+            Parameter.of("workspace", Type.TEXT, "A colcon workspace inside the server's folder.")),
+        Commands.plainOutput(),
+        (arguments, call) -> {
+          List<String> command = command("init", arguments);
+          arguments
+              .text("workspace")
+              .ifPresent(name -> command.add("--from-workspace=" + closed(name)));
+          return commands.print(command, call);
+        });
+  }
+
+  private Tool validate() {
+    return new Tool(
+        "validate",
+        "Check a project or models",
+        "Checks everything of a project that can be checked without simulation: model,"
+            + " constraints, requirements, bench, scenarios, faults, components. With 'models',"
+            + " checks these models of any Ecore metamodel instead.",
+        Effect.WRITES_RESULTS,
+        List.of(
+            PROJECT,
+            Parameter.of("models", Type.TEXTS, "Model files, instead of a project."),
+            Parameter.of("metamodels", Type.TEXTS, "The .ecore files of the models."),
+            Parameter.of("ocl", Type.TEXTS, "Complete OCL documents for the models.")),
+        Commands.OUTPUT,
+        this::validated);
+  }
+
+  private Result validated(Arguments arguments, Call call) {
+    List<String> models = arguments.texts("models");
+    List<String> command;
+    if (models.isEmpty()) {
+      command = command("validate", arguments);
+    } else {
+      requireNoProject(arguments);
+      command = new ArrayList<>(List.of("validate"));
+      models.forEach(model -> command.add(closed(model)));
+    }
+    arguments.texts("metamodels").forEach(file -> command.add("--metamodel=" + closed(file)));
+    arguments.texts("ocl").forEach(file -> command.add("--ocl=" + closed(file)));
+    return commands.report(command, call);
+  }
+
+  private Tool explain() {
+    return new Tool(
+        "explain",
+        "Explain a finding",
+        "Explains a finding by the id in brackets behind it, such as ocl.violated, or a standard"
+            + " constraint. Without an id, lists all.",
+        Effect.READS,
+        List.of(Parameter.of("id", Type.TEXT, "The id. Default: all ids are listed.")),
+        Commands.plainOutput(),
+        (arguments, call) -> {
+          List<String> command = new ArrayList<>(List.of("explain"));
+          arguments.text("id").ifPresent(id -> command.addAll(List.of("--", plain(id))));
+          return commands.print(command, call);
+        });
+  }
+
+  private Tool generate() {
+    return new Tool(
+        "generate",
+        "Generate code",
+        "Generates a project's ROS 2 package. With 'template' and 'models', generates text from"
+            + " models of any metamodel by an Acceleo 3 template, into 'output'.",
+        Effect.WRITES_RESULTS,
+        List.of(
+            PROJECT,
+            Parameter.of("template", Type.TEXT, "The main module of a template (.mtl)."),
+            Parameter.of("models", Type.TEXTS, "The models for the template."),
+            Parameter.of("metamodels", Type.TEXTS, "The .ecore files of the models."),
+            Parameter.of("output", Type.TEXT, "The folder to write into, for a template.")),
+        Commands.OUTPUT,
+        this::generated);
+  }
+
+  private Result generated(Arguments arguments, Call call) {
+    if (arguments.text("template").isEmpty()) {
+      return commands.report(command("generate", arguments), call);
+    }
+    requireNoProject(arguments);
+    List<String> command = new ArrayList<>(List.of("generate"));
+    arguments.texts("models").forEach(model -> command.add(closed(model)));
+    arguments.text("template").ifPresent(file -> command.add("--template=" + closed(file)));
+    arguments.texts("metamodels").forEach(file -> command.add("--metamodel=" + closed(file)));
+    String output =
+        arguments
+            .text("output")
+            .orElseThrow(
+                () ->
+                    Arguments.wrong(
+                        "The argument 'output' is missing.",
+                        "A template writes into a folder that you name."));
+    command.add("--output=" + closed(output));
+    return commands.report(command, call);
+  }
+
+  private Tool simulate() {
+    return new Tool(
+        "simulate",
+        "Simulate the generated nodes",
+        "Simulates scenarios of a project whose nodes were generated, in the closed loop, and comes"
+            + " to a verdict. After a change of the model or a component, use 'run'.",
+        Effect.WRITES_RESULTS,
+        List.of(PROJECT, SCENARIOS),
+        Commands.OUTPUT,
+        (arguments, call) -> commands.report(withScenarios("simulate", arguments), call));
+  }
+
+  private Tool run() {
+    return new Tool(
+        "run",
+        "Run a project to its verdict",
+        "Does all that is needed for a verdict and has changed since the last run: design,"
+            + " components and their tests, constraints, generation, simulation, report. The"
+            + " verdict is PASSED, FAILED, or INCOMPLETE if not all was tested.",
+        Effect.WRITES_RESULTS,
+        List.of(PROJECT, SCENARIOS),
+        Commands.OUTPUT,
+        (arguments, call) -> commands.report(withScenarios("run", arguments), call));
+  }
+
+  private Tool campaign() {
+    return new Tool(
+        "campaign",
+        "Simulate many cases",
+        "Simulates the cases of a campaign file: a scenario with numbers that differ. Results are"
+            + " the tables campaigns/NAME/cases.",
+        Effect.WRITES_RESULTS,
+        List.of(
+            PROJECT,
+            Parameter.required(
+                "file", Type.TEXT, "The campaign file, relative to the server's folder."),
+            Parameter.of("dryRun", Type.FLAG, "Only count the cases, and say how long they take."),
+            Parameter.of("case", Type.WHOLE, "Simulate and record this case of the table again.")),
+        Commands.OUTPUT,
+        (arguments, call) -> {
+          List<String> command = command("campaign", arguments);
+          command.add(closed(arguments.text("file", "")));
+          arguments.whole("case").ifPresent(number -> command.add("--case=" + number));
+          if (arguments.flag("dryRun")) {
+            command.add("--dry-run");
+          }
+          return commands.report(command, call);
+        });
+  }
+
+  private Tool mutate() {
+    return new Tool(
+        "mutate",
+        "Try small defects",
+        "Tries which small defects of components no test and no scenario notices. Takes minutes to"
+            + " hours. Results are the table mutants.",
+        Effect.WRITES_RESULTS,
+        List.of(PROJECT, Parameter.of("components", Type.TEXTS, "Mutate these components only.")),
+        Commands.OUTPUT,
+        (arguments, call) -> {
+          List<String> command = command("mutate", arguments);
+          arguments.texts("components").forEach(name -> command.add("--component=" + name));
+          return commands.report(command, call);
+        });
+  }
+
+  private List<String> withScenarios(String name, Arguments arguments) {
+    List<String> command = command(name, arguments);
+    arguments.texts("scenarios").forEach(scenario -> command.add("--scenario=" + scenario));
+    return command;
+  }
+
+  /** Returns a command about the project of a call. */
+  private List<String> command(String name, Arguments arguments) {
+    return new ArrayList<>(List.of(name, closed(arguments.text("project", "."))));
+  }
+
+  /** Returns an argument for a path inside that no link leads out of. */
+  private String closed(String name) {
+    Path path = boundary.inside(name);
+    boundary.requireClosed(path);
+    return boundary.argument(path);
+  }
+
+  private static void requireNoProject(Arguments arguments) {
+    if (arguments.text("project").isPresent()) {
+      throw Arguments.wrong(
+          "Give either a project or model files.", "Leave 'project' out for model files.");
+    }
+  }
+
+  /** Returns a text that is no file of arguments. */
+  private static String plain(String text) {
+    return text.startsWith("@") ? " " + text : text;
+  }
+}

@@ -1,0 +1,190 @@
+package dev.eventchain.mcp.tools;
+
+import com.fasterxml.jackson.core.type.TypeReference;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.mcp.program.Ended;
+import dev.eventchain.mcp.program.Program;
+import dev.eventchain.mcp.program.RunningCall;
+import dev.eventchain.mcp.project.Boundary;
+import dev.eventchain.mcp.project.McpRules;
+import dev.eventchain.mcp.tools.Tool.Call;
+import dev.eventchain.mcp.tools.Tool.Result;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** Commands as tools: what a command says is the text, and its JSON report is the structure. */
+final class Commands {
+
+  /** What a command that reports findings answers. */
+  static final Map<String, Object> OUTPUT = output();
+
+  private static final int HEAD = 20_000;
+  private static final int TAIL = 6_000;
+  private static final int MOST_FINDINGS = 200;
+  private static final Pattern VERDICT =
+      Pattern.compile("^(PASSED|FAILED|INCOMPLETE): ", Pattern.MULTILINE);
+  private static final ObjectMapper JSON = new ObjectMapper();
+
+  private final Program program;
+  private final Boundary boundary;
+
+  Commands(Program program, Boundary boundary) {
+    this.program = program;
+    this.boundary = boundary;
+  }
+
+  private static Map<String, Object> output() {
+    Map<String, Object> properties = new LinkedHashMap<>(plainOutput());
+    properties.put(
+        "verdict",
+        Map.of(
+            "enum",
+            List.of("PASSED", "FAILED", "INCOMPLETE"),
+            "description",
+            "The verdict, if the command came to one."));
+    properties.put(
+        "report", Map.of("type", "object", "description", "The report that --format json writes."));
+    properties.put(
+        "findingsLeftOut",
+        Map.of("type", "integer", "description", "How many findings of the report were left out."));
+    return properties;
+  }
+
+  /** What a command without findings answers. */
+  static Map<String, Object> plainOutput() {
+    Map<String, Object> properties = new LinkedHashMap<>();
+    properties.put(
+        "exitCode", Map.of("type", "integer", "description", "The command's exit code."));
+    properties.put("meaning", Map.of("type", "string", "description", "What the exit code means."));
+    return properties;
+  }
+
+  /** Runs a command that only prints. */
+  Result print(List<String> arguments, Call call) {
+    Ended ended = program.run(arguments, boundary.root(), call.running(), call.progress());
+    return new Result(textOf(ended), ending(ended), !ended.worked());
+  }
+
+  /** Returns what a command prints, without progress. */
+  Ended output(List<String> arguments, RunningCall call) {
+    return program.run(arguments, boundary.root(), call, message -> {});
+  }
+
+  /** Runs a command that ends with a report, in the server's folder. */
+  Result report(List<String> arguments, Call call) {
+    return report(arguments, boundary.root(), call);
+  }
+
+  /** As above, in a folder that is a copy of the server's. */
+  Result report(List<String> arguments, Path folder, Call call) {
+    try {
+      Path reports = Files.createTempDirectory("eventchain-report");
+      Path file = reports.resolve("report.json");
+      try {
+        List<String> command = new ArrayList<>(arguments);
+        command.add("--report=json=" + file);
+        Ended ended = program.run(command, folder, call.running(), call.progress());
+        return result(ended, file, folder);
+      } finally {
+        Files.deleteIfExists(file);
+        Files.deleteIfExists(reports);
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static Result result(Ended ended, Path file, Path folder) throws IOException {
+    Map<String, Object> structured = ending(ended);
+    Matcher verdict = VERDICT.matcher(ended.out());
+    while (verdict.find()) {
+      structured.put("verdict", verdict.group(1));
+    }
+    if (Files.exists(file)) {
+      ObjectNode report = (ObjectNode) JSON.readTree(file.toFile());
+      requireInside(report, folder);
+      structured.put("findingsLeftOut", shorten(report));
+      structured.put(
+          "report", JSON.convertValue(report, new TypeReference<Map<String, Object>>() {}));
+    } else if (ended.worked()) {
+      throw new IllegalStateException("the command wrote no report: " + ended.err());
+    }
+    return new Result(textOf(ended), structured, !ended.worked());
+  }
+
+  private static Map<String, Object> ending(Ended ended) {
+    Map<String, Object> structured = new LinkedHashMap<>();
+    structured.put("exitCode", ended.code());
+    structured.put(
+        "meaning",
+        switch (ended.code()) {
+          case 0 -> "success";
+          case 1 -> "findings of severity error, or a failed verdict";
+          case 2 -> "wrong usage or unreadable input";
+          case 3 -> "something this machine lacks, or a defect in eventchain";
+          case 4 -> "waiting for an answer of a language model";
+          default -> "ended by a signal";
+        });
+    return structured;
+  }
+
+  /** Removes findings that are too many for a message; returns how many. */
+  private static int shorten(ObjectNode report) {
+    int removed = 0;
+    for (String list : List.of("findings", "suppressed")) {
+      if (report.get(list) instanceof ArrayNode findings) {
+        for (; findings.size() > MOST_FINDINGS; removed++) {
+          findings.remove(findings.size() - 1);
+        }
+      }
+    }
+    return removed;
+  }
+
+  /** Fails if the command has read a file outside: a model may refer to any. */
+  private static void requireInside(ObjectNode report, Path folder) {
+    List<String> files = new ArrayList<>();
+    report.path("files").forEach(file -> files.add(file.asText()));
+    report.path("findings").forEach(finding -> files.add(finding.path("file").asText()));
+    for (String file : files) {
+      if (!folder.resolve(file).normalize().startsWith(folder)) {
+        throw outside(file);
+      }
+    }
+  }
+
+  private static DiagnosticException outside(String file) {
+    return McpRules.refusal(
+        McpRules.OUTSIDE,
+        file,
+        "The project refers to a file outside the folder of the server; what is said about it is not sent.",
+        "Start the server in a folder that holds both, or remove the reference.");
+  }
+
+  private static String textOf(Ended ended) {
+    return shortened(ended.err() + ended.out());
+  }
+
+  private static String shortened(String text) {
+    if (text.length() <= HEAD + TAIL) {
+      return text;
+    }
+    int left = text.length() - HEAD - TAIL;
+    return text.substring(0, HEAD)
+        + "\n... "
+        + left
+        + " characters are left out here ...\n"
+        + text.substring(text.length() - TAIL);
+  }
+}

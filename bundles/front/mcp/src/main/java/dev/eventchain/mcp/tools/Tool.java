@@ -1,0 +1,55 @@
+package dev.eventchain.mcp.tools;
+
+import dev.eventchain.mcp.program.RunningCall;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+
+/**
+ * What a client can have done.
+ *
+ * @param description what a client has to know to choose it
+ * @param effect what it changes
+ * @param output the properties of its structured result, as JSON schemas
+ */
+record Tool(
+    String name,
+    String title,
+    String description,
+    Effect effect,
+    List<Parameter> parameters,
+    Map<String, Object> output,
+    Work work) {
+
+  /** What a tool changes. */
+  enum Effect {
+    /** Nothing. */
+    READS,
+    /** Results of the project, which the next run makes again. */
+    WRITES_RESULTS,
+    /** Files of the project. */
+    CHANGES_FILES
+  }
+
+  /** Does what a tool is for. */
+  interface Work {
+    Result with(Arguments arguments, Call call);
+  }
+
+  /**
+   * A call of a tool.
+   *
+   * @param running what cancels it
+   * @param progress gets each message about the progress
+   */
+  record Call(RunningCall running, Consumer<String> progress) {}
+
+  /**
+   * What a tool answers.
+   *
+   * @param text what it says to a reader
+   * @param structured the same for programs, as the tool's output says
+   * @param failed whether the work was not done
+   */
+  record Result(String text, Map<String, Object> structured, boolean failed) {}
+}
