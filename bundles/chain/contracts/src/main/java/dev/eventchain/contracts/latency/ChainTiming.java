@@ -16,6 +16,7 @@ import dev.eventchain.model.eventchain.LatencyKind;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
@@ -110,15 +111,47 @@ public final class ChainTiming {
         constraint.getKind() == LatencyKind.DATA_AGE ? LatencyType.DATA_AGE : LatencyType.REACTION;
     Set<String> unknown = new LinkedHashSet<>();
     long outside = outside(type, constraint, unknown);
-    Optional<List<PathLatency>> paths =
-        graph.between(type, names.get(constraint.getFirst()), names.get(constraint.getLast()));
-    if (paths.isEmpty()) {
-      unknown.add("data take more than 1,000 paths");
+    return estimate(
+        type, outside, List.of(constraint.getFirst()), List.of(constraint.getLast()), unknown);
+  }
+
+  /**
+   * Returns the estimate of the reaction from what comes to a component to what another one makes
+   * of it, on whichever components read and write the same topics as they do.
+   */
+  public LatencyEstimate reaction(SoftwareNode first, SoftwareNode last) {
+    Set<String> read = stimuli(first);
+    Set<SoftwareNode> firsts = new LinkedHashSet<>(List.of(first));
+    Set<SoftwareNode> lasts = new LinkedHashSet<>(List.of(last));
+    for (TopicIndex.Topic topic : topics.topics()) {
+      if (read.contains(topic.name())) {
+        topic.subscribers().forEach(end -> firsts.add(end.node()));
+      }
+      if (topic.publishers().stream().anyMatch(end -> end.node() == last)) {
+        topic.publishers().forEach(end -> lasts.add(end.node()));
+      }
     }
-    paths.orElse(List.of()).stream()
-        .flatMap(path -> path.gaps().stream())
-        .forEach(gap -> unknown.add(text(gap)));
-    return new LatencyEstimate(type, outside, paths.orElse(List.of()), List.copyOf(unknown));
+    return estimate(LatencyType.REACTION, 0, firsts, lasts, new LinkedHashSet<>());
+  }
+
+  private LatencyEstimate estimate(
+      LatencyType type,
+      long outside,
+      Collection<SoftwareNode> firsts,
+      Collection<SoftwareNode> lasts,
+      Set<String> unknown) {
+    List<PathLatency> paths = new ArrayList<>();
+    for (SoftwareNode first : firsts) {
+      for (SoftwareNode last : lasts) {
+        Optional<List<PathLatency>> found = graph.between(type, names.get(first), names.get(last));
+        if (found.isEmpty()) {
+          unknown.add("data take more than 1,000 paths");
+        }
+        paths.addAll(found.orElse(List.of()));
+      }
+    }
+    paths.forEach(path -> path.gaps().forEach(gap -> unknown.add(text(gap))));
+    return new LatencyEstimate(type, outside, paths, List.copyOf(unknown));
   }
 
   /** Returns what counts before the first component, and adds what is not known of it. */

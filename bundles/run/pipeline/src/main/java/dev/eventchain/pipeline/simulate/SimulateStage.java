@@ -106,8 +106,7 @@ public final class SimulateStage implements StageWork {
     Function<EObject, SourceLocation> locator = new Origins()::locate;
     Coverage ecore = Coverage.NONE;
     if (!run.options().isPartial()) {
-      writeMeasurements(run, chain, result);
-      run.writeResult(MEASURED_MODEL, XmiStore.toBytes(measured));
+      writeMeasurements(run, chain, result, measured);
       ChainModel reread = run.loadChain(run.file(MEASURED_MODEL));
       measured = reread.chain();
       locator = reread::locate;
@@ -117,6 +116,7 @@ public final class SimulateStage implements StageWork {
     OclResult validation = ProjectChecks.constraints(run).check(measured, locator);
     RuleEvidence evidence = RuleEvidence.of(run, measured, validation);
     found.addAll(evidence.findings());
+    found.addAll(LatencyBounds.of(run, result).findings(run.chain()::locate));
     List<RequirementOutcome> outcomes = outcomes(run, chain, scenarios, result, evidence);
     if (!run.options().isPartial()) {
       addUntested(run, chain, scenarios, result, outcomes, found);
@@ -128,11 +128,13 @@ public final class SimulateStage implements StageWork {
     return new StageResult(details(run, result), results(run, result), found, report, coverage);
   }
 
-  private static void writeMeasurements(RunContext run, EventChain chain, SimulationResult result) {
+  private static void writeMeasurements(
+      RunContext run, EventChain chain, SimulationResult result, EventChain measured) {
     run.writeResult(MEASUREMENTS, result.toJson());
     run.writeResult(MEASUREMENTS_TABLE, result.toCsv(chain));
     run.output().removeAll(CURVES);
     result.curves().forEach((scenario, table) -> run.writeResult(curvesOf(scenario), table));
+    run.writeResult(MEASURED_MODEL, XmiStore.toBytes(measured));
   }
 
   private static String curvesOf(String scenario) {

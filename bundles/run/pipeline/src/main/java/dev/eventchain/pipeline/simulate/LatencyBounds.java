@@ -1,0 +1,214 @@
+package dev.eventchain.pipeline.simulate;
+
+import dev.eventchain.contracts.ContractRule;
+import dev.eventchain.contracts.latency.ChainTiming;
+import dev.eventchain.contracts.latency.LatencyEstimate;
+import dev.eventchain.contracts.latency.Stimuli;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.LatencyConstraint;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.simulation.SimulationResult;
+import dev.eventchain.simulation.verdict.Measurements;
+import dev.eventchain.simulation.verdict.ScenarioVerdict;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EObject;
+
+/**
+ * Upper bounds on the latencies that a simulation measured, with what its bench says of the
+ * messages from outside.
+ */
+final class LatencyBounds {
+
+  private static final double MILLISECOND = 1e6;
+
+  /** Rounding of measured times, in ns. */
+  private static final long TOLERANCE = 1_000;
+
+  /**
+   * A latency with its bound.
+   *
+   * @param constraint the constraint; empty for the latency of the whole chain
+   * @param components what components alone make of it
+   * @param estimate with the messages from outside
+   * @param longest the longest time that was measured; empty if none was
+   */
+  record Bounded(
+      Optional<LatencyConstraint> constraint,
+      LatencyEstimate components,
+      LatencyEstimate estimate,
+      Optional<Longest> longest) {
+
+    /** Returns whether the bound passes the maximum of the constraint. */
+    private boolean passes(LatencyEstimate it) {
+      double maximum = constraint.map(LatencyConstraint::getMaximum).orElse(0.0) * MILLISECOND;
+      return maximum > 0 && Math.max(it.known(), it.bound().orElse(0)) > maximum;
+    }
+
+    private String name() {
+      return constraint.map(it -> "'" + it.getName() + "'").orElse("The latency of the chain");
+    }
+  }
+
+  /**
+   * The longest measured time.
+   *
+   * @param time of the messages, without the value latency of components, in ns
+   */
+  record Longest(String scenario, long time) {}
+
+  private final List<Bounded> all = new ArrayList<>();
+
+  private LatencyBounds() {}
+
+  /** Returns the bounds of a chain with both ends known, and what was measured of them. */
+  static LatencyBounds of(RunContext run, SimulationResult result) {
+    LatencyBounds bounds = new LatencyBounds();
+    EventChain chain = run.chain().chain();
+    ChainTiming components = ChainTiming.of(chain, Stimuli.FRESH);
+    ChainTiming timing = ChainTiming.of(chain, new BenchStimuli(run.chain().bench()));
+    bounds.addChain(chain, timing, result);
+    for (int i = 0; i < chain.getLatencyConstraints().size(); i++) {
+      LatencyConstraint constraint = chain.getLatencyConstraints().get(i);
+      if (constraint.getFirst() != null && constraint.getLast() != null) {
+        bounds.all.add(
+            new Bounded(
+                Optional.of(constraint),
+                components.of(constraint),
+                timing.of(constraint),
+                longest(result, i)));
+      }
+    }
+    return bounds;
+  }
+
+  /** Adds the latency of the whole chain, if one was measured. */
+  private void addChain(EventChain chain, ChainTiming timing, SimulationResult result) {
+    Optional<SoftwareNode> first = node(chain, result.measurements().firstNode());
+    Optional<SoftwareNode> last = node(chain, result.measurements().lastNode());
+    Optional<Longest> longest =
+        longest(result, verdict -> verdict.latency().map(Measurements.Statistics::maximum));
+    if (first.isPresent() && last.isPresent() && longest.isPresent()) {
+      LatencyEstimate estimate = timing.reaction(first.get(), last.get());
+      all.add(new Bounded(Optional.empty(), estimate, estimate, longest));
+    }
+  }
+
+  private static Optional<SoftwareNode> node(EventChain chain, String name) {
+    return chain.getSoftware().stream().filter(node -> name.equals(node.getName())).findFirst();
+  }
+
+  /** Returns the longest time that messages took in a constraint. */
+  private static Optional<Longest> longest(SimulationResult result, int constraint) {
+    return longest(
+        result,
+        verdict ->
+            verdict.latencies().get(constraint).map(it -> it.statistics().maximum() - it.values()));
+  }
+
+  private static Optional<Longest> longest(
+      SimulationResult result, Function<ScenarioVerdict, Optional<Double>> milliseconds) {
+    return result.verdicts().stream()
+        .flatMap(
+            verdict ->
+                milliseconds
+                    .apply(verdict)
+                    .map(it -> new Longest(verdict.scenario(), Math.round(it * MILLISECOND)))
+                    .stream())
+        .max(Comparator.comparingLong(Longest::time));
+  }
+
+  /** Returns all of them: first that of the chain, then the constraints in their order. */
+  List<Bounded> all() {
+    return List.copyOf(all);
+  }
+
+  /**
+   * Returns findings about measured times above their bounds, and about what only the bench adds to
+   * those of the model.
+   */
+  List<Diagnostic> findings(Function<EObject, SourceLocation> locator) {
+    return all.stream()
+        .flatMap(
+            each -> {
+              SourceLocation place =
+                  each.constraint().map(locator::apply).orElse(SourceLocation.NONE);
+              return Stream.of(
+                      aboveBound(each, place), aboveMaximum(each, place), unknown(each, place))
+                  .flatMap(Optional::stream);
+            })
+        .toList();
+  }
+
+  private static Optional<Diagnostic> aboveBound(Bounded bounded, SourceLocation place) {
+    long bound = bounded.estimate().bound().orElse(Long.MAX_VALUE - TOLERANCE);
+    return bounded
+        .longest()
+        .filter(longest -> longest.time() > bound + TOLERANCE)
+        .map(
+            longest ->
+                Diagnostic.of(
+                        SimulateRules.SIMULATION_LATENCY_ABOVE_BOUND,
+                        "%s took %s ms in '%s', but by the numbers of the model %s ms are the most (waiting + execution: %s)."
+                            .formatted(
+                                bounded.name(),
+                                LatencyEstimate.milliseconds(longest.time()),
+                                longest.scenario(),
+                                LatencyEstimate.milliseconds(bound),
+                                bounded.estimate().shares()),
+                        place)
+                    .withHint(
+                        "A worst case or a frequency of the model does not hold here, as where a component lacks an input and publishes nothing; if they all hold, this program has a defect."));
+  }
+
+  private static Optional<Diagnostic> aboveMaximum(Bounded bounded, SourceLocation place) {
+    if (bounded.passes(bounded.components()) || !bounded.passes(bounded.estimate())) {
+      return Optional.empty();
+    }
+    LatencyEstimate estimate = bounded.estimate();
+    LatencyConstraint constraint = bounded.constraint().orElseThrow();
+    long possible = Math.max(estimate.known(), estimate.bound().orElse(0));
+    String message =
+        "'%s' allows %s ms, but with what passes before '%s' starts up to %s ms are possible (waiting + execution: %s)."
+            .formatted(
+                constraint.getName(),
+                LatencyEstimate.milliseconds(Math.round(constraint.getMaximum() * MILLISECOND)),
+                constraint.getFirst().getName(),
+                LatencyEstimate.milliseconds(possible),
+                estimate.shares());
+    return Optional.of(
+        new Diagnostic(
+            ContractRule.LATENCY_BOUND.rule(),
+            Severity.WARNING,
+            message,
+            place,
+            "Execute components on the way more often or faster, provide the messages more often, or allow more time.",
+            "",
+            List.of()));
+  }
+
+  private static Optional<Diagnostic> unknown(Bounded bounded, SourceLocation place) {
+    boolean added =
+        bounded.constraint().isPresent()
+            && bounded.components().unknown().isEmpty()
+            && !bounded.estimate().unknown().isEmpty();
+    return added
+        ? Optional.of(
+            Diagnostic.of(
+                    ContractRule.LATENCY_UNKNOWN.rule(),
+                    "No bound on the time of %s is known: %s."
+                        .formatted(bounded.name(), String.join("; ", bounded.estimate().unknown())),
+                    place)
+                .withHint(
+                    "State a maximumAge of the input, or let no message of the topic get lost in bench.yaml."))
+        : Optional.empty();
+  }
+}

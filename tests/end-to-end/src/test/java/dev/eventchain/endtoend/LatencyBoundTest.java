@@ -1,0 +1,85 @@
+package dev.eventchain.endtoend;
+
+import dev.eventchain.fixtures.InTurn;
+import dev.eventchain.fixtures.Projects;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests of bounds on latencies against what a bench adds, and against what was measured. */
+class LatencyBoundTest {
+
+  private static final String CHAIN = "model/chain.xmi";
+
+  @TempDir private Path folder;
+
+  private ProjectCopy pedestrianBrake() throws IOException {
+    Projects.copy(
+        Program.ROOT.resolve("tests/end-to-end/src/test/resources/pedestrian-brake"), folder);
+    return new ProjectCopy(Projects.withoutStrength(folder));
+  }
+
+  @Test
+  void validationSaysWhatPhasesMayDoAndWhatNoneAvoid() throws IOException {
+    ProjectCopy project = pedestrianBrake();
+    project.replace(CHAIN, "maximum=\"150\"", "maximum=\"80\"");
+    new Program()
+        .run("validate", project.path())
+        .expect(0)
+        .says("warning: 'list_to_brake' allows 80 ms from 'Crossing_Prediction' to 'Brake_Arbiter'")
+        .says("but up to 82 ms are possible")
+        .says("(waiting + execution: Crossing_Prediction 50 + 10, Brake_Arbiter 20 + 2)");
+    project.replace(CHAIN, "maximum=\"80\"", "maximum=\"1\"");
+    new Program()
+        .run("validate", project.path())
+        .expect(1)
+        .says("error: 'list_to_brake' allows 1 ms from 'Crossing_Prediction' to 'Brake_Arbiter'")
+        .says("but the worst cases alone are 12 ms. [chain.latency.bound]");
+  }
+
+  @InTurn
+  @Test
+  void latencyOfASensorIsPartOfTheBoundWhereItCounts() throws IOException {
+    ProjectCopy project = pedestrianBrake();
+    project.replace(
+        "bench.yaml",
+        "latency_ms: 40\n",
+        "latency_ms: 40\n    latency_counts_in: [list_to_brake]\n");
+    project.replace(CHAIN, "maximum=\"150\"", "maximum=\"115\"");
+    project
+        .run()
+        .expect(0)
+        .says("warning: 'list_to_brake' allows 115 ms, but with what passes before")
+        .says("'Crossing_Prediction' starts up to 122 ms are possible")
+        .says("PASSED");
+  }
+
+  private void withoutSafeValues(String file, String pattern) throws IOException {
+    Path path = folder.resolve(file);
+    Files.writeString(path, Files.readString(path).replaceAll(pattern, ""));
+  }
+
+  /** A node that gets no input publishes nothing, so that its last output stays in force. */
+  @InTurn
+  @Test
+  void timeAboveItsBoundIsADefectOfTheModel() throws IOException {
+    ProjectCopy project = pedestrianBrake();
+    project.replace(
+        CHAIN,
+        "</eventchain:EventChain>",
+        "<latencyConstraints name=\"target_age\" kind=\"DATA_AGE\" first=\"//@software.1\""
+            + " last=\"//@software.1\" maximum=\"150\"/></eventchain:EventChain>");
+    withoutSafeValues(CHAIN, " safeValue=\"[^\"]*\"");
+    withoutSafeValues("software-base/components.json", ", \"safe_value\": \"[^\"]*\"");
+    project
+        .run()
+        .expect(1)
+        .says("warning: 'target_age' took 2")
+        .says(
+            "in 'camera-fails', but by the numbers of the model 62 ms are the most (waiting +"
+                + " execution: before the first one 60, Brake_Arbiter 0 + 2)."
+                + " [simulation.latency.above-bound]");
+  }
+}
