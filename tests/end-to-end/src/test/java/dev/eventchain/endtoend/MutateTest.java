@@ -155,6 +155,58 @@ class MutateTest {
     mutate("--since", "no-such").expect(2).says("mutation.since");
   }
 
+  /** Its source is checked as that of components is, and the table does not look complete. */
+  @Test
+  void noMutantsAreMadeOfANodeAsItIs() throws Exception {
+    copy.delete(COMPONENT);
+    copy.write(
+        "software-base/nodes/stamps.py", "import time\n\n\ndef now():\n    return time.time()\n");
+    copy.write(
+        "software-base/nodes/warning.py",
+        """
+        import time
+        import stamps
+        from demo_msgs.msg import Threat
+        from rclpy.node import Node
+        from std_msgs.msg import Bool
+
+        class Warning(Node):
+            def __init__(self):
+                super().__init__("warning")
+                self.output = self.create_publisher(Bool, "/cluster/collision_warning", 10)
+                self.create_subscription(Threat, "/aeb/threat", self.on_threat, 10)
+
+            def on_threat(self, threat):
+                time.sleep(0.001)
+                self.output.publish(Bool(data=threat.time_to_collision < 2.6))
+        """);
+    copy.replace(
+        "software-base/components.json",
+        "\"name\": \"" + NAME + "\",",
+        "\"name\": \""
+            + NAME
+            + "\", \"implementation\": \"node\", \"file\": \"nodes/warning.py\","
+            + " \"node\": {\"class\": \"Warning\"},");
+    copy.replace(
+        "model/chain.xmi",
+        "name=\"" + NAME + "\"",
+        "name=\"" + NAME + "\" implementation=\"NODE\"");
+    new Program()
+        .run("validate", copy.path())
+        .expect(1)
+        .says("software-base/nodes/warning.py:14:14: error: 'time.sleep'")
+        .says("software-base/nodes/stamps.py:5:17: warning: 'time.time'")
+        .says("self.get_clock()");
+    copy.replace("software-base/nodes/warning.py", "time.sleep(0.001)", "pass");
+    mutate().expect(2).says("mutation.left-out").says("a node that is hosted as it is");
+    commit();
+    new Program()
+        .run("mutate", copy.path(), "--since", "HEAD")
+        .expect(0)
+        .says("warning: No mutants were made of 'Collision_Warning'")
+        .says("mutation.none");
+  }
+
   private void commit() throws IOException, InterruptedException {
     git("init", "--quiet");
     git("add", "--all");

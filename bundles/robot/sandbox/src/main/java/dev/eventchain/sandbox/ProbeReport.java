@@ -8,6 +8,7 @@ import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.MissingNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Printable;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -88,11 +89,14 @@ record ProbeReport(String output, ConfinedProcess.Termination end, String errors
   }
 
   static Diagnostic diagnostic(JsonNode finding, SourceText source) {
-    return Diagnostic.of(
-            ComponentRules.of(finding.path("id").asText()),
-            Printable.line(finding.path("message").asText()),
-            source.at(finding.path("line").asInt(1), Math.max(1, finding.path("column").asInt(1))))
-        .withHint(finding.path("hint").asText());
+    Diagnostic found =
+        Diagnostic.of(
+                ComponentRules.of(finding.path("id").asText()),
+                Printable.line(finding.path("message").asText()),
+                source.at(
+                    finding.path("line").asInt(1), Math.max(1, finding.path("column").asInt(1))))
+            .withHint(finding.path("hint").asText());
+    return finding.path("uncertain").asBoolean() ? found.withSeverity(Severity.WARNING) : found;
   }
 
   private Diagnostic unfinished(SourceText source) {

@@ -18,7 +18,7 @@ import java.util.Optional;
 /**
  * Checks the text of hand-written Python files, in one confined process, without running any of
  * their code: existing components against their descriptions, and also the modules that they
- * import, for what makes results differ from run to run.
+ * import, and nodes that are hosted as they are, for what makes results differ from run to run.
  *
  * <p>Findings, each with the place in the file: {@code component.syntax}, {@code
  * component.class.missing}, {@code component.constructor.signature}, {@code
@@ -40,8 +40,27 @@ public final class SourceCheck {
    * A file to check.
    *
    * @param signature what its node needs; empty for a module that components import
+   * @param node the class of a node that is hosted as it is, or an empty name for a module that
+   *     such nodes import; empty for anything else
    */
-  public record Source(SourceText text, Optional<ComponentSignature> signature) {}
+  public record Source(
+      SourceText text, Optional<ComponentSignature> signature, Optional<String> node) {
+
+    /** Returns the file of a component, or a module that components import. */
+    public static Source of(SourceText text, Optional<ComponentSignature> signature) {
+      return new Source(text, signature, Optional.empty());
+    }
+
+    /** Returns the file of a node that is hosted as it is. */
+    public static Source ofNode(SourceText text, String className) {
+      return new Source(text, Optional.empty(), Optional.of(className));
+    }
+
+    /** Returns a module that nodes import which are hosted as they are. */
+    public static Source besideNode(SourceText text) {
+      return ofNode(text, "");
+    }
+  }
 
   /** Creates a check on this Python. */
   public SourceCheck(PythonEnvironment environment) {
@@ -95,6 +114,7 @@ public final class SourceCheck {
     ArrayNode list = request.putArray("sources");
     for (Source source : sources) {
       ObjectNode entry = list.addObject().put("text", source.text().text());
+      source.node().ifPresent(name -> entry.put("node", name));
       source
           .signature()
           .ifPresent(

@@ -1,10 +1,12 @@
-"""Static rules of hand-written files: existing components, and modules that they import. None of their code is run.
+"""Static rules of hand-written files: components, nodes and modules that they import. None of their code is run.
 
 They may import and call what they need, so only what their nodes need is checked, and what makes results differ from
 run to run. Where a name comes from elsewhere (a base class of another file, a decorator), nothing is said about it.
 
 As a program: standard input is a JSON object with ``sources``, a list of ``text``, and for a component its ``class``,
-``inputs`` and ``outputs``. Standard output is a JSON list with the findings of each.
+``inputs`` and ``outputs``; for a node that is hosted as it is ``node``, its class, which is empty for a module that
+such nodes import. Standard output is a JSON list with the findings of each, with ``uncertain`` where a node may not
+come.
 """
 
 from __future__ import annotations
@@ -18,6 +20,7 @@ from pathlib import Path
 from typing import Any
 
 import component_repeatability
+import node_rules
 from component_reach import MIDDLEWARE
 from component_results import Output, check_keys
 from component_rules import Component, Finding, Rules, decode, names, required, returns
@@ -309,7 +312,27 @@ def _folded(name: str) -> str:
     return name.replace("_", "").lower()
 
 
+class NodeSource(Rules):
+    """Checks the file of a node that is hosted as it is, or a module that such nodes import."""
+
+    def __init__(self, source: str, class_name: str) -> None:
+        super().__init__(source, Component(class_name, [], []))
+
+    def found(self) -> list[dict[str, Any]]:
+        """Return all findings, in the order of the file, each with whether it is uncertain."""
+        try:
+            self._tree = ast.parse(self._source)
+            uses = node_rules.uses(self._tree, self._component.class_name)
+            found = {(self._finding(*use), certain) for use, certain in uses}
+        except (SyntaxError, ValueError, RecursionError, MemoryError) as problem:
+            found = {(self._syntax(problem)._replace(hint=""), True)}
+        ordered = sorted(found, key=lambda each: (each[0].line, each[0].column, each[0].id))
+        return [{**finding._asdict(), "uncertain": not certain} for finding, certain in ordered]
+
+
 def _checked(source: dict[str, Any]) -> list[dict[str, Any]]:
+    if "node" in source:
+        return NodeSource(source["text"], source["node"]).found()
     described = Component(source["class"], source["inputs"], source["outputs"]) if "class" in source else None
     return [finding._asdict() for finding in SourceRules(source["text"], described).check()]
 

@@ -28,8 +28,18 @@ class SourceCheckTest {
       new ComponentSignature("TTC", List.of("distance", "speed"), List.of("ttc"));
   private static final SourceCheck CHECK = new SourceCheck(TestEnvironment.PYTHON);
 
+  private static final Path NODES = Path.of("src/test/resources/nodes");
+
   static List<Path> sources() throws IOException {
-    try (Stream<Path> files = Files.walk(FIXTURES)) {
+    return pythonFiles(FIXTURES);
+  }
+
+  static List<Path> nodes() throws IOException {
+    return pythonFiles(NODES);
+  }
+
+  private static List<Path> pythonFiles(Path folder) throws IOException {
+    try (Stream<Path> files = Files.walk(folder)) {
       return files.filter(file -> file.toString().endsWith(".py")).sorted().toList();
     }
   }
@@ -45,6 +55,22 @@ class SourceCheckTest {
     }
   }
 
+  /** Warnings are uses that the node {@code Brake} may never come to. */
+  @ParameterizedTest
+  @MethodSource("nodes")
+  void nodesAreCheckedForRepeatability(Path file) throws IOException {
+    String name = file.getFileName().toString();
+    SourceText text = SourceText.read(file);
+    Source source =
+        name.startsWith("module") ? Source.besideNode(text) : Source.ofNode(text, "Brake");
+    String actual = DiagnosticFormat.TEXT.render(CHECK.check(List.of(source)));
+    if (name.startsWith("good")) {
+      assertEquals("", actual);
+    } else {
+      ExpectedFile.check(ExpectedFile.beside(file), actual);
+    }
+  }
+
   @Test
   void aHelperIsCheckedForRepeatabilityOnly() {
     Path clock = FIXTURES.resolve("component.clock/bad.py");
@@ -52,8 +78,8 @@ class SourceCheckTest {
     List<Diagnostic> found =
         CHECK.check(
             List.of(
-                new Source(SourceText.read(spelling), Optional.empty()),
-                new Source(SourceText.read(clock), Optional.empty())));
+                Source.of(SourceText.read(spelling), Optional.empty()),
+                Source.of(SourceText.read(clock), Optional.empty())));
     assertEquals(
         List.of("component.clock"), found.stream().map(Diagnostic::id).distinct().toList());
     assertEquals(clock.toString(), found.get(0).location().file());
@@ -76,11 +102,11 @@ class SourceCheckTest {
     String deep = "x = " + "(".repeat(5000) + ")".repeat(5000);
     List<Diagnostic> found =
         CHECK.check(
-            List.of(new Source(SourceText.of("component.py", deep), Optional.of(SIGNATURE))));
+            List.of(Source.of(SourceText.of("component.py", deep), Optional.of(SIGNATURE))));
     assertEquals(List.of("component.syntax"), found.stream().map(Diagnostic::id).toList());
   }
 
   private static Source component(Path file) {
-    return new Source(SourceText.read(file), Optional.of(SIGNATURE));
+    return Source.of(SourceText.read(file), Optional.of(SIGNATURE));
   }
 }

@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.Rule;
 final class MutationRules {
 
   static final Rule MUTATION_ACCEPTED = Rule.error("mutation.accepted");
+  static final Rule MUTATION_LEFT_OUT = Rule.error("mutation.left-out");
   static final Rule MUTATION_NONE = Rule.error("mutation.none");
   static final Rule MUTATION_SINCE = Rule.error("mutation.since");
   static final Rule MUTATION_SURVIVED = Rule.error("mutation.survived");

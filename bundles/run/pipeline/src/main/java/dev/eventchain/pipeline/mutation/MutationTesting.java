@@ -110,17 +110,23 @@ public final class MutationTesting {
     List<Diagnostic> unknown =
         options.components().stream()
             .filter(name -> !known.contains(name))
-            .map(
-                name ->
-                    Diagnostic.of(
-                            MutationRules.MUTATION_NONE,
-                            "The chain executes no component '" + name + "'.",
-                            SourceLocation.of(run.model()))
-                        .withHint(NearestName.hint(name, known)))
+            .map(name -> unknown(name, known))
             .toList();
     if (!unknown.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, unknown);
     }
+  }
+
+  private Diagnostic unknown(String name, List<String> known) {
+    Optional<SoftwareNode> whole =
+        ProjectMutants.leftOut(run).stream().filter(it -> name.equals(it.getName())).findFirst();
+    return whole.isPresent()
+        ? leftOut(whole.get())
+        : Diagnostic.of(
+                MutationRules.MUTATION_NONE,
+                "The chain executes no component '" + name + "'.",
+                SourceLocation.of(run.model()))
+            .withHint(NearestName.hint(name, known));
   }
 
   private Predicate<Mutant> chosen() {
@@ -187,6 +193,9 @@ public final class MutationTesting {
         found.add(SurvivorFindings.of(mutant, result));
       }
     }
+    ProjectMutants.leftOut(run).stream()
+        .filter(node -> options.components().isEmpty())
+        .forEach(node -> found.add(leftOut(node).withSeverity(Severity.WARNING)));
     if (chosen.isEmpty()) {
       found.add(none());
     }
@@ -199,6 +208,18 @@ public final class MutationTesting {
             : MutationTable.of(chosen.stream().map(this::result).toList(), explained);
     return new MutationOutcome(
         Outcome.of(Coverage.NONE, parted.remaining(), parted.suppressed()), table);
+  }
+
+  /** Returns the finding that nothing is known about the defects of a node. */
+  private Diagnostic leftOut(SoftwareNode node) {
+    return Diagnostic.of(
+            MutationRules.MUTATION_LEFT_OUT,
+            "No mutants were made of '"
+                + node.getName()
+                + "', a node that is hosted as it is: nobody knows which of its defects would be"
+                + " noticed.",
+            SourceLocation.of(run.model()).withElement(node.getName()))
+        .withHint("Move what it computes into a component, whose node is generated.");
   }
 
   /** Returns the finding that nothing was tried, which a change elsewhere may be the reason for. */

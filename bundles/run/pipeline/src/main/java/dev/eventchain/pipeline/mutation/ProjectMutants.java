@@ -23,9 +23,20 @@ final class ProjectMutants {
   static List<SoftwareNode> nodes(RunContext run) {
     NodeManifest manifest = GeneratedPackage.required(run).manifest();
     return run.chain().chain().getSoftware().stream()
-        .filter(
-            node -> manifest.find(node.getName()).flatMap(NodeManifest.Node::component).isPresent())
+        .filter(node -> manifest.find(node.getName()).filter(it -> isComponent(it)).isPresent())
         .toList();
+  }
+
+  /** Returns the simulated nodes that are hosted as they are, of which no mutants are made. */
+  static List<SoftwareNode> leftOut(RunContext run) {
+    NodeManifest manifest = GeneratedPackage.required(run).manifest();
+    return run.chain().chain().getSoftware().stream()
+        .filter(node -> manifest.find(node.getName()).filter(it -> !isComponent(it)).isPresent())
+        .toList();
+  }
+
+  private static boolean isComponent(NodeManifest.Node node) {
+    return node.component().isPresent();
   }
 
   /**

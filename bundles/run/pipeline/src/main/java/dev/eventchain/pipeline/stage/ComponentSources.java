@@ -21,8 +21,8 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * The source of existing components and of the modules that they import, which is checked before
- * anything is simulated. None of the code is run.
+ * The source of existing components, of nodes that are hosted as they are, and of the modules that
+ * they import, which is checked before anything is simulated. None of the code is run.
  */
 public final class ComponentSources {
 
@@ -50,6 +50,7 @@ public final class ComponentSources {
           .filter(ComponentSources::isClass)
           .ifPresent(it -> sources.add(source(it, Optional.of(signature(node)))));
     }
+    addNodes(inChain(run, chain), sources);
     return withHelpers(run, existing(run, chain), sources);
   }
 
@@ -62,7 +63,10 @@ public final class ComponentSources {
   public static ComponentSources withoutChain(RunContext run) {
     List<SoftwareBase.Component> all =
         run.softwareBase().components().stream().filter(ComponentSources::isClass).toList();
-    return withHelpers(run, all, all.stream().map(it -> source(it, Optional.empty())).toList());
+    List<Source> sources = new ArrayList<>();
+    all.forEach(it -> sources.add(source(it, Optional.empty())));
+    addNodes(run.softwareBase().components(), sources);
+    return withHelpers(run, all, sources);
   }
 
   private static ComponentSources withHelpers(
@@ -71,7 +75,7 @@ public final class ComponentSources {
     List<Source> sources = new ArrayList<>(described);
     helpers.files().values().stream()
         .filter(file -> components.stream().noneMatch(each -> each.file().equals(file)))
-        .forEach(file -> sources.add(new Source(SourceText.read(file), Optional.empty())));
+        .forEach(file -> sources.add(Source.of(SourceText.read(file), Optional.empty())));
     return new ComponentSources(run, sources, helpers.diagnostics());
   }
 
@@ -80,10 +84,25 @@ public final class ComponentSources {
     return HelperModules.of(existing(run, chain));
   }
 
+  /** Adds the files of nodes that are hosted as they are, and the modules that they import. */
+  private static void addNodes(List<SoftwareBase.Component> components, List<Source> sources) {
+    for (SoftwareBase.Component component : components) {
+      component
+          .node()
+          .map(node -> Source.ofNode(SourceText.read(component.file()), node.className()))
+          .ifPresent(sources::add);
+    }
+    NodeModules.of(components)
+        .forEach(file -> sources.add(Source.besideNode(SourceText.read(file))));
+  }
+
   private static List<SoftwareBase.Component> existing(RunContext run, EventChain chain) {
+    return inChain(run, chain).stream().filter(ComponentSources::isClass).toList();
+  }
+
+  private static List<SoftwareBase.Component> inChain(RunContext run, EventChain chain) {
     return chain.getSoftware().stream()
         .flatMap(node -> run.softwareBase().find(String.valueOf(node.getName())).stream())
-        .filter(ComponentSources::isClass)
         .distinct()
         .toList();
   }
@@ -127,7 +146,7 @@ public final class ComponentSources {
 
   private static Source source(
       SoftwareBase.Component component, Optional<ComponentSignature> signature) {
-    return new Source(SourceText.read(component.file()), signature);
+    return Source.of(SourceText.read(component.file()), signature);
   }
 
   private static ComponentSignature signature(SoftwareNode node) {

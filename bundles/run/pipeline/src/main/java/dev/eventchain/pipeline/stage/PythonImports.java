@@ -3,7 +3,9 @@ package dev.eventchain.pipeline.stage;
 import java.util.Arrays;
 import java.util.Set;
 import java.util.SortedMap;
+import java.util.SortedSet;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -46,6 +48,12 @@ public final class PythonImports {
               + "|\\bimport[ \\t]+(?<names>[^\\n;]+)",
           Pattern.UNICODE_CHARACTER_CLASS);
 
+  private static final Pattern IMPORT_OF_NAMES =
+      Pattern.compile(
+          "\\bfrom[ \\t]+(?<from>[\\w.]+)[ \\t]*\\bimport\\b[ \\t]*(?<parts>\\([^)]*\\)?|[^\\n;]*)"
+              + "|\\bimport[ \\t]+(?<names>[^\\n;]+)",
+          Pattern.UNICODE_CHARACTER_CLASS);
+
   private PythonImports() {}
 
   /** Returns whether a top-level module is part of Python itself. */
@@ -67,6 +75,29 @@ public final class PythonImports {
       }
     }
     return modules;
+  }
+
+  /**
+   * Returns the full names of all that may be an imported module, with the dots of relative
+   * imports: of {@code from a.b import c}, both {@code a.b} and {@code a.b.c}.
+   */
+  static SortedSet<String> candidates(String text) {
+    SortedSet<String> names = new TreeSet<>();
+    Matcher found = IMPORT_OF_NAMES.matcher(code(text));
+    while (found.find()) {
+      String from = found.group("from");
+      for (String part : found.group(from == null ? "names" : "parts").split(",", -1)) {
+        String name = part.replaceAll("[()]", " ").strip().replaceFirst("\\s.*", "");
+        if (from == null) {
+          names.add(name);
+        } else {
+          names.add(from);
+          names.add(from.endsWith(".") ? from + name : from + "." + name);
+        }
+      }
+    }
+    names.removeIf(name -> !name.matches("\\.*[\\w.]*\\w"));
+    return names;
   }
 
   /** Returns the text with comments, strings and continued line ends blanked. */

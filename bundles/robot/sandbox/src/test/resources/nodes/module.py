@@ -1,0 +1,7 @@
+"""A module that a node imports."""
+
+import time
+
+
+def stamp():
+    return time.time()
