@@ -1,6 +1,7 @@
 package dev.eventchain.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
@@ -45,7 +46,7 @@ class InitWorkspaceTest {
   @Test
   void aRecordingIsAProjectWithSignals() throws IOException {
     Path recordings = WORKSPACE.resolveSibling("recordings");
-    for (String name : List.of("peer.mcap", "bag")) {
+    for (String name : List.of("peer.mcap", "bag", "sqlite-with-definitions")) {
       Path project = folder.resolve(name);
       String option = name.endsWith(".mcap") ? "--from-mcap" : "--from-bag";
       new Program()
@@ -54,6 +55,7 @@ class InitWorkspaceTest {
           .says("software-base/msg/demo_msgs/msg/Target.msg")
           .says("Who writes and who reads /radar/target (41 messages, 20.0 Hz on average)?");
       new Program().run("bench", project).expect(0).says("provides /radar/target");
+      assertTrue(Files.readString(project.resolve("bench.yaml")).contains("rate_hz: 5\n"), name);
     }
     new Program()
         .run("init", folder.resolve("no"), "--from-mcap", WORKSPACE)

@@ -33,15 +33,6 @@ final class McapSummary {
   /** The messages of a topic. */
   record Channel(int id, int schema, String topic, String encoding, Map<String, String> metadata) {}
 
-  /** Defect of a file, as a clause. */
-  static final class MalformedFileException extends Exception {
-    private static final long serialVersionUID = 1L;
-
-    MalformedFileException(String message) {
-      super(message);
-    }
-  }
-
   private final Map<Integer, Schema> schemas = new LinkedHashMap<>();
   private final Map<Integer, Channel> channels = new LinkedHashMap<>();
   private final Map<Integer, Long> counts = new LinkedHashMap<>();

@@ -31,6 +31,10 @@ public final class Recording {
   private static final String METADATA = "metadata.yaml";
 
   private static final String QOS = "offered_qos_profiles";
+  private static final String SQLITE = ".db3";
+
+  private static final String REINDEX =
+      "`ros2 bag reindex FOLDER` writes a metadata.yaml that is missing.";
 
   private final Map<String, RecordedTopic> topics = new LinkedHashMap<>();
   private final SortedMap<String, String> definitions = new TreeMap<>();
@@ -49,6 +53,8 @@ public final class Recording {
     Recording recording = new Recording();
     if (Files.isDirectory(path)) {
       recording.folder(path);
+    } else if (path.toString().endsWith(SQLITE)) {
+      throw refused(path, "it is a part of what rosbag2 wrote", "Name its folder. " + REINDEX);
     } else {
       recording.mcap(path, true);
     }
@@ -63,6 +69,15 @@ public final class Recording {
     return List.copyOf(topics.values());
   }
 
+  /** Returns the average rates of topics in Hz, as far as they are known, by their names. */
+  public Map<String, Double> rates() {
+    Map<String, Double> rates = new LinkedHashMap<>();
+    topics.values().stream()
+        .filter(topic -> topic.rate() > 0)
+        .forEach(topic -> rates.put(topic.name(), topic.rate()));
+    return rates;
+  }
+
   /** Returns the definitions of message types that it has, by their names. */
   SortedMap<String, String> definitions() {
     return definitions;
@@ -73,13 +88,18 @@ public final class Recording {
   }
 
   private static DiagnosticException refused(Path path, String reason) {
+    return refused(
+        path, reason, "Name an MCAP file with a summary, or the folder that rosbag2 wrote.");
+  }
+
+  private static DiagnosticException refused(Path path, String reason, String hint) {
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
         Diagnostic.of(
                 WorkspaceRules.RECORDING,
                 "This recording cannot be read: " + reason + ".",
                 SourceLocation.of(path))
-            .withHint("Name an MCAP file with a summary, or the folder that rosbag2 wrote."));
+            .withHint(hint));
   }
 
   /** Adds what an MCAP file has: topics, or only definitions where these are known otherwise. */
@@ -109,7 +129,7 @@ public final class Recording {
       }
     } catch (IOException e) {
       throw refused(path, SourceText.reason(e));
-    } catch (McapSummary.MalformedFileException e) {
+    } catch (MalformedFileException e) {
       throw refused(path, e.getMessage());
     }
   }
@@ -117,7 +137,7 @@ public final class Recording {
   private void folder(Path folder) {
     Path file = folder.resolve(METADATA);
     if (!Files.isRegularFile(file)) {
-      throw refused(folder, "it has no " + METADATA);
+      throw refused(folder, "it has no " + METADATA, REINDEX);
     }
     DocumentRules rules = DocumentRules.all(WorkspaceRules.RECORDING);
     JsonNode root =
@@ -129,11 +149,30 @@ public final class Recording {
     }
     for (JsonNode relative : bag.path("relative_file_paths")) {
       Path part = folder.resolve(relative.asText()).normalize();
-      if (relative.asText().endsWith(".mcap")
-          && part.startsWith(folder.normalize())
-          && Files.isRegularFile(part)) {
-        mcap(part, false);
+      if (part.startsWith(folder.normalize()) && Files.isRegularFile(part)) {
+        if (relative.asText().endsWith(".mcap")) {
+          mcap(part, false);
+        } else if (relative.asText().endsWith(SQLITE)) {
+          sqlite(part);
+        }
       }
+    }
+  }
+
+  /** Adds the definitions that a file in SQLite has; releases before Iron write none. */
+  private void sqlite(Path path) {
+    try (SqliteFile file = SqliteFile.open(path)) {
+      for (Map<String, String> row : file.rows("message_definitions")) {
+        if (row.getOrDefault("encoding", "").equals("ros2msg")) {
+          define(
+              row.getOrDefault("topic_type", ""),
+              row.getOrDefault("encoded_message_definition", ""));
+        }
+      }
+    } catch (IOException e) {
+      throw refused(path, SourceText.reason(e));
+    } catch (MalformedFileException e) {
+      throw refused(path, e.getMessage());
     }
   }
 

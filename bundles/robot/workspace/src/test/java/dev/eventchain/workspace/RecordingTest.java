@@ -2,6 +2,7 @@ package dev.eventchain.workspace;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.fixtures.ExpectedFile;
@@ -20,9 +21,17 @@ class RecordingTest {
 
   private static final Path RECORDINGS = Path.of("src/test/resources/recordings");
 
-  /** peer.mcap was written by another library (write.py), with compressed chunks. */
+  /**
+   * peer.mcap and sqlite-with-definitions were written by other libraries (write.py,
+   * write_sqlite.py), with compressed chunks, and with a definition that is longer than pages.
+   */
   @ParameterizedTest
-  @CsvSource({"peer.mcap, mcap, 2", "bag, bag, 2", "sqlite, sqlite, 0"})
+  @CsvSource({
+    "peer.mcap, mcap, 2",
+    "bag, bag, 2",
+    "sqlite, sqlite, 0",
+    "sqlite-with-definitions, sqlite-with-definitions, 6"
+  })
   void aRecordingIsASoftwareBase(String name, String expected, int definitions) throws IOException {
     Map<String, String> files = RecordedSignals.of(Recording.read(RECORDINGS.resolve(name)));
     Path folder = RECORDINGS.resolve("expected");
@@ -68,6 +77,38 @@ class RecordingTest {
         assertEquals("workspace.recording", e.diagnostics().get(0).id());
       }
     }
+  }
+
+  /** Bytes of a file in SQLite that are damaged are noticed, or are not those of definitions. */
+  @Test
+  void damagedDefinitionsAreRefusedOrRead(@TempDir Path folder) throws IOException {
+    Path bag = RECORDINGS.resolve("sqlite-with-definitions");
+    Files.copy(bag.resolve("metadata.yaml"), folder.resolve("metadata.yaml"));
+    byte[] whole = Files.readAllBytes(bag.resolve("sqlite-with-definitions.db3"));
+    Path file = folder.resolve("sqlite-with-definitions.db3");
+    Files.write(file, Arrays.copyOf(whole, whole.length / 2));
+    assertEquals("workspace.recording", refusal(folder));
+    SplittableRandom random = new SplittableRandom(1);
+    for (int i = 0; i < 300; i++) {
+      byte[] damaged = whole.clone();
+      for (int k = 0; k < 20; k++) {
+        damaged[random.nextInt(whole.length)] = (byte) random.nextInt(256);
+      }
+      Files.write(file, damaged);
+      try {
+        RecordedSignals.of(Recording.read(folder));
+      } catch (DiagnosticException e) {
+        assertEquals("workspace.recording", e.diagnostics().get(0).id());
+      }
+    }
+  }
+
+  @Test
+  void aPartOfABagIsToldFromTheBag() {
+    Path part = RECORDINGS.resolve("sqlite-with-definitions/sqlite-with-definitions.db3");
+    DiagnosticException refused =
+        assertThrows(DiagnosticException.class, () -> Recording.read(part));
+    assertTrue(refused.diagnostics().get(0).hint().startsWith("Name its folder."));
   }
 
   private static String refusal(Path path) {

@@ -16,6 +16,7 @@ import dev.eventchain.xmi.LoadedModel;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -79,9 +80,11 @@ public record ProjectBench(String text, List<Diagnostic> diagnostics) {
    * Returns the text of {@code bench.yaml} for signals that a software base declares.
    *
    * @param messages the definitions of their types
+   * @param rates the known rates of topics in Hz, by their full names
    */
-  public static String proposal(List<Signal> signals, MessageCatalog messages) {
-    return Bench.proposal(signals, messages);
+  public static String proposal(
+      List<Signal> signals, MessageCatalog messages, Map<String, Double> rates) {
+    return Bench.proposal(signals, messages, rates);
   }
 
   /** Returns the JSON Schema of {@code bench.yaml}. */

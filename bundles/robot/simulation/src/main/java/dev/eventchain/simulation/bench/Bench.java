@@ -307,10 +307,14 @@ public final class Bench {
   /**
    * Returns a {@code bench.yaml} for a project that has none. Fields recognised by name and unit
    * are connected; the rest is in comments.
+   *
+   * @param rates the known rates of topics in Hz, by their full names
    */
   public static String proposal(
-      List<dev.eventchain.model.Signal> declared, MessageCatalog messages) {
-    return new BenchProposal(declared, messages).text();
+      List<dev.eventchain.model.Signal> declared,
+      MessageCatalog messages,
+      Map<String, Double> rates) {
+    return new BenchProposal(declared, messages, rates).text();
   }
 
   /** Returns the JSON Schema of {@code bench.yaml}. */

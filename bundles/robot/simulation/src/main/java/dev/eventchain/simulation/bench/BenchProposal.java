@@ -11,6 +11,7 @@ import dev.eventchain.simulation.world.Actuator;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
 
@@ -50,15 +51,28 @@ final class BenchProposal {
           Guess.of("heading", "ego.heading", "rad"),
           Guess.of("yaw", "ego.yaw", "rad"));
 
+  private static final double USUAL_RATE = 20;
+  private static final double MOST_RATE = 1000;
+
   private static final Pattern PRESENT = Pattern.compile("valid|present|detected");
 
   private final List<dev.eventchain.model.Signal> signals;
   private final MessageCatalog catalog;
+  private final Map<String, Double> rates;
   private final StringBuilder text = new StringBuilder();
 
-  BenchProposal(List<dev.eventchain.model.Signal> signals, MessageCatalog catalog) {
+  /**
+   * Creates a proposal.
+   *
+   * @param rates what is known of the rates of topics, in Hz, by their full names
+   */
+  BenchProposal(
+      List<dev.eventchain.model.Signal> signals,
+      MessageCatalog catalog,
+      Map<String, Double> rates) {
     this.signals = signals;
     this.catalog = catalog;
+    this.rates = rates;
   }
 
   String text() {
@@ -89,7 +103,7 @@ final class BenchProposal {
   }
 
   private List<String> provided(dev.eventchain.model.Signal signal) {
-    List<String> lines = new ArrayList<>(List.of(topic(signal), "    rate_hz: 20"));
+    List<String> lines = new ArrayList<>(List.of(topic(signal), "    rate_hz: " + rate(signal)));
     String type = RosNames.fullMessageType(signal.messageType());
     if (type.equals("sensor_msgs/msg/PointCloud2")) {
       lines.add("    sensor: lidar");
@@ -156,6 +170,13 @@ final class BenchProposal {
 
   private static String topic(dev.eventchain.model.Signal signal) {
     return "  " + RosNames.resolve(signal.topic(), "") + ":";
+  }
+
+  /** Returns the rate of a topic; where nobody knows it, that of many sensors. */
+  private String rate(dev.eventchain.model.Signal signal) {
+    double known = rates.getOrDefault(RosNames.resolve(signal.topic(), ""), USUAL_RATE);
+    double rate = Math.min(known, MOST_RATE);
+    return rate == Math.rint(rate) ? String.valueOf((long) rate) : String.valueOf(rate);
   }
 
   private static String unit(Field field) {

@@ -25,6 +25,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -102,7 +103,8 @@ class BenchTest {
 
   @Test
   void proposalKnowsListsOfObjectsByTheNamesOfTheirFields() {
-    String proposal = Bench.proposal(DECLARED, MessageCatalog.of(List.of(BENCHES.resolve("msg"))));
+    String proposal =
+        Bench.proposal(DECLARED, MessageCatalog.of(List.of(BENCHES.resolve("msg"))), Map.of());
     assertTrue(
         proposal.contains(
             """

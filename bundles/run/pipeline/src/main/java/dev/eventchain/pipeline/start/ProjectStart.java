@@ -96,11 +96,13 @@ public final class ProjectStart {
 
   private final Path folder;
   private final BenchProposal bench;
+  private final Map<String, Double> rates;
   private Optional<String> unfed = Optional.empty();
 
-  private ProjectStart(Path folder, BenchProposal bench) {
+  private ProjectStart(Path folder, BenchProposal bench, Map<String, Double> rates) {
     this.folder = folder;
     this.bench = bench;
+    this.rates = rates;
   }
 
   /** Proposes {@code bench.yaml}. */
@@ -112,8 +114,9 @@ public final class ProjectStart {
      *
      * @param signals the signals of the software base
      * @param messages the definitions of their types
+     * @param rates the known rates of topics in Hz, by their full names
      */
-    String text(List<Signal> signals, MessageCatalog messages);
+    String text(List<Signal> signals, MessageCatalog messages, Map<String, Double> rates);
   }
 
   /**
@@ -125,17 +128,22 @@ public final class ProjectStart {
    *     other files ({@code project.foreign}), has unreadable signals, or cannot be written
    */
   public static Started create(Path folder, BenchProposal bench) {
-    return new ProjectStart(folder, bench).create();
+    return new ProjectStart(folder, bench, Map.of()).create();
   }
 
   /**
    * Writes a project around existing software into a new or empty folder.
    *
    * @param software the files of its software base
+   * @param rates the known rates of topics in Hz, by their full names
    * @throws DiagnosticException as {@link #create(Path, BenchProposal)}
    */
-  static Started around(SortedMap<String, String> software, Path folder, BenchProposal bench) {
-    ProjectStart start = new ProjectStart(folder, bench);
+  static Started around(
+      SortedMap<String, String> software,
+      Path folder,
+      BenchProposal bench,
+      Map<String, Double> rates) {
+    ProjectStart start = new ProjectStart(folder, bench, rates);
     if (!start.isEmpty()) {
       throw start.refused(
           StartRules.FOREIGN, "The folder is not empty.", "Name a new folder for the project.");
@@ -203,7 +211,7 @@ public final class ProjectStart {
         files.put(MODEL, new String(XmiStore.toBytes(chain), StandardCharsets.UTF_8));
       }
     }
-    files.put(BENCH, bench.text(base.signals().orElse(List.of()), catalog));
+    files.put(BENCH, bench.text(base.signals().orElse(List.of()), catalog, rates));
     if (!exists("scenarios")) {
       files.put("scenarios/stopped-vehicle.yaml", scenario(requirements));
     }

@@ -10,6 +10,7 @@ import dev.eventchain.workspace.SoftwareBaseFiles;
 import dev.eventchain.workspace.Workspace;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 
@@ -36,7 +37,7 @@ public final class WorkspaceStart {
       Consumer<String> progress) {
     FoundSoftware software = Workspace.read(workspace, launch, PythonEnvironment.ensure(progress));
     MessageCatalog messages = MessageCatalog.of(List.of(workspace));
-    return ProjectStart.around(SoftwareBaseFiles.of(software, messages), folder, bench);
+    return ProjectStart.around(SoftwareBaseFiles.of(software, messages), folder, bench, Map.of());
   }
 
   /**
@@ -52,7 +53,7 @@ public final class WorkspaceStart {
       Path folder, List<Path> documents, List<Path> messages, ProjectStart.BenchProposal bench) {
     FoundSoftware software = Nodl.read(documents);
     MessageCatalog catalog = MessageCatalog.of(messages);
-    return ProjectStart.around(SoftwareBaseFiles.of(software, catalog), folder, bench);
+    return ProjectStart.around(SoftwareBaseFiles.of(software, catalog), folder, bench, Map.of());
   }
 
   /**
@@ -64,6 +65,7 @@ public final class WorkspaceStart {
    */
   public static ProjectStart.Started ofRecording(
       Path folder, Path recording, ProjectStart.BenchProposal bench) {
-    return ProjectStart.around(RecordedSignals.of(Recording.read(recording)), folder, bench);
+    Recording read = Recording.read(recording);
+    return ProjectStart.around(RecordedSignals.of(read), folder, bench, read.rates());
   }
 }
