@@ -38,8 +38,11 @@ def of(messages: Messages, *, importing: bool) -> Objects:
 
 
 def serve(files: list[str]) -> Objects:
-    """The same in the process of a component, which then can import message packages, too."""
-    messages = Messages(catalog.read(map(Path, files)))
+    """The same in the process of a component, which then can import message packages, too.
+
+    The files, which the process of the nodes has read before, are read when a component needs a message: few do.
+    """
+    messages = Messages(lambda: catalog.read(map(Path, files)))
     messages.install()
     return of(messages, importing=True)
 

@@ -6,8 +6,9 @@ so that the packages of a sourced ROS 2 have precedence.
 
 from __future__ import annotations
 
+import functools
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec
 from struct import error as StructError  # noqa: N812
@@ -111,12 +112,22 @@ def from_cdr(message_class: type, data: bytes | bytearray | memoryview) -> Any:
 
 
 class Messages(MetaPathFinder, Loader):
-    """The classes of a catalogue, and the finder of the modules that hold them; see `Catalog`."""
+    """The classes of a catalogue, and the finder of the modules that hold them; see `Catalog`.
 
-    def __init__(self, own: Mapping[str, Any] | None = None) -> None:
-        self.catalog = Catalog(own)
+    Args:
+        own: the definitions of a `Catalog`, or what returns them once they are needed.
+
+    """
+
+    def __init__(self, own: Mapping[str, Any] | Callable[[], Mapping[str, Any]] | None = None) -> None:
+        self._own = own
         self._classes: dict[str, type] = {}
         self._unfinished: list[str] = []
+
+    @functools.cached_property
+    def catalog(self) -> Catalog:
+        """Return the catalogue."""
+        return Catalog(self._own() if callable(self._own) else self._own)
 
     def get(self, name: str) -> type:
         """Return the class of a message type, by its full name.
@@ -153,10 +164,12 @@ class Messages(MetaPathFinder, Loader):
 
     def install(self) -> None:
         """Serve imports, instead of a previously installed catalog."""
-        for name, module in list(sys.modules.items()):
-            if isinstance(module, _Served):
-                del sys.modules[name]
-        sys.meta_path[:] = [finder for finder in sys.meta_path if not isinstance(finder, Messages)]
+        others = [finder for finder in sys.meta_path if not isinstance(finder, Messages)]
+        if len(others) < len(sys.meta_path):
+            for name, module in list(sys.modules.items()):
+                if isinstance(module, _Served):
+                    del sys.modules[name]
+            sys.meta_path[:] = others
         sys.meta_path.append(self)
 
     def find_spec(self, fullname: str, path: object, target: object = None) -> ModuleSpec | None:

@@ -27,7 +27,7 @@ import struct
 import sys
 from collections.abc import Iterable
 from signal import SIGUSR1
-from types import ModuleType, TracebackType
+from types import FunctionType, ModuleType, TracebackType
 from typing import Any, NoReturn
 
 import component_values
@@ -42,6 +42,7 @@ MESSAGE_OBJECTS = "eventchain_ros2.message_objects"
 RANDOM_SOURCE = "random_source"
 """Parameter of a component's constructor for a `random.Random` that is the same in every run of a scenario."""
 
+_CO_VARARGS, _CO_VARKEYWORDS = 4, 8  # as `inspect` calls the flags of code
 _HEADER = struct.Struct("<I4s")
 _MARKER = "_eventchain_returning"
 _LONGEST_TEXT = 2000
@@ -120,15 +121,7 @@ class ComponentProcess:
 
     def _offered(self, made: Any) -> dict[str, Any]:
         """Return the arguments of the constructor: a source of random numbers, if it has a parameter for one."""
-        if type(made) is type and not any({"__init__", "__new__"} & vars(base).keys() for base in made.__mro__[:-1]):
-            return {}  # signature() would parse the text of object's, which takes longer than all the rest
-        import inspect  # few components need it, and it takes a tenth of the time to start a program
-
-        try:
-            wanted = inspect.signature(made).parameters
-        except (TypeError, ValueError):
-            return {}
-        return {RANDOM_SOURCE: random.Random(self._seed)} if RANDOM_SOURCE in wanted else {}
+        return {RANDOM_SOURCE: random.Random(self._seed)} if RANDOM_SOURCE in constructor_parameters(made) else {}
 
     def _compile(self, content: bytes) -> list[Any]:
         """Compile the content of the file, with the `return` statements of `execute` marked."""
@@ -183,6 +176,27 @@ class ComponentProcess:
             except BaseException:
                 text = ""
         return ["raised", type(problem).__name__, text[:_LONGEST_TEXT], *place]
+
+
+def constructor_parameters(made: Any) -> Iterable[str]:
+    """Return the names of the parameters of a constructor; none if they are not known."""
+    if type(made) is type:
+        defined = {name: value for base in reversed(made.__mro__[:-1]) for name, value in vars(base).items()}
+        if not {"__init__", "__new__"} & defined.keys():
+            return ()  # signature() would parse the text of object's, which takes longer than all the rest
+        initialize = defined.get("__init__")
+        # Of a plain function, signature() says the same, and to import it takes longer than all the rest.
+        if type(initialize) is FunctionType and not {"__new__", "__signature__"} & defined.keys():
+            code = initialize.__code__
+            if code.co_argcount and not vars(initialize):
+                starred = bool(code.co_flags & _CO_VARARGS) + bool(code.co_flags & _CO_VARKEYWORDS)
+                return code.co_varnames[1 : code.co_argcount + code.co_kwonlyargcount + starred]
+    import inspect
+
+    try:
+        return inspect.signature(made).parameters
+    except (TypeError, ValueError):
+        return ()
 
 
 def place_of(problem: BaseException, sources: Iterable[str]) -> tuple[str, int, int]:
