@@ -1,6 +1,7 @@
 package dev.eventchain.mcp.project;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.documents.CsvRow;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -21,7 +22,7 @@ public record Table(List<String> columns, List<Map<String, Object>> rows) {
 
   /** Reads a table from CSV, whose first row has the names of the columns. */
   static Table ofCsv(String text) {
-    List<List<String>> cells = Csv.rows(text);
+    List<List<String>> cells = CsvRow.rows(text).stream().map(CsvRow::cells).toList();
     if (cells.isEmpty()) {
       return new Table(List.of(), List.of());
     }

@@ -3,6 +3,7 @@ package dev.eventchain.pipeline.campaign.plan;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.CsvRow;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import java.math.BigDecimal;
@@ -12,10 +13,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/**
- * Values from a column of a table: the first line has the names, commas separate. Texts may stand
- * for numbers.
- */
+/** Values from a column of a table: the first line has the names. Texts may stand for numbers. */
 final class CsvColumn {
 
   private static final List<BigDecimal> NOTHING = List.of(BigDecimal.ZERO);
@@ -51,8 +49,8 @@ final class CsvColumn {
       return NOTHING;
     }
     SourceText text = SourceText.read(campaign.resolveSibling(name));
-    List<String> lines = text.text().stripTrailing().lines().toList();
-    List<String> names = lines.isEmpty() ? List.of() : List.of(lines.get(0).split(",", -1));
+    List<CsvRow> rows = CsvRow.rows(text.text());
+    List<String> names = rows.isEmpty() ? List.of() : rows.get(0).cells();
     int index = names.indexOf(column);
     if (index < 0) {
       String message = name + " has no column '" + column + "'.";
@@ -61,7 +59,7 @@ final class CsvColumn {
               .withHint(NearestName.hint(column, names)));
       return NOTHING;
     }
-    return values(name, column, lines.subList(1, lines.size()), index);
+    return values(name, column, rows.subList(1, rows.size()), index);
   }
 
   private static BigDecimal number(String cell) {
@@ -72,16 +70,16 @@ final class CsvColumn {
     return number.stripTrailingZeros();
   }
 
-  private List<BigDecimal> values(String name, String column, List<String> lines, int index) {
+  private List<BigDecimal> values(String name, String column, List<CsvRow> rows, int index) {
     List<BigDecimal> values = new ArrayList<>();
-    for (String line : lines) {
-      String[] cells = line.split(",", -1);
+    for (CsvRow row : rows) {
+      String cell = index < row.cells().size() ? row.cells().get(index).strip() : "";
       try {
-        String cell = cells[index].strip();
         BigDecimal number = numbers.get(cell);
         values.add(number != null ? number : number(cell));
-      } catch (NumberFormatException | ArrayIndexOutOfBoundsException e) {
-        String message = "A line of " + name + " has no number for '" + column + "': " + line;
+      } catch (NumberFormatException e) {
+        String line = "Line " + row.line() + " of " + name;
+        String message = line + " has no number for '" + column + "', but '" + cell + "'.";
         part.find(
             Diagnostic.of(CampaignRules.VALUE_TYPE, message, part.at("csv"))
                 .withHint("Give texts numbers: `numbers: {dry: 1, wet: 2}`."));
