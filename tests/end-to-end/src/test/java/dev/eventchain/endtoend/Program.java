@@ -191,6 +191,15 @@ final class Program {
     return builder.redirectOutput(out.toFile()).redirectError(err.toFile()).start();
   }
 
+  /** Starts the program with pipes to its input and output. */
+  Process startWithPipes(String... arguments) throws IOException {
+    List<String> command = command();
+    command.addAll(List.of(arguments));
+    ProcessBuilder builder = new ProcessBuilder(command).directory(ROOT.toFile());
+    builder.environment().putAll(environment);
+    return builder.redirectError(ProcessBuilder.Redirect.DISCARD).start();
+  }
+
   /**
    * Returns the nodes on the longest path of each latency constraint in each scenario of a run;
    * fails if their waiting and execution times do not add up to the latency.

@@ -57,6 +57,7 @@ public final class Main {
           DescribeCommand.class,
           ExplainCommand.class,
           McpCommand.class,
+          LspCommand.class,
           DoctorCommand.class);
 
   /** As wide as the lines of the descriptions. */

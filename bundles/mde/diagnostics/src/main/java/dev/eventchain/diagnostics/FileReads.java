@@ -15,6 +15,9 @@ public final class FileReads {
 
   private static final InheritableThreadLocal<FileReads> CURRENT = new InheritableThreadLocal<>();
 
+  /** What the whole work reads, whatever parts of it record or leave out. */
+  private static final InheritableThreadLocal<SortedSet<Path>> ALL = new InheritableThreadLocal<>();
+
   private final SortedSet<Path> files = Collections.synchronizedSortedSet(new TreeSet<>());
 
   private FileReads() {}
@@ -32,6 +35,10 @@ public final class FileReads {
     if (current != null) {
       current.files.add(file.toAbsolutePath().normalize());
     }
+    SortedSet<Path> all = ALL.get();
+    if (all != null) {
+      all.add(file.toAbsolutePath().normalize());
+    }
   }
 
   /** Does work and records what it reads, which the surrounding work has read, too. */
@@ -43,6 +50,22 @@ public final class FileReads {
       outer.files.addAll(reads.files);
     }
     return new Recorded<>(value, Collections.unmodifiableSortedSet(new TreeSet<>(reads.files)));
+  }
+
+  /**
+   * Does work and records everything that it reads, also in {@link #unrecorded} parts and in those
+   * that fail: for who does the work again when anything has changed. Such work is never a part of
+   * other such work.
+   */
+  public static <T> Recorded<T> recordAll(Supplier<T> work) {
+    SortedSet<Path> all = Collections.synchronizedSortedSet(new TreeSet<>());
+    ALL.set(all);
+    try {
+      T value = work.get();
+      return new Recorded<>(value, Collections.unmodifiableSortedSet(new TreeSet<>(all)));
+    } finally {
+      ALL.remove();
+    }
   }
 
   /** Does work that reads nothing on which the result of the surrounding work depends. */

@@ -17,6 +17,7 @@ import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Map;
+import java.util.Optional;
 
 /** A named text that converts offsets into locations. Immutable. */
 public final class SourceText {
@@ -72,19 +73,27 @@ public final class SourceText {
    */
   public static SourceText read(Path file) {
     String name = SourceLocation.nameOf(file);
+    Optional<String> unsaved = UnsavedTexts.of(file);
+    if (unsaved.isPresent()) {
+      FileReads.note(file);
+      return withoutNul(of(name, unsaved.get()));
+    }
     byte[] bytes = bytesOf(file);
     try {
-      SourceText text = of(name, decode(bytes));
-      int nul = text.text.indexOf('\0');
-      if (nul >= 0) {
-        // The NUL bytes of UTF-16 are valid UTF-8.
-        throw wrongEncoding(
-            "The file contains a NUL character, which text never does.", text.at(nul));
-      }
-      return text;
+      return withoutNul(of(name, decode(bytes)));
     } catch (CharacterCodingException e) {
       throw wrongEncoding("The file is not UTF-8 text.", encodingError(name, bytes));
     }
+  }
+
+  private static SourceText withoutNul(SourceText text) {
+    int nul = text.text.indexOf('\0');
+    if (nul >= 0) {
+      // The NUL bytes of UTF-16 are valid UTF-8.
+      throw wrongEncoding(
+          "The file contains a NUL character, which text never does.", text.at(nul));
+    }
+    return text;
   }
 
   private static DiagnosticException wrongEncoding(String message, SourceLocation place) {

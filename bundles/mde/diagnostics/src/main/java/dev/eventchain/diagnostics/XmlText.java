@@ -30,6 +30,9 @@ public final class XmlText {
    */
   public static SourceText read(Path file, String name) {
     FileReads.note(file);
+    if (UnsavedTexts.of(file).isPresent()) {
+      return SourceText.of(name, SourceText.read(file).text()); // decoded already
+    }
     Charset charset = StandardCharsets.UTF_8;
     try {
       charset = charsetOf(head(file));

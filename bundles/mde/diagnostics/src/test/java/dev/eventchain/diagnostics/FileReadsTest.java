@@ -109,4 +109,21 @@ class FileReadsTest {
             });
     assertEquals(Set.of(two), outer.files());
   }
+
+  @Test
+  void everythingIsRecordedForWhoDoesTheWholeWorkAgain() {
+    Recorded<String> read =
+        FileReads.recordAll(
+            () ->
+                FileReads.unrecorded(() -> text(one)) + FileReads.record(() -> text(two)).value());
+    assertEquals(Set.of(one, two), read.files());
+    Recorded<Boolean> failed =
+        FileReads.recordAll(
+            () -> {
+              Path missing = folder.resolve("missing.txt");
+              assertThrows(DiagnosticException.class, () -> FileReads.record(() -> text(missing)));
+              return true;
+            });
+    assertEquals(Set.of(folder.resolve("missing.txt")), failed.files());
+  }
 }

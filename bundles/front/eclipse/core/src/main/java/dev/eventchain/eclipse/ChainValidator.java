@@ -1,6 +1,7 @@
 package dev.eventchain.eclipse;
 
 import dev.eventchain.check.ChainChecks;
+import dev.eventchain.check.FileChecks;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.model.eventchain.EventChain;
@@ -51,7 +52,7 @@ public final class ChainValidator extends EObjectValidator {
       e.diagnostics().forEach(each -> diagnostics.add(diagnostic(each, element)));
       return false;
     } catch (RuntimeException | StackOverflowError e) {
-      diagnostics.add(diagnostic(CheckUnit.failed(e), element));
+      diagnostics.add(diagnostic(FileChecks.failed(e), element));
       return false;
     }
     boolean good = true;

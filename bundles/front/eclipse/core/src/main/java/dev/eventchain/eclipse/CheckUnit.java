@@ -1,12 +1,9 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.check.FileChecks;
 import dev.eventchain.check.Validation;
-import dev.eventchain.diagnostics.Coverage;
-import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.SourceLocation;
-import java.util.ArrayList;
-import java.util.List;
+import java.nio.file.Path;
 import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IResource;
 
@@ -38,38 +35,7 @@ interface CheckUnit {
    * the program: an unchecked unit must not look valid.
    */
   static Validation attempt(CheckUnit unit) {
-    try {
-      return unit.check();
-    } catch (DiagnosticException e) {
-      return new Validation(Coverage.NONE, withSubject(unit, e.diagnostics()));
-    } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
-      return new Validation(Coverage.NONE, List.of(failed(e)));
-    }
-  }
-
-  /** Returns the finding about a failed check. */
-  static Diagnostic failed(Throwable failure) {
-    return Diagnostic.of(
-            EclipseRules.CHECK_FAILED,
-            "This was not checked, because the check itself failed: " + failure,
-            DiagnosticException.placeOf(failure))
-        .withHint("'eventchain validate' on the command line may say more; please report it.");
-  }
-
-  /** Adds a finding about the unit's own file if all others concern files that it needs. */
-  private static List<Diagnostic> withSubject(CheckUnit unit, List<Diagnostic> found) {
-    String file = unit.subject().getLocation().toString();
-    if (found.stream().anyMatch(each -> each.location().file().equals(file))) {
-      return found;
-    }
-    List<Diagnostic> all = new ArrayList<>(found);
-    Diagnostic first = found.get(0);
-    all.add(
-        Diagnostic.of(
-                EclipseRules.UNCHECKED,
-                "This was not checked: " + first.message(),
-                SourceLocation.of(file))
-            .withRelated(first.location()));
-    return all;
+    Path subject = CheckedFiles.pathOf(unit.subject()).orElse(Path.of(""));
+    return FileChecks.attempt(subject, unit::check);
   }
 }

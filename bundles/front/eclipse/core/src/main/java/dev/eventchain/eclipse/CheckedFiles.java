@@ -1,5 +1,6 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.check.Metamodels;
 import dev.eventchain.check.ProjectValidation;
 import java.nio.file.Path;
 import java.util.ArrayList;

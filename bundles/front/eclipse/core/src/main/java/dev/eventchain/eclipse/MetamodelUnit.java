@@ -1,7 +1,7 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.check.FileChecks;
 import dev.eventchain.check.Validation;
-import dev.eventchain.diagnostics.Coverage;
 import java.nio.file.Path;
 import java.util.List;
 import org.eclipse.core.resources.IFile;
@@ -27,7 +27,6 @@ record MetamodelUnit(IFile file, Path path, List<Path> all) implements CheckUnit
 
   @Override
   public Validation check() {
-    Metamodels.loadLast(path, all);
-    return new Validation(new Coverage(List.of(path.toString()), 0, List.of()), List.of());
+    return FileChecks.metamodel(path, all);
   }
 }

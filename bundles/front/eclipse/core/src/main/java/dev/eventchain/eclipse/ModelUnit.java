@@ -1,5 +1,8 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.check.EditorRules;
+import dev.eventchain.check.FileChecks;
+import dev.eventchain.check.Metamodels;
 import dev.eventchain.check.ModelValidation;
 import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.check.Validation;
@@ -76,7 +79,7 @@ record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
 
   /** Returns the documents with constraints on event chains; the others use other metamodels. */
   private static List<Path> aboutChains(List<Path> documents) {
-    return documents.stream().filter(RulesUnit::isAboutChains).toList();
+    return documents.stream().filter(FileChecks::isAboutChains).toList();
   }
 
   private Validation validate(List<Path> ecores, List<Path> documents) {
@@ -97,7 +100,7 @@ record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
 
   private Diagnostic unchecked() {
     return Diagnostic.of(
-            EclipseRules.MODEL_UNCHECKED,
+            EditorRules.MODEL_UNCHECKED,
             "The model was not checked: it is not an event chain, and its metamodel was not found.",
             SourceLocation.of(path))
         .withHint("Put the metamodel, an .ecore file, into the same project.");

@@ -1,5 +1,6 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.check.EditorRules;
 import dev.eventchain.check.ProjectValidation;
 import dev.eventchain.check.Validation;
 import dev.eventchain.diagnostics.Coverage;
@@ -191,9 +192,9 @@ public final class ProjectChecks {
     String more = Coverage.counted(found.size() - MOST_MARKERS, "finding");
     shown.add(
         new Diagnostic(
-            EclipseRules.FINDINGS_MORE,
+            EditorRules.FINDINGS_MORE,
             next.severity(),
-            "Not shown as markers: " + more + " more.",
+            "Not shown: " + more + " more.",
             SourceLocation.of(next.location().file()),
             "'eventchain validate' on the command line shows all.",
             "",

@@ -1,5 +1,6 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.check.Metamodels;
 import dev.eventchain.check.Validation;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.m2t.TemplateModule;

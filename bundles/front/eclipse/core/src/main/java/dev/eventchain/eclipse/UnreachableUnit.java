@@ -1,5 +1,6 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.check.EditorRules;
 import dev.eventchain.check.Validation;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -20,7 +21,7 @@ record UnreachableUnit(IResource subject) implements CheckUnit {
   public Validation check() {
     Diagnostic unchecked =
         Diagnostic.of(
-                EclipseRules.UNCHECKED,
+                EditorRules.UNCHECKED,
                 "This was not checked: it is not on a disk of this machine.",
                 SourceLocation.NONE)
             .withHint("Put the project into a folder on this machine.");

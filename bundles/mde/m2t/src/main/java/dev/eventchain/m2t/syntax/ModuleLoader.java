@@ -7,6 +7,7 @@ import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.diagnostics.UnsavedTexts;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.CharacterCodingException;
@@ -66,7 +67,7 @@ public final class ModuleLoader {
    */
   public static SourceText read(Path file) {
     FileReads.note(file);
-    String name = encoding(file);
+    String name = UnsavedTexts.of(file).isPresent() ? "" : encoding(file);
     if (name.isEmpty() || name.equalsIgnoreCase("UTF-8")) {
       return SourceText.read(file);
     }

@@ -235,11 +235,9 @@ class BuilderTest {
       }
       project.write("many.xmi", chain + "</eventchain:EventChain>\n");
       project.build();
-      IMarker more = project.marker("eclipse.findings.more");
+      IMarker more = project.marker("editor.findings.more");
       assertEquals(1001, project.found().length);
-      assertTrue(
-          more.getAttribute(IMarker.MESSAGE, "")
-              .matches("Not shown as markers: \\d+ findings more.*"));
+      assertTrue(more.getAttribute(IMarker.MESSAGE, "").matches("Not shown: \\d+ findings more.*"));
       assertEquals(IResource.FILE, more.getResource().getType());
     }
   }

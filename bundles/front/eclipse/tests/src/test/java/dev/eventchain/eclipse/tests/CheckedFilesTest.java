@@ -55,7 +55,7 @@ class CheckedFilesTest {
   void modelOfAnotherMetamodelIsCheckedWithTheRulesBesideIt() throws Exception {
     try (TestProject project = TestProject.create("shop")) {
       project.write("shop.xmi", SHOP.formatted(""));
-      project.buildsTo("info shop.xmi eclipse.model.unchecked");
+      project.buildsTo("info shop.xmi editor.model.unchecked");
       project.write("shop.ecore", ECORE);
       project.write("shop.ocl", "context Shop\ninv Named: name <> ''\n");
       project.buildsTo("error shop.xmi:2 ocl.violated");
@@ -169,7 +169,7 @@ class CheckedFilesTest {
   void documentWithoutInvariantChecksNothingAndSaysSo() throws Exception {
     try (TestProject project = TestProject.create("empty")) {
       project.write("rules.ocl", "-- later\n");
-      project.buildsTo("warning rules.ocl eclipse.rules.none");
+      project.buildsTo("warning rules.ocl editor.rules.none");
     }
   }
 
@@ -186,7 +186,7 @@ class CheckedFilesTest {
       for (String file : List.of("a.xmi", "b.ecore", "c.ocl", "d.mtl", "e/eventchain.yaml")) {
         assertTrue(markers.stream().anyMatch(each -> each.contains(file)), file + ": " + markers);
       }
-      assertTrue(markers.stream().noneMatch(each -> each.contains("eclipse.check.failed")));
+      assertTrue(markers.stream().noneMatch(each -> each.contains("editor.check.failed")));
     }
   }
 
@@ -207,7 +207,7 @@ class CheckedFilesTest {
       project.write("two.xmi", chain.replace("</software>", ""));
       project.build();
       List<String> markers = project.markers();
-      assertTrue(markers.contains("error one.xmi eclipse.unchecked"), markers.toString());
+      assertTrue(markers.contains("error one.xmi editor.unchecked"), markers.toString());
       assertTrue(markers.stream().anyMatch(each -> each.startsWith("error two.xmi:")));
     }
   }

@@ -1,7 +1,7 @@
 package dev.eventchain.eclipse.ui.fixes;
 
+import dev.eventchain.diagnostics.TextFix;
 import dev.eventchain.eclipse.FindingMarker;
-import dev.eventchain.eclipse.TextFix;
 import java.util.Optional;
 import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IMarker;

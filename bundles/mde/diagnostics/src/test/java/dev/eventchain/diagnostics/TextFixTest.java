@@ -1,8 +1,7 @@
-package dev.eventchain.eclipse.tests;
+package dev.eventchain.diagnostics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import dev.eventchain.eclipse.TextFix;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 

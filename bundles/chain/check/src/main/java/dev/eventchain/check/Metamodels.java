@@ -1,4 +1,4 @@
-package dev.eventchain.eclipse;
+package dev.eventchain.check;
 
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.model.EventChainMetamodel;
@@ -12,8 +12,8 @@ import java.util.Set;
 import java.util.function.BiConsumer;
 import org.eclipse.emf.ecore.EPackage;
 
-/** Metamodels for the rules and templates of a project. */
-final class Metamodels {
+/** Metamodels for the rules and templates that are edited together with them. */
+public final class Metamodels {
 
   private Metamodels() {}
 
@@ -21,7 +21,7 @@ final class Metamodels {
    * Returns the packages of the files, and those of event chains and of message definitions unless
    * a file has their namespace. Invalid metamodels are left out: they have their own findings.
    */
-  static List<EPackage> of(List<Path> ecores) {
+  public static List<EPackage> of(List<Path> ecores) {
     List<EPackage> packages = new ArrayList<>();
     load(ecores, (file, loaded) -> packages.addAll(loaded));
     for (EPackage ours : List.of(EventchainPackage.eINSTANCE, EventChainMetamodel.messages())) {
@@ -33,7 +33,7 @@ final class Metamodels {
   }
 
   /** Returns the files with valid metamodels that do not contradict each other. */
-  static List<Path> sound(List<Path> ecores) {
+  public static List<Path> sound(List<Path> ecores) {
     List<Path> sound = new ArrayList<>();
     load(ecores, (file, loaded) -> sound.add(file));
     return sound;
@@ -42,11 +42,14 @@ final class Metamodels {
   /**
    * Loads a metamodel after all others, so that conflicts are reported at each of them.
    *
+   * @return the store that holds it
    * @throws DiagnosticException INPUT with its errors
    */
-  static void loadLast(Path ecore, List<Path> all) {
+  static XmiStore loadLast(Path ecore, List<Path> all, List<EPackage> loaded) {
     List<Path> others = all.stream().filter(each -> !each.equals(ecore)).toList();
-    load(all, others, (file, loaded) -> {}).loadMetamodel(ecore);
+    XmiStore store = load(all, others, (file, packages) -> {});
+    loaded.addAll(store.loadMetamodel(ecore));
+    return store;
   }
 
   private static void load(List<Path> ecores, BiConsumer<Path, List<EPackage>> sound) {
@@ -61,14 +64,14 @@ final class Metamodels {
       try {
         sound.accept(ecore, store.loadMetamodel(ecore));
       } catch (DiagnosticException e) {
-        continue; // its MetamodelUnit loads it separately and reports the reason
+        continue; // its own check loads it separately and reports the reason
       }
     }
     return store;
   }
 
   /** Returns the usual file name extensions of models of these metamodels in EMF. */
-  static Set<String> extensions(List<Path> ecores) {
+  public static Set<String> extensions(List<Path> ecores) {
     Set<String> extensions = new HashSet<>();
     load(
         ecores,

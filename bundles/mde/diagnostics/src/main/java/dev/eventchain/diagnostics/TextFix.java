@@ -1,6 +1,5 @@
-package dev.eventchain.eclipse;
+package dev.eventchain.diagnostics;
 
-import dev.eventchain.diagnostics.NearestName;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

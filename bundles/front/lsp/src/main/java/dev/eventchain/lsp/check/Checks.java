@@ -1,0 +1,253 @@
+package dev.eventchain.lsp.check;
+
+import dev.eventchain.check.FileChecks;
+import dev.eventchain.check.Validation;
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.FileReads;
+import dev.eventchain.diagnostics.UnsavedTexts;
+import dev.eventchain.lsp.text.OpenText;
+import dev.eventchain.lsp.text.OpenTexts;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * The checks of a workspace, one after the other in the background. A unit is checked again when a
+ * file changes that it has read, on disk or in the editor, once nothing has been typed for a
+ * moment; units with open files come first. Thread-safe.
+ */
+public final class Checks implements AutoCloseable {
+
+  /** How long nothing has to be typed before something is checked. */
+  public static final Duration QUIET = Duration.ofMillis(250);
+
+  /** For the recursion of deep expressions, as on the command line. */
+  private static final long STACK = 16L << 20;
+
+  private final OpenTexts texts;
+  private final Findings findings;
+  private final Thread thread = new Thread(null, this::work, "checks", STACK);
+
+  private final Set<CheckUnit> waiting = new LinkedHashSet<>();
+
+  /** The files that the last check of each unit has read. */
+  private final Map<CheckUnit, Set<Path>> reads = new HashMap<>();
+
+  /** The files that have changed since the present check began. */
+  private final Set<Path> changedMeanwhile = new HashSet<>();
+
+  private List<Path> folders = List.of();
+  private Settings settings = Settings.USUAL;
+  private WorkspaceFiles files = WorkspaceFiles.of(List.of(), List.of());
+  private boolean isListed = true;
+  private boolean isBusy;
+  private boolean isClosed;
+
+  /** The time of {@link System#nanoTime} until which somebody may still be typing. */
+  private long quiet = System.nanoTime();
+
+  /** Creates checks of nothing. */
+  public Checks(OpenTexts texts, Findings findings) {
+    this.texts = texts;
+    this.findings = findings;
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  /** Checks the files of these folders, and of no other ones but open files. */
+  public synchronized void open(List<Path> newFolders, Settings newSettings) {
+    folders = List.copyOf(newFolders);
+    settings = newSettings;
+    list();
+  }
+
+  /** Looks again for files, because one was opened or closed. */
+  public synchronized void list() {
+    isListed = false;
+    notifyAll();
+  }
+
+  /** Checks what has read a file, after its text in the editor has changed. */
+  public synchronized void changed(Path file) {
+    quiet = System.nanoTime() + QUIET.toNanos();
+    revisit(Set.of(file));
+  }
+
+  /** Checks what has read files, after they have changed on disk. */
+  public synchronized void changedOnDisk(Collection<Path> changed) {
+    revisit(changed);
+  }
+
+  /** Checks what may read files now, or has read them, after they came or went on disk. */
+  public synchronized void appearedOrGone(Collection<Path> changed) {
+    revisit(changed);
+    for (CheckUnit unit : reads.keySet()) {
+      if (changed.stream().anyMatch(file -> mayRead(unit, file))) {
+        waiting.add(unit);
+      }
+    }
+    list();
+  }
+
+  private static boolean mayRead(CheckUnit unit, Path file) {
+    return unit instanceof ProjectUnit project
+        ? file.startsWith(project.folder())
+        : WorkspaceFiles.isKnown(file);
+  }
+
+  private void revisit(Collection<Path> changed) {
+    changedMeanwhile.addAll(changed);
+    reads.forEach(
+        (unit, read) -> {
+          if (isAbout(unit, read, changed)) {
+            waiting.add(unit);
+          }
+        });
+    notifyAll();
+  }
+
+  private static boolean isAbout(CheckUnit unit, Set<Path> read, Collection<Path> changed) {
+    return changed.stream().anyMatch(file -> file.equals(unit.subject()) || read.contains(file));
+  }
+
+  /** Returns the files of the workspace as they were last looked for. */
+  public synchronized WorkspaceFiles files() {
+    return files;
+  }
+
+  /** Returns the metamodels that a file may name. */
+  public synchronized List<Path> metamodels(Path file) {
+    return files.metamodels(file, settings.metamodelsIn(folders));
+  }
+
+  /** Returns the files on which the findings depend. */
+  public synchronized Set<Path> read() {
+    Set<Path> all = new HashSet<>();
+    reads.values().forEach(all::addAll);
+    return all;
+  }
+
+  /** Waits until everything is checked. */
+  public synchronized void await() throws InterruptedException {
+    while (!isClosed && (isBusy || !isListed || !waiting.isEmpty())) {
+      wait();
+    }
+  }
+
+  private void work() {
+    try {
+      while (!isClosed()) {
+        if (needsList()) {
+          list(WorkspaceFiles.of(folders(), texts.all().stream().map(OpenText::path).toList()));
+        } else {
+          next().ifPresent(this::check);
+        }
+      }
+    } catch (InterruptedException e) {
+      close();
+    }
+  }
+
+  private synchronized boolean isClosed() {
+    return isClosed;
+  }
+
+  private synchronized List<Path> folders() {
+    return folders;
+  }
+
+  /** Waits until there is something to do, and returns whether it is to look for files. */
+  private synchronized boolean needsList() throws InterruptedException {
+    isBusy = false;
+    notifyAll();
+    while (!isClosed && isListed && waiting.isEmpty()) {
+      wait();
+    }
+    isBusy = true;
+    boolean needed = !isListed;
+    isListed = true;
+    return needed;
+  }
+
+  private synchronized void list(WorkspaceFiles found) {
+    files = found;
+    List<Path> named = settings.metamodelsIn(folders);
+    Set<CheckUnit> now = new LinkedHashSet<>(found.units(named, settings.timeLimit()));
+    for (CheckUnit gone : Set.copyOf(reads.keySet())) {
+      if (!now.contains(gone)) {
+        reads.remove(gone);
+        findings.remove(gone);
+      }
+    }
+    waiting.retainAll(now);
+    now.stream().filter(unit -> reads.putIfAbsent(unit, Set.of()) == null).forEach(waiting::add);
+  }
+
+  /**
+   * Waits until nothing is typed, and returns the unit to be checked; empty if the list changes.
+   */
+  private synchronized Optional<CheckUnit> next() throws InterruptedException {
+    long left = quiet - System.nanoTime();
+    while (left > 0 && !isClosed) {
+      wait(left / 1_000_000 + 1);
+      left = quiet - System.nanoTime();
+    }
+    Set<Path> open = new HashSet<>();
+    texts.all().forEach(text -> open.add(text.path()));
+    Optional<CheckUnit> chosen =
+        waiting.stream()
+            .filter(unit -> open.contains(unit.subject()))
+            .findFirst()
+            .or(() -> waiting.stream().filter(unit -> readsAny(unit, open)).findFirst())
+            .or(() -> waiting.stream().findFirst());
+    if (!isListed) {
+      return Optional.empty();
+    }
+    chosen.ifPresent(waiting::remove);
+    changedMeanwhile.clear();
+    return chosen;
+  }
+
+  private boolean readsAny(CheckUnit unit, Set<Path> open) {
+    Set<Path> read = reads.getOrDefault(unit, Set.of());
+    return unit instanceof ProjectUnit project && read.isEmpty()
+        ? open.stream().anyMatch(file -> file.startsWith(project.folder()))
+        : open.stream().anyMatch(read::contains);
+  }
+
+  private void check(CheckUnit unit) {
+    FileReads.Recorded<Validation> checked =
+        UnsavedTexts.during(
+            texts.overlay(),
+            () ->
+                FileReads.recordAll(
+                    () ->
+                        FileChecks.attempt(
+                            unit.subject(), () -> new Validation(Coverage.NONE, unit.check()))));
+    synchronized (this) {
+      if (!reads.containsKey(unit)) {
+        return; // its file is gone meanwhile
+      }
+      reads.put(unit, checked.files());
+      if (isAbout(unit, checked.files(), changedMeanwhile)) {
+        waiting.add(unit);
+      } else {
+        findings.replace(unit, checked.value().diagnostics());
+      }
+    }
+  }
+
+  /** Ends the checks; one that is being made is not waited for. */
+  @Override
+  public synchronized void close() {
+    isClosed = true;
+    notifyAll();
+  }
+}

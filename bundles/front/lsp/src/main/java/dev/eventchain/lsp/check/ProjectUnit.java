@@ -1,0 +1,80 @@
+package dev.eventchain.lsp.check;
+
+import dev.eventchain.check.CheckRules;
+import dev.eventchain.check.ProjectValidation;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.pipeline.Pipeline;
+import dev.eventchain.pipeline.Today;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Progress;
+import dev.eventchain.pipeline.run.RunOptions;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.SuppressionFile;
+import java.nio.file.Path;
+import java.time.Clock;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/** A project: what {@code eventchain validate DIR} checks, without asking a language model. */
+record ProjectUnit(Path folder, Duration timeLimit) implements CheckUnit {
+
+  private static final String NO_MODEL = "project.stage.missing";
+
+  @Override
+  public Path subject() {
+    return new ProjectFolder(folder).configurationFile();
+  }
+
+  @Override
+  public List<Diagnostic> check() {
+    Project project = Project.open(folder);
+    Path output = project.defaultOutput();
+    List<Diagnostic> found =
+        new ArrayList<>(Pipeline.run(project, options(project), Progress.NONE).diagnostics());
+    if (project.model(output).isEmpty()) {
+      // The command line would have it designed; an editor says that it is not there yet.
+      found.removeIf(each -> each.id().equals(NO_MODEL));
+      Set<Diagnostic> all = new LinkedHashSet<>();
+      ProjectValidation.validate(project, output, timeLimit).diagnostics().stream()
+          .filter(each -> each.is(CheckRules.PROJECT_MODEL_MISSING))
+          .forEach(all::add);
+      all.addAll(found);
+      return List.copyOf(all);
+    }
+    return found;
+  }
+
+  private RunOptions options(Project project) {
+    Path output = project.defaultOutput();
+    RunOptions usual = RunOptions.of(output).in(output, Stage.VALIDATE, Stage.VALIDATE);
+    return new RunOptions(
+        output,
+        Stage.VALIDATE,
+        Stage.VALIDATE,
+        true,
+        usual.llm(),
+        usual.record(),
+        usual.overwrite(),
+        usual.scenarios(),
+        usual.driver(),
+        usual.mcap(),
+        usual.compare(),
+        usual.faults(),
+        usual.strength(),
+        suppressions(project),
+        timeLimit);
+  }
+
+  private static Suppressions suppressions(Project project) {
+    return project
+        .suppressions()
+        .map(
+            file -> SuppressionFile.read(file, Today.of(System.getenv(), Clock.systemUTC()).date()))
+        .orElse(Suppressions.NONE);
+  }
+}

@@ -1,0 +1,160 @@
+package dev.eventchain.lsp.session;
+
+import dev.eventchain.lsp.check.Checks;
+import dev.eventchain.lsp.check.Findings;
+import dev.eventchain.lsp.check.RulePageFiles;
+import dev.eventchain.lsp.check.Settings;
+import dev.eventchain.lsp.text.OpenTexts;
+import dev.eventchain.lsp.text.Positions;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.IntConsumer;
+import org.eclipse.lsp4j.DidChangeWatchedFilesRegistrationOptions;
+import org.eclipse.lsp4j.FileSystemWatcher;
+import org.eclipse.lsp4j.InitializeParams;
+import org.eclipse.lsp4j.InitializeResult;
+import org.eclipse.lsp4j.InitializedParams;
+import org.eclipse.lsp4j.Registration;
+import org.eclipse.lsp4j.RegistrationParams;
+import org.eclipse.lsp4j.ServerCapabilities;
+import org.eclipse.lsp4j.ServerInfo;
+import org.eclipse.lsp4j.TextDocumentSyncKind;
+import org.eclipse.lsp4j.TextDocumentSyncOptions;
+import org.eclipse.lsp4j.WorkspaceFolder;
+import org.eclipse.lsp4j.WorkspaceFoldersOptions;
+import org.eclipse.lsp4j.WorkspaceServerCapabilities;
+import org.eclipse.lsp4j.jsonrpc.messages.Either;
+import org.eclipse.lsp4j.services.LanguageClient;
+import org.eclipse.lsp4j.services.LanguageClientAware;
+import org.eclipse.lsp4j.services.LanguageServer;
+import org.eclipse.lsp4j.services.TextDocumentService;
+import org.eclipse.lsp4j.services.WorkspaceService;
+
+/** The server's side of a session. */
+public final class EditorServer implements LanguageServer, LanguageClientAware, AutoCloseable {
+
+  private static final int FINE = 0;
+  private static final int NOT_ASKED = 1;
+
+  private final String version;
+  private final IntConsumer end;
+  private final OpenTexts texts = new OpenTexts();
+  private final RulePageFiles pages = new RulePageFiles();
+  private final Findings findings;
+  private final Checks checks;
+  private final DocumentRequests documents;
+  private final WorkspaceRequests workspace;
+  private LanguageClient client;
+  private boolean watches;
+  private boolean isShutDown;
+
+  /**
+   * Creates a session that has not begun.
+   *
+   * @param version that of the program
+   * @param end takes the exit code when the session is over
+   */
+  public EditorServer(String version, IntConsumer end) {
+    this.version = version;
+    this.end = end;
+    this.findings = new Findings(texts, pages, found -> client.publishDiagnostics(found));
+    this.checks = new Checks(texts, findings);
+    this.documents = new DocumentRequests(texts, checks, findings);
+    this.workspace = new WorkspaceRequests(texts, checks);
+  }
+
+  @Override
+  public void connect(LanguageClient newClient) {
+    client = newClient;
+  }
+
+  @Override
+  public CompletableFuture<InitializeResult> initialize(InitializeParams params) {
+    Optional.ofNullable(params.getProcessId())
+        .ifPresent(parent -> ParentWatch.start(parent, () -> end.accept(NOT_ASKED)));
+    watches = watches(params);
+    workspace.begin(folders(params), Settings.of(params.getInitializationOptions()));
+    ServerInfo info = new ServerInfo("eventchain", version);
+    return CompletableFuture.completedFuture(new InitializeResult(capabilities(), info));
+  }
+
+  private static ServerCapabilities capabilities() {
+    ServerCapabilities capabilities = new ServerCapabilities();
+    TextDocumentSyncOptions sync = new TextDocumentSyncOptions();
+    sync.setOpenClose(true);
+    sync.setChange(TextDocumentSyncKind.Incremental);
+    capabilities.setTextDocumentSync(sync);
+    WorkspaceFoldersOptions folders = new WorkspaceFoldersOptions();
+    folders.setSupported(true);
+    folders.setChangeNotifications(true);
+    capabilities.setWorkspace(new WorkspaceServerCapabilities(folders));
+    return capabilities;
+  }
+
+  @SuppressWarnings("deprecation") // older editors name one folder only, as an address or a path
+  private static List<Path> folders(InitializeParams params) {
+    List<String> uris = new ArrayList<>();
+    if (params.getWorkspaceFolders() != null) {
+      params.getWorkspaceFolders().stream().map(WorkspaceFolder::getUri).forEach(uris::add);
+    } else if (params.getRootUri() != null) {
+      uris.add(params.getRootUri());
+    } else if (params.getRootPath() != null) {
+      uris.add(Path.of(params.getRootPath()).toUri().toString());
+    }
+    return uris.stream().flatMap(uri -> Positions.path(uri).stream()).toList();
+  }
+
+  private static boolean watches(InitializeParams params) {
+    return Optional.ofNullable(params.getCapabilities())
+        .map(all -> all.getWorkspace())
+        .map(all -> all.getDidChangeWatchedFiles())
+        .map(all -> all.getDynamicRegistration())
+        .orElse(false);
+  }
+
+  @Override
+  public void initialized(InitializedParams params) {
+    if (watches) {
+      FileSystemWatcher all = new FileSystemWatcher(Either.forLeft("**/*"));
+      DidChangeWatchedFilesRegistrationOptions options =
+          new DidChangeWatchedFilesRegistrationOptions(List.of(all));
+      Registration registration =
+          new Registration("files", "workspace/didChangeWatchedFiles", options);
+      client.registerCapability(new RegistrationParams(List.of(registration)));
+    } else {
+      workspace.watch();
+    }
+  }
+
+  @Override
+  public CompletableFuture<Object> shutdown() {
+    isShutDown = true;
+    return CompletableFuture.completedFuture(null);
+  }
+
+  @Override
+  public void exit() {
+    end.accept(isShutDown ? FINE : NOT_ASKED);
+  }
+
+  @Override
+  public TextDocumentService getTextDocumentService() {
+    return documents;
+  }
+
+  @Override
+  public WorkspaceService getWorkspaceService() {
+    return workspace;
+  }
+
+  /** Ends the work in the background. */
+  @Override
+  public void close() {
+    checks.close();
+    workspace.close();
+    pages.close();
+  }
+}

@@ -1,0 +1,48 @@
+package dev.eventchain.lsp.text;
+
+import dev.eventchain.editing.TextPosition;
+import dev.eventchain.editing.TextRange;
+import java.net.URI;
+import java.nio.file.FileSystemNotFoundException;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.eclipse.lsp4j.Position;
+import org.eclipse.lsp4j.Range;
+
+/** Places of the protocol, and those of the engine, which counts lines and columns alike. */
+public final class Positions {
+
+  private Positions() {}
+
+  /** Returns a position of the engine. */
+  public static TextPosition of(Position position) {
+    return new TextPosition(position.getLine(), position.getCharacter());
+  }
+
+  /** Returns a position of the protocol. */
+  public static Position of(TextPosition position) {
+    return new Position(position.line(), position.column());
+  }
+
+  /** Returns a range of the engine. */
+  public static TextRange of(Range range) {
+    return new TextRange(of(range.getStart()), of(range.getEnd()));
+  }
+
+  /** Returns a range of the protocol. */
+  public static Range of(TextRange range) {
+    return new Range(of(range.start()), of(range.end()));
+  }
+
+  /** Returns the path of a file's address; empty if it is not about a file on this machine. */
+  public static Optional<Path> path(String uri) {
+    try {
+      URI address = URI.create(uri);
+      return "file".equalsIgnoreCase(address.getScheme())
+          ? Optional.of(Path.of(address).toAbsolutePath().normalize())
+          : Optional.empty();
+    } catch (IllegalArgumentException | FileSystemNotFoundException e) {
+      return Optional.empty();
+    }
+  }
+}
