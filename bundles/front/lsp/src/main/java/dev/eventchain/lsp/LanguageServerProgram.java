@@ -9,6 +9,7 @@ import java.io.PrintWriter;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.eclipse.lsp4j.jsonrpc.Launcher;
@@ -55,8 +56,10 @@ public final class LanguageServerProgram {
               .setExecutorService(threads)
               .create();
       server.connect(launcher.getRemoteProxy());
-      launcher.startListening();
-      return end.join();
+      Future<Void> listening = launcher.startListening();
+      int code = end.join();
+      listening.cancel(true);
+      return code;
     } catch (RuntimeException e) {
       log.println("eventchain: the session has failed: " + e);
       return LEFT;

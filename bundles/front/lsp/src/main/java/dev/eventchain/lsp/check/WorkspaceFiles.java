@@ -114,6 +114,11 @@ public final class WorkspaceFiles {
     return files.stream().filter(file -> extension(file).equals(extension)).toList();
   }
 
+  /** Returns all files that are checked one by one, in the order of their paths. */
+  public List<Path> all() {
+    return List.copyOf(files);
+  }
+
   /** Returns the folders of projects. */
   public List<Path> projects() {
     return List.copyOf(projects);

@@ -1,17 +1,76 @@
 package dev.eventchain.lsp.session;
 
+import dev.eventchain.editing.Analysis;
+import dev.eventchain.editing.FileRange;
+import dev.eventchain.editing.Rename;
+import dev.eventchain.editing.RenameTarget;
+import dev.eventchain.editing.TextPosition;
+import dev.eventchain.editing.TextRange;
 import dev.eventchain.lsp.check.Checks;
 import dev.eventchain.lsp.check.Findings;
+import dev.eventchain.lsp.language.CallItems;
+import dev.eventchain.lsp.language.Languages;
+import dev.eventchain.lsp.language.Protocol;
+import dev.eventchain.lsp.text.Edits;
 import dev.eventchain.lsp.text.OpenText;
 import dev.eventchain.lsp.text.OpenTexts;
 import dev.eventchain.lsp.text.Positions;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.BiFunction;
+import org.eclipse.lsp4j.CallHierarchyIncomingCall;
+import org.eclipse.lsp4j.CallHierarchyIncomingCallsParams;
+import org.eclipse.lsp4j.CallHierarchyItem;
+import org.eclipse.lsp4j.CallHierarchyOutgoingCall;
+import org.eclipse.lsp4j.CallHierarchyOutgoingCallsParams;
+import org.eclipse.lsp4j.CallHierarchyPrepareParams;
+import org.eclipse.lsp4j.CompletionItem;
+import org.eclipse.lsp4j.CompletionList;
+import org.eclipse.lsp4j.CompletionParams;
+import org.eclipse.lsp4j.DefinitionParams;
 import org.eclipse.lsp4j.DidChangeTextDocumentParams;
 import org.eclipse.lsp4j.DidCloseTextDocumentParams;
 import org.eclipse.lsp4j.DidOpenTextDocumentParams;
 import org.eclipse.lsp4j.DidSaveTextDocumentParams;
+import org.eclipse.lsp4j.DocumentHighlight;
+import org.eclipse.lsp4j.DocumentHighlightParams;
+import org.eclipse.lsp4j.DocumentSymbol;
+import org.eclipse.lsp4j.DocumentSymbolParams;
+import org.eclipse.lsp4j.FoldingRange;
+import org.eclipse.lsp4j.FoldingRangeRequestParams;
+import org.eclipse.lsp4j.Hover;
+import org.eclipse.lsp4j.HoverParams;
+import org.eclipse.lsp4j.ImplementationParams;
+import org.eclipse.lsp4j.InlayHint;
+import org.eclipse.lsp4j.InlayHintParams;
+import org.eclipse.lsp4j.Location;
+import org.eclipse.lsp4j.LocationLink;
+import org.eclipse.lsp4j.PrepareRenameDefaultBehavior;
+import org.eclipse.lsp4j.PrepareRenameParams;
+import org.eclipse.lsp4j.PrepareRenameResult;
+import org.eclipse.lsp4j.Range;
+import org.eclipse.lsp4j.ReferenceParams;
+import org.eclipse.lsp4j.RenameParams;
+import org.eclipse.lsp4j.SelectionRange;
+import org.eclipse.lsp4j.SelectionRangeParams;
+import org.eclipse.lsp4j.SemanticTokens;
+import org.eclipse.lsp4j.SemanticTokensParams;
+import org.eclipse.lsp4j.SignatureHelp;
+import org.eclipse.lsp4j.SignatureHelpParams;
+import org.eclipse.lsp4j.SymbolInformation;
 import org.eclipse.lsp4j.TextDocumentItem;
+import org.eclipse.lsp4j.TextDocumentPositionParams;
+import org.eclipse.lsp4j.TypeDefinitionParams;
 import org.eclipse.lsp4j.VersionedTextDocumentIdentifier;
+import org.eclipse.lsp4j.WorkspaceEdit;
+import org.eclipse.lsp4j.jsonrpc.ResponseErrorException;
+import org.eclipse.lsp4j.jsonrpc.messages.Either;
+import org.eclipse.lsp4j.jsonrpc.messages.Either3;
+import org.eclipse.lsp4j.jsonrpc.messages.ResponseError;
+import org.eclipse.lsp4j.jsonrpc.messages.ResponseErrorCode;
 import org.eclipse.lsp4j.services.TextDocumentService;
 
 /**
@@ -22,11 +81,16 @@ final class DocumentRequests implements TextDocumentService {
   private final OpenTexts texts;
   private final Checks checks;
   private final Findings findings;
+  private final Languages languages;
+  private final Edits edits;
 
-  DocumentRequests(OpenTexts texts, Checks checks, Findings findings) {
+  DocumentRequests(
+      OpenTexts texts, Checks checks, Findings findings, Languages languages, Edits edits) {
     this.texts = texts;
     this.checks = checks;
     this.findings = findings;
+    this.languages = languages;
+    this.edits = edits;
   }
 
   @Override
@@ -36,9 +100,7 @@ final class DocumentRequests implements TextDocumentService {
         .ifPresent(
             path -> {
               texts.open(new OpenText(item.getUri(), path, item.getVersion(), item.getText()));
-              findings.showAgain(path);
-              checks.changedOnDisk(Set.of(path));
-              checks.list();
+              changed(path);
             });
   }
 
@@ -59,13 +121,218 @@ final class DocumentRequests implements TextDocumentService {
         .ifPresent(
             path -> {
               texts.close(path);
-              findings.showAgain(path);
-              checks.changedOnDisk(Set.of(path));
-              checks.list();
+              changed(path);
             });
+  }
+
+  private void changed(Path path) {
+    findings.showAgain(path);
+    checks.changedOnDisk(Set.of(path));
+    checks.list();
   }
 
   /** Saving changes no text that is read; that there may be a new file is noticed on disk. */
   @Override
   public void didSave(DidSaveTextDocumentParams params) {}
+
+  @Override
+  public CompletableFuture<List<Either<SymbolInformation, DocumentSymbol>>> documentSymbol(
+      DocumentSymbolParams params) {
+    return languages.ask(
+        params.getTextDocument().getUri(),
+        List.of(),
+        analysis ->
+            analysis.symbols().stream()
+                .map(Protocol::symbol)
+                .map(Either::<SymbolInformation, DocumentSymbol>forRight)
+                .toList());
+  }
+
+  @Override
+  public CompletableFuture<List<FoldingRange>> foldingRange(FoldingRangeRequestParams params) {
+    return languages.ask(
+        params.getTextDocument().getUri(),
+        List.of(),
+        analysis -> analysis.foldings().stream().map(Protocol::folding).toList());
+  }
+
+  @Override
+  public CompletableFuture<SemanticTokens> semanticTokensFull(SemanticTokensParams params) {
+    return languages.ask(
+        params.getTextDocument().getUri(),
+        new SemanticTokens(List.of()),
+        analysis -> new SemanticTokens(Protocol.tokens(analysis.tokens())));
+  }
+
+  @Override
+  public CompletableFuture<Either<List<CompletionItem>, CompletionList>> completion(
+      CompletionParams params) {
+    return at(
+        params,
+        Either.forLeft(List.of()),
+        (analysis, position) ->
+            Either.forLeft(Protocol.completions(analysis.completions(position))));
+  }
+
+  @Override
+  public CompletableFuture<Hover> hover(HoverParams params) {
+    return at(
+        params,
+        null,
+        (analysis, position) ->
+            analysis
+                .hover(position)
+                .map(it -> new Hover(Protocol.markdown(it.markdown()), Positions.of(it.range())))
+                .orElse(null));
+  }
+
+  @Override
+  public CompletableFuture<SignatureHelp> signatureHelp(SignatureHelpParams params) {
+    return at(
+        params,
+        null,
+        (analysis, position) ->
+            analysis.signatureHelp(position).map(Protocol::signatures).orElse(null));
+  }
+
+  @Override
+  public CompletableFuture<Either<List<? extends Location>, List<? extends LocationLink>>>
+      definition(DefinitionParams params) {
+    return places(params, Analysis::definitions);
+  }
+
+  @Override
+  public CompletableFuture<Either<List<? extends Location>, List<? extends LocationLink>>>
+      typeDefinition(TypeDefinitionParams params) {
+    return places(params, Analysis::typeDefinitions);
+  }
+
+  @Override
+  public CompletableFuture<Either<List<? extends Location>, List<? extends LocationLink>>>
+      implementation(ImplementationParams params) {
+    return places(params, Analysis::implementations);
+  }
+
+  private CompletableFuture<Either<List<? extends Location>, List<? extends LocationLink>>> places(
+      TextDocumentPositionParams params,
+      BiFunction<Analysis, TextPosition, List<FileRange>> question) {
+    return at(
+        params,
+        Either.forLeft(List.of()),
+        (analysis, position) ->
+            Either.forLeft(edits.locations(question.apply(analysis, position))));
+  }
+
+  @Override
+  public CompletableFuture<List<? extends Location>> references(ReferenceParams params) {
+    boolean declaration = params.getContext().isIncludeDeclaration();
+    return at(
+        params,
+        List.of(),
+        (analysis, position) -> edits.locations(analysis.references(position, declaration)));
+  }
+
+  @Override
+  public CompletableFuture<List<? extends DocumentHighlight>> documentHighlight(
+      DocumentHighlightParams params) {
+    Optional<Path> file = Positions.path(params.getTextDocument().getUri());
+    return at(
+        params,
+        List.of(),
+        (analysis, position) ->
+            analysis.references(position, true).stream()
+                .filter(each -> file.equals(Optional.of(each.file())))
+                .map(each -> new DocumentHighlight(Positions.of(each.range())))
+                .toList());
+  }
+
+  @Override
+  public CompletableFuture<Either3<Range, PrepareRenameResult, PrepareRenameDefaultBehavior>>
+      prepareRename(PrepareRenameParams params) {
+    return at(
+        params,
+        null,
+        (analysis, position) -> {
+          RenameTarget target = analysis.renameTarget(position);
+          if (!target.isAllowed()) {
+            throw refused(target.refusal());
+          }
+          return Either3.forSecond(
+              new PrepareRenameResult(Positions.of(target.range()), target.name()));
+        });
+  }
+
+  @Override
+  public CompletableFuture<WorkspaceEdit> rename(RenameParams params) {
+    return at(
+        params,
+        null,
+        (analysis, position) -> {
+          Rename rename = analysis.rename(position, params.getNewName());
+          if (!rename.isAllowed()) {
+            throw refused(rename.refusal());
+          }
+          return edits.of(rename.edits());
+        });
+  }
+
+  private static ResponseErrorException refused(String reason) {
+    return new ResponseErrorException(
+        new ResponseError(ResponseErrorCode.RequestFailed, reason, null));
+  }
+
+  @Override
+  public CompletableFuture<List<SelectionRange>> selectionRange(SelectionRangeParams params) {
+    List<TextPosition> positions = params.getPositions().stream().map(Positions::of).toList();
+    return languages.ask(
+        params.getTextDocument().getUri(),
+        List.of(),
+        analysis ->
+            positions.stream()
+                .map(each -> Protocol.selection(analysis.selectionRanges(each), TextRange.at(each)))
+                .toList());
+  }
+
+  @Override
+  public CompletableFuture<List<InlayHint>> inlayHint(InlayHintParams params) {
+    TextRange range = Positions.of(params.getRange());
+    return languages.ask(
+        params.getTextDocument().getUri(),
+        List.of(),
+        analysis ->
+            analysis.inlayHints(range).stream()
+                .map(
+                    each ->
+                        new InlayHint(Positions.of(each.position()), Either.forLeft(each.text())))
+                .toList());
+  }
+
+  @Override
+  public CompletableFuture<List<CallHierarchyItem>> prepareCallHierarchy(
+      CallHierarchyPrepareParams params) {
+    return at(
+        params,
+        List.of(),
+        (analysis, position) -> analysis.callItems(position).stream().map(CallItems::of).toList());
+  }
+
+  @Override
+  public CompletableFuture<List<CallHierarchyIncomingCall>> callHierarchyIncomingCalls(
+      CallHierarchyIncomingCallsParams params) {
+    return languages.later(() -> CallItems.incoming(languages, params.getItem()));
+  }
+
+  @Override
+  public CompletableFuture<List<CallHierarchyOutgoingCall>> callHierarchyOutgoingCalls(
+      CallHierarchyOutgoingCallsParams params) {
+    return languages.later(() -> CallItems.outgoing(languages, params.getItem()));
+  }
+
+  private <T> CompletableFuture<T> at(
+      TextDocumentPositionParams params,
+      T nothing,
+      BiFunction<Analysis, TextPosition, T> question) {
+    return languages.ask(
+        params.getTextDocument().getUri(), params.getPosition(), nothing, question);
+  }
 }

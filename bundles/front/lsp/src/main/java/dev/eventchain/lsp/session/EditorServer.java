@@ -1,9 +1,13 @@
 package dev.eventchain.lsp.session;
 
+import dev.eventchain.constraints.editing.RuleLanguageService;
 import dev.eventchain.lsp.check.Checks;
 import dev.eventchain.lsp.check.Findings;
 import dev.eventchain.lsp.check.RulePageFiles;
 import dev.eventchain.lsp.check.Settings;
+import dev.eventchain.lsp.language.EditorWorkspace;
+import dev.eventchain.lsp.language.Languages;
+import dev.eventchain.lsp.text.Edits;
 import dev.eventchain.lsp.text.OpenTexts;
 import dev.eventchain.lsp.text.Positions;
 import java.nio.file.Path;
@@ -19,13 +23,8 @@ import org.eclipse.lsp4j.InitializeResult;
 import org.eclipse.lsp4j.InitializedParams;
 import org.eclipse.lsp4j.Registration;
 import org.eclipse.lsp4j.RegistrationParams;
-import org.eclipse.lsp4j.ServerCapabilities;
 import org.eclipse.lsp4j.ServerInfo;
-import org.eclipse.lsp4j.TextDocumentSyncKind;
-import org.eclipse.lsp4j.TextDocumentSyncOptions;
 import org.eclipse.lsp4j.WorkspaceFolder;
-import org.eclipse.lsp4j.WorkspaceFoldersOptions;
-import org.eclipse.lsp4j.WorkspaceServerCapabilities;
 import org.eclipse.lsp4j.jsonrpc.messages.Either;
 import org.eclipse.lsp4j.services.LanguageClient;
 import org.eclipse.lsp4j.services.LanguageClientAware;
@@ -45,6 +44,8 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
   private final RulePageFiles pages = new RulePageFiles();
   private final Findings findings;
   private final Checks checks;
+  private final Languages languages;
+  private final Edits edits = new Edits(texts);
   private final DocumentRequests documents;
   private final WorkspaceRequests workspace;
   private LanguageClient client;
@@ -62,8 +63,10 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
     this.end = end;
     this.findings = new Findings(texts, pages, found -> client.publishDiagnostics(found));
     this.checks = new Checks(texts, findings);
-    this.documents = new DocumentRequests(texts, checks, findings);
-    this.workspace = new WorkspaceRequests(texts, checks);
+    EditorWorkspace files = new EditorWorkspace(texts, checks);
+    this.languages = new Languages(List.of(new RuleLanguageService(files)));
+    this.documents = new DocumentRequests(texts, checks, findings, languages, edits);
+    this.workspace = new WorkspaceRequests(texts, checks, languages, files, edits);
   }
 
   @Override
@@ -76,22 +79,10 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
     Optional.ofNullable(params.getProcessId())
         .ifPresent(parent -> ParentWatch.start(parent, () -> end.accept(NOT_ASKED)));
     watches = watches(params);
+    edits.setVersioned(takesVersions(params));
     workspace.begin(folders(params), Settings.of(params.getInitializationOptions()));
     ServerInfo info = new ServerInfo("eventchain", version);
-    return CompletableFuture.completedFuture(new InitializeResult(capabilities(), info));
-  }
-
-  private static ServerCapabilities capabilities() {
-    ServerCapabilities capabilities = new ServerCapabilities();
-    TextDocumentSyncOptions sync = new TextDocumentSyncOptions();
-    sync.setOpenClose(true);
-    sync.setChange(TextDocumentSyncKind.Incremental);
-    capabilities.setTextDocumentSync(sync);
-    WorkspaceFoldersOptions folders = new WorkspaceFoldersOptions();
-    folders.setSupported(true);
-    folders.setChangeNotifications(true);
-    capabilities.setWorkspace(new WorkspaceServerCapabilities(folders));
-    return capabilities;
+    return CompletableFuture.completedFuture(new InitializeResult(Capabilities.all(), info));
   }
 
   @SuppressWarnings("deprecation") // older editors name one folder only, as an address or a path
@@ -115,6 +106,14 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
         .orElse(false);
   }
 
+  private static boolean takesVersions(InitializeParams params) {
+    return Optional.ofNullable(params.getCapabilities())
+        .map(all -> all.getWorkspace())
+        .map(all -> all.getWorkspaceEdit())
+        .map(all -> all.getDocumentChanges())
+        .orElse(false);
+  }
+
   @Override
   public void initialized(InitializedParams params) {
     if (watches) {
@@ -123,7 +122,14 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
           new DidChangeWatchedFilesRegistrationOptions(List.of(all));
       Registration registration =
           new Registration("files", "workspace/didChangeWatchedFiles", options);
-      client.registerCapability(new RegistrationParams(List.of(registration)));
+      client
+          .registerCapability(new RegistrationParams(List.of(registration)))
+          .whenComplete(
+              (done, refused) -> {
+                if (refused != null) {
+                  workspace.watch();
+                }
+              });
     } else {
       workspace.watch();
     }
@@ -155,6 +161,7 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
   public void close() {
     checks.close();
     workspace.close();
+    languages.close();
     pages.close();
   }
 }

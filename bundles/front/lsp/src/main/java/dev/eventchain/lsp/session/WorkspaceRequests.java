@@ -1,32 +1,54 @@
 package dev.eventchain.lsp.session;
 
+import dev.eventchain.editing.Symbol;
+import dev.eventchain.editing.Workspace;
 import dev.eventchain.lsp.check.Checks;
 import dev.eventchain.lsp.check.Settings;
+import dev.eventchain.lsp.language.Languages;
+import dev.eventchain.lsp.language.Protocol;
+import dev.eventchain.lsp.text.Edits;
 import dev.eventchain.lsp.text.OpenTexts;
 import dev.eventchain.lsp.text.Positions;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.CompletableFuture;
+import java.util.stream.Stream;
 import org.eclipse.lsp4j.DidChangeConfigurationParams;
 import org.eclipse.lsp4j.DidChangeWatchedFilesParams;
 import org.eclipse.lsp4j.DidChangeWorkspaceFoldersParams;
 import org.eclipse.lsp4j.FileChangeType;
 import org.eclipse.lsp4j.FileEvent;
+import org.eclipse.lsp4j.Location;
+import org.eclipse.lsp4j.SymbolInformation;
 import org.eclipse.lsp4j.WorkspaceFolder;
+import org.eclipse.lsp4j.WorkspaceSymbol;
+import org.eclipse.lsp4j.WorkspaceSymbolParams;
+import org.eclipse.lsp4j.jsonrpc.messages.Either;
 import org.eclipse.lsp4j.services.WorkspaceService;
 
 /** What an editor says and asks about folders and files that are not open. */
 final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
 
+  private static final int MOST_SYMBOLS = 1000;
+
   private final OpenTexts texts;
   private final Checks checks;
+  private final Languages languages;
+  private final Workspace files;
+  private final Edits edits;
   private final DiskWatch disk;
   private List<Path> folders = List.of();
   private Settings settings = Settings.USUAL;
 
-  WorkspaceRequests(OpenTexts texts, Checks checks) {
+  WorkspaceRequests(
+      OpenTexts texts, Checks checks, Languages languages, Workspace files, Edits edits) {
     this.texts = texts;
     this.checks = checks;
+    this.languages = languages;
+    this.files = files;
+    this.edits = edits;
     this.disk = new DiskWatch(checks);
   }
 
@@ -76,6 +98,44 @@ final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
     if (!others.isEmpty()) {
       checks.appearedOrGone(others);
     }
+  }
+
+  @Override
+  public CompletableFuture<
+          Either<List<? extends SymbolInformation>, List<? extends WorkspaceSymbol>>>
+      symbol(WorkspaceSymbolParams params) {
+    String wanted = params.getQuery().toLowerCase(Locale.ROOT);
+    return languages.later(
+        () ->
+            Either.forRight(
+                files.files().stream()
+                    .flatMap(
+                        file ->
+                            languages
+                                .of(file)
+                                .flatMap(service -> service.analysis(file))
+                                .map(analysis -> named(analysis.symbols(), wanted, file))
+                                .orElse(Stream.of()))
+                    .limit(MOST_SYMBOLS)
+                    .toList()));
+  }
+
+  private Stream<WorkspaceSymbol> named(List<Symbol> symbols, String wanted, Path file) {
+    return symbols.stream()
+        .flatMap(
+            each ->
+                Stream.concat(
+                    each.name().toLowerCase(Locale.ROOT).contains(wanted)
+                        ? Stream.of(symbol(each, file))
+                        : Stream.of(),
+                    named(each.children(), wanted, file)));
+  }
+
+  private WorkspaceSymbol symbol(Symbol symbol, Path file) {
+    return new WorkspaceSymbol(
+        symbol.name(),
+        Protocol.symbolKind(symbol.kind()),
+        Either.forLeft(new Location(edits.uri(file), Positions.of(symbol.nameRange()))));
   }
 
   @Override

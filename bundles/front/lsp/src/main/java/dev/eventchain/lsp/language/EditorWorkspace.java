@@ -1,0 +1,100 @@
+package dev.eventchain.lsp.language;
+
+import dev.eventchain.check.Metamodels;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.diagnostics.UnsavedTexts;
+import dev.eventchain.editing.Workspace;
+import dev.eventchain.lsp.check.Checks;
+import dev.eventchain.lsp.text.OpenText;
+import dev.eventchain.lsp.text.OpenTexts;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.eclipse.emf.ecore.EPackage;
+
+/** The files and open texts of a session, as the services of languages see them. */
+public final class EditorWorkspace implements Workspace {
+
+  /** A text, and what it was made from: an open text, or the state of a file. */
+  private record Known(Object state, SourceText text) {}
+
+  /** Metamodels, and the texts that they were read from. */
+  private record Loaded(List<SourceText> from, List<EPackage> packages) {}
+
+  private final OpenTexts texts;
+  private final Checks checks;
+  private final Map<Path, Known> known = new HashMap<>();
+  private final Map<List<Path>, Loaded> loaded = new HashMap<>();
+
+  /** Creates the workspace of a session. */
+  public EditorWorkspace(OpenTexts texts, Checks checks) {
+    this.texts = texts;
+    this.checks = checks;
+  }
+
+  @Override
+  public List<Path> files() {
+    Set<Path> all = new TreeSet<>(checks.files().all());
+    texts.all().stream().map(OpenText::path).forEach(all::add);
+    return List.copyOf(all);
+  }
+
+  @Override
+  public synchronized Optional<SourceText> text(Path file) {
+    Optional<OpenText> open = texts.of(file);
+    Object state = open.isPresent() ? open.get() : stateOf(file);
+    Known before = known.get(file);
+    if (before != null && before.state().equals(state)) {
+      return Optional.of(before.text());
+    }
+    Optional<SourceText> text =
+        open.map(each -> SourceText.of(file.toString(), each.withoutMark())).or(() -> read(file));
+    text.ifPresentOrElse(it -> known.put(file, new Known(state, it)), () -> known.remove(file));
+    return text;
+  }
+
+  private static Optional<SourceText> read(Path file) {
+    try {
+      return Optional.of(SourceText.read(file));
+    } catch (DiagnosticException e) {
+      return Optional.empty(); // a finding says why
+    }
+  }
+
+  /** Returns what tells versions of a file apart. */
+  private static String stateOf(Path file) {
+    try {
+      BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
+      return attributes.lastModifiedTime() + " " + attributes.size();
+    } catch (IOException e) {
+      return "";
+    }
+  }
+
+  @Override
+  public synchronized List<EPackage> metamodels(Path file) {
+    List<Path> ecores = checks.metamodels(file);
+    List<SourceText> from = new ArrayList<>();
+    ecores.forEach(each -> text(each).ifPresent(from::add));
+    Loaded before = loaded.get(ecores);
+    if (before == null || !isSame(before.from(), from)) {
+      List<EPackage> packages = UnsavedTexts.during(texts.overlay(), () -> Metamodels.of(ecores));
+      before = new Loaded(from, List.copyOf(packages));
+      loaded.put(ecores, before);
+    }
+    return before.packages();
+  }
+
+  private static boolean isSame(List<SourceText> first, List<SourceText> second) {
+    return first.equals(second); // texts are equal only to themselves
+  }
+}

@@ -1,0 +1,79 @@
+package dev.eventchain.lsp.text;
+
+import dev.eventchain.editing.FileEdit;
+import dev.eventchain.editing.FileRange;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.eclipse.lsp4j.Location;
+import org.eclipse.lsp4j.ResourceOperation;
+import org.eclipse.lsp4j.SnippetTextEdit;
+import org.eclipse.lsp4j.TextDocumentEdit;
+import org.eclipse.lsp4j.TextEdit;
+import org.eclipse.lsp4j.VersionedTextDocumentIdentifier;
+import org.eclipse.lsp4j.WorkspaceEdit;
+import org.eclipse.lsp4j.jsonrpc.messages.Either;
+
+/** Places and changes in files, under the addresses that the editor uses. */
+public final class Edits {
+
+  private final OpenTexts texts;
+  private boolean versioned;
+
+  /** Creates edits of the texts of a session. */
+  public Edits(OpenTexts texts) {
+    this.texts = texts;
+  }
+
+  /** Says whether the editor takes edits of versions, which it refuses if the text has changed. */
+  public void setVersioned(boolean isVersioned) {
+    versioned = isVersioned;
+  }
+
+  /** Returns the address of a file. */
+  public String uri(Path file) {
+    return texts.of(file).map(OpenText::uri).orElseGet(() -> file.toUri().toString());
+  }
+
+  /** Returns places as locations. */
+  public List<Location> locations(List<FileRange> places) {
+    return places.stream()
+        .map(each -> new Location(uri(each.file()), Positions.of(each.range())))
+        .toList();
+  }
+
+  /** Returns edits of any files as one. */
+  public WorkspaceEdit of(List<FileEdit> edits) {
+    Map<Path, List<TextEdit>> files = new LinkedHashMap<>();
+    for (FileEdit each : edits) {
+      files
+          .computeIfAbsent(each.file(), key -> new ArrayList<>())
+          .add(new TextEdit(Positions.of(each.range()), each.newText()));
+    }
+    if (!versioned) {
+      Map<String, List<TextEdit>> changes = new LinkedHashMap<>();
+      files.forEach((file, changed) -> changes.put(uri(file), changed));
+      return new WorkspaceEdit(changes);
+    }
+    WorkspaceEdit edit = new WorkspaceEdit();
+    edit.setDocumentChanges(
+        files.entrySet().stream()
+            .map(
+                each ->
+                    Either.<TextDocumentEdit, ResourceOperation>forLeft(
+                        new TextDocumentEdit(identifier(each.getKey()), edits(each.getValue()))))
+            .toList());
+    return edit;
+  }
+
+  private static List<Either<TextEdit, SnippetTextEdit>> edits(List<TextEdit> given) {
+    return given.stream().map(Either::<TextEdit, SnippetTextEdit>forLeft).toList();
+  }
+
+  private VersionedTextDocumentIdentifier identifier(Path file) {
+    Integer version = texts.of(file).map(OpenText::version).orElse(null);
+    return new VersionedTextDocumentIdentifier(uri(file), version);
+  }
+}
