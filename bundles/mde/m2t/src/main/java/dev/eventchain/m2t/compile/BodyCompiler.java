@@ -146,21 +146,18 @@ final class BodyCompiler {
             .orElse(language.any());
     Optional<SourceRange> declared = loop.variable().flatMap(Syntax.Variable::type);
     EClassifier type = declared.flatMap(expressions::type).orElse(elements);
-    Optional<String> variable = loop.variable().map(v -> v.name().text());
-    Scope inside = scope.with("i", language.type("Integer")).with("self", type);
-    if (variable.isPresent()) {
-      inside = inside.with(variable.get(), type);
-    }
+    Scope inside = inside(loop, type, scope);
     Optional<Expression> guard = condition(loop.decoration().guard(), inside);
     List<Step.Variable> variables = new ArrayList<>();
     Scope withVariables = variables(loop.decoration().variables(), inside, variables);
+    expressions.listener().body(loop.start(), withVariables);
     Step body = body(loop.body(), withVariables);
     Optional<Steps.Decoration> decoration = decoration(loop.decoration(), scope, inside);
     if (items.isEmpty() || decoration.isEmpty()) {
       return NOTHING;
     }
     return new Steps.For(
-        variable,
+        loop.variable().map(each -> each.name().text()),
         declared.isEmpty() ? value -> true : accepts(type),
         type.getName(),
         items.get(),
@@ -170,12 +167,24 @@ final class BodyCompiler {
         body);
   }
 
+  /** Returns the scope inside a loop. */
+  private Scope inside(Syntax.For loop, EClassifier type, Scope scope) {
+    Scope inside = scope.with("i", language.type("Integer")).with("self", type);
+    if (loop.variable().isEmpty()) {
+      return inside;
+    }
+    Syntax.Variable variable = loop.variable().get();
+    expressions.listener().variable(variable, type);
+    return inside.with(variable.name().text(), type, variable.name().start());
+  }
+
   private Step ifStep(Syntax.If choice, Scope scope) {
     List<Steps.If.Branch> branches = new ArrayList<>();
     for (Syntax.Branch branch : choice.branches()) {
       List<Step.Variable> variables = new ArrayList<>();
       Optional<Expression> condition = condition(Optional.of(branch.condition()), scope);
       Scope inside = variables(branch.variables(), scope, variables);
+      expressions.listener().body(branch.start(), inside);
       Step body = body(branch.body(), inside);
       condition.ifPresent(c -> branches.add(new Steps.If.Branch(c, variables, body)));
     }
@@ -193,9 +202,11 @@ final class BodyCompiler {
               : expressions.type(binding.variable().type().get());
       String name = binding.variable().name().text();
       List<Step.Variable> variables = new ArrayList<>();
-      Scope inside =
-          scope.with(name, type.or(() -> value.map(Expression::type)).orElse(language.any()));
+      EClassifier known = type.or(() -> value.map(Expression::type)).orElse(language.any());
+      expressions.listener().variable(binding.variable(), known);
+      Scope inside = scope.with(name, known, binding.variable().name().start());
       Scope withVariables = variables(binding.variables(), inside, variables);
+      expressions.listener().body(binding.start(), withVariables);
       Step body = body(binding.body(), withVariables);
       if (value.isPresent() && type.isPresent()) {
         bindings.add(
@@ -274,7 +285,8 @@ final class BodyCompiler {
               ? expressions.type(variable.type().get())
               : value.map(Expression::type);
       String name = variable.name().text();
-      inside = inside.with(name, type.orElse(language.any()));
+      inside = inside.with(name, type.orElse(language.any()), variable.name().start());
+      expressions.listener().variable(variable, type.orElse(language.any()));
       if (value.isPresent() == variable.value().isPresent()) {
         into.add(new Step.Variable(name, value));
       }

@@ -21,7 +21,8 @@ import org.eclipse.ocl.types.AnyType;
 import org.eclipse.ocl.types.TupleType;
 
 /** Parser and checker of the expressions and types of one module. */
-record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage usage) {
+record ExpressionCompiler(
+    ExpressionLanguage language, Problems problems, Usage usage, ExpressionListener listener) {
 
   /** Test for instances of a class. */
   private static final class Instances implements Predicate<Object> {
@@ -63,6 +64,7 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
   /** Parses an expression; empty, after a report, if it is invalid. */
   Optional<Expression> parse(SourceRange span, Scope scope) {
     SourceRange inside = span.strip();
+    listener.expression(inside, scope);
     if (inside.isEmpty()) {
       problems.syntax(span.start(), "An expression is missing here.", "");
       return Optional.empty();
@@ -125,6 +127,7 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
 
   /** Parses a type; empty, after a report, if it is unknown. */
   Optional<EClassifier> type(SourceRange span) {
+    listener.type(span);
     return language.type(span, problems.found());
   }
 

@@ -46,7 +46,7 @@ public final class Linker {
   /**
    * A module being linked: its declarations, the visible callables, and its expression language.
    */
-  private record Unit(
+  record Unit(
       ModuleLoader.Loaded loaded,
       CallLibrary calls,
       ExpressionCompiler expressions,
@@ -66,7 +66,7 @@ public final class Linker {
   private final Services services;
   private final Usage usage = new Usage();
 
-  private Linker(Collection<EPackage> packages, Services services) {
+  Linker(Collection<EPackage> packages, Services services) {
     this.packages = packages;
     this.services = services;
   }
@@ -75,20 +75,27 @@ public final class Linker {
   public static List<Template> link(
       Map<String, ModuleLoader.Loaded> modules, Collection<EPackage> packages, Services services) {
     Linker linker = new Linker(packages, services);
-    modules.forEach((name, loaded) -> linker.units.put(name, linker.unit(loaded)));
-    linker.units.values().forEach(linker::declare);
-    linker.units.values().forEach(linker::connect);
-    linker.units.values().forEach(linker::override);
+    linker.declare(modules);
     linker.units.values().forEach(linker::define);
     linker.lint();
     return List.copyOf(linker.units.values().iterator().next().templates().values());
+  }
+
+  /** Declares what the modules have, and makes it visible, without the bodies. */
+  Map<String, Unit> declare(Map<String, ModuleLoader.Loaded> modules) {
+    modules.forEach((name, loaded) -> units.put(name, unit(loaded)));
+    units.values().forEach(this::declare);
+    units.values().forEach(this::connect);
+    units.values().forEach(this::override);
+    return units;
   }
 
   private Unit unit(ModuleLoader.Loaded loaded) {
     CallLibrary calls = new CallLibrary();
     ExpressionLanguage language =
         ExpressionLanguage.of(metamodels(loaded), AcceleoDialect.of(calls, services));
-    ExpressionCompiler expressions = new ExpressionCompiler(language, loaded.problems(), usage);
+    ExpressionCompiler expressions =
+        new ExpressionCompiler(language, loaded.problems(), usage, ExpressionListener.NONE);
     return new Unit(loaded, calls, expressions, new LinkedHashMap<>(), new LinkedHashMap<>());
   }
 
@@ -296,13 +303,14 @@ public final class Linker {
         });
   }
 
-  private void define(Syntax.Query syntax, Query query, Unit unit) {
+  void define(Syntax.Query syntax, Query query, Unit unit) {
     usage.enter(query);
     if (syntax.value().strip().isEmpty()) {
       defineNothing(syntax, query, unit);
       return;
     }
-    Optional<Expression> value = unit.expressions().parse(syntax.value(), scope(query, unit));
+    Optional<Expression> value =
+        unit.expressions().parse(syntax.value(), scope(query, syntax.parameters(), unit));
     if (value.isEmpty()) {
       return;
     }
@@ -336,9 +344,9 @@ public final class Linker {
     query.define(unit.expressions().nothing());
   }
 
-  private void define(Syntax.Template syntax, Template template, Unit unit) {
+  void define(Syntax.Template syntax, Template template, Unit unit) {
     usage.enter(template);
-    Scope scope = scope(template, unit);
+    Scope scope = scope(template, syntax.parameters(), unit);
     BodyCompiler compiler = new BodyCompiler(unit.expressions(), template);
     Optional<Expression> guard = compiler.condition(syntax.guard(), scope);
     EClassifier text = unit.expressions().language().type("String");
@@ -346,6 +354,7 @@ public final class Linker {
         syntax.post().flatMap(span -> unit.expressions().parse(span, scope.with("self", text)));
     List<Step.Variable> variables = new ArrayList<>();
     Scope inside = compiler.variables(syntax.variables(), scope, variables);
+    unit.expressions().listener().body(syntax.name().start(), inside);
     Step body = compiler.body(syntax.body(), inside);
     template.define(new Template.Definition(guard, post, List.copyOf(variables), body));
   }
@@ -376,13 +385,14 @@ public final class Linker {
   }
 
   /** Returns a scope with the parameters, the first of which is also self. */
-  private static Scope scope(Callable callable, Unit unit) {
+  private static Scope scope(Callable callable, List<Syntax.Variable> declared, Unit unit) {
     Scope scope = unit.expressions().language().root();
     if (!callable.parameters().isEmpty()) {
       scope = scope.with("self", callable.parameters().get(0).type());
     }
-    for (Parameter parameter : callable.parameters()) {
-      scope = scope.with(parameter.name(), parameter.type());
+    for (int i = 0; i < declared.size(); i++) {
+      Parameter parameter = callable.parameters().get(i);
+      scope = scope.with(parameter.name(), parameter.type(), declared.get(i).name().start());
     }
     return scope;
   }

@@ -4,6 +4,7 @@ import dev.eventchain.m2t.run.GenerationRun;
 import dev.eventchain.ocl.dialect.OperationLibrary;
 import dev.eventchain.ocl.dialect.TypeSystem;
 import dev.eventchain.ocl.evaluation.Evaluation;
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -141,6 +142,52 @@ public final class OperationTable implements OperationLibrary {
       }
     }
     return Optional.empty();
+  }
+
+  @Override
+  public List<Signature> signatures(TypeSystem language, EClassifier source) {
+    return source == null
+        ? List.of()
+        : ROWS.values().stream()
+            .flatMap(List::stream)
+            .filter(row -> Character.isLetter(row.name().charAt(0)))
+            .filter(row -> is(row.source(), source, language))
+            .map(row -> signature(row, source, language))
+            .toList();
+  }
+
+  private static Signature signature(Row row, EClassifier source, TypeSystem language) {
+    List<String> parameters = new ArrayList<>();
+    for (Kind each : row.arguments()) {
+      parameters.add(nameOf(each));
+    }
+    // What such an operation gives is of the type that a call names.
+    boolean named = row.arguments().contains(Kind.TYPE);
+    List<EClassifier> types = row.arguments().stream().map(each -> typeOf(each, language)).toList();
+    String result = named ? "" : row.result().of(new Types(language, source, types)).getName();
+    return new Signature(row.name(), parameters, result, "");
+  }
+
+  private static EClassifier typeOf(Kind kind, TypeSystem language) {
+    return switch (kind) {
+      case TEXT, SURELY_TEXT -> language.type("String");
+      case INTEGER -> language.type("Integer");
+      case REAL -> language.type("Real");
+      case COLLECTION, ORDERED -> language.sequenceOf(language.any());
+      case TYPE, ANY -> language.any();
+    };
+  }
+
+  private static String nameOf(Kind kind) {
+    return switch (kind) {
+      case TEXT, SURELY_TEXT -> "text : String";
+      case INTEGER -> "number : Integer";
+      case REAL -> "number : Real";
+      case COLLECTION -> "values : Collection";
+      case ORDERED -> "values : Sequence";
+      case TYPE -> "type : Type";
+      case ANY -> "value : OclAny";
+    };
   }
 
   /** Returns the names that are identifiers. */

@@ -28,7 +28,11 @@ final class BlockParser {
   /** True if the current block is in a protected area of its file. */
   private boolean inArea;
 
-  BlockParser(Problems problems, List<Token> tokens, List<Syntax.Text> texts) {
+  /** True to keep the body of a block whose tag cannot be read. */
+  private final boolean keepsBodies;
+
+  BlockParser(Problems problems, List<Token> tokens, List<Syntax.Text> texts, boolean keepsBodies) {
+    this.keepsBodies = keepsBodies;
     this.problems = problems;
     this.tokens = tokens;
     this.texts = texts;
@@ -159,7 +163,7 @@ final class BlockParser {
     Decoration decoration = inside.isEmpty() ? NONE : reader.decoration();
     List<Node> body = body();
     if (inside.isEmpty()) {
-      return Optional.empty();
+      return bodyOnly(token, body);
     }
     HeaderReader items = new HeaderReader(problems, inside.get());
     Optional<Variable> variable = Optional.empty();
@@ -170,9 +174,16 @@ final class BlockParser {
     SourceRange collection = items.rest();
     if (collection.isEmpty()) {
       items.unexpected("a collection");
-      return Optional.empty();
+      return bodyOnly(token, body);
     }
     return Optional.of(new Syntax.For(token.start(), variable, collection, decoration, body));
+  }
+
+  /** Returns the body of a block whose tag cannot be read, for editors; otherwise nothing. */
+  private Optional<Node> bodyOnly(Token token, List<Node> body) {
+    return keepsBodies
+        ? Optional.of(new Syntax.If(token.start(), List.of(), body))
+        : Optional.empty();
   }
 
   private boolean declaresVariable(SourceRange span) {
@@ -256,7 +267,7 @@ final class BlockParser {
     reader.expectEnd("the end of the tag");
     List<Node> body = body(false);
     if (inside.isEmpty()) {
-      return Optional.empty();
+      return bodyOnly(token, body);
     }
     HeaderReader arguments = new HeaderReader(problems, inside.get());
     SourceRange name = arguments.until(",");
@@ -267,7 +278,7 @@ final class BlockParser {
     arguments.expectEnd("no more than a name, a mode and a charset");
     if (name.isEmpty()) {
       problems.syntax(token.start(), "The file has no name.", "");
-      return Optional.empty();
+      return bodyOnly(token, body);
     }
     return Optional.of(new Syntax.File(token.start(), name, mode, charset, body));
   }
@@ -293,7 +304,7 @@ final class BlockParser {
     }
     List<Node> body = body(true);
     if (id.isEmpty()) {
-      return Optional.empty();
+      return bodyOnly(token, body);
     }
     warnOfTextBehindTheId(token, tokens.get(next));
     return Optional.of(new Syntax.Protected(token.start(), id.get(), startPrefix, endPrefix, body));

@@ -17,11 +17,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.charset.UnsupportedCharsetException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -45,7 +47,11 @@ public final class ModuleLoader {
   private final List<Diagnostic> found;
   private final Map<String, Loaded> modules = new LinkedHashMap<>();
 
-  private ModuleLoader(ModuleSources sources, List<Diagnostic> found) {
+  private final Function<Problems, Syntax.Module> parser;
+
+  private ModuleLoader(
+      ModuleSources sources, List<Diagnostic> found, Function<Problems, Syntax.Module> parser) {
+    this.parser = parser;
     this.sources = sources;
     this.found = found;
   }
@@ -53,9 +59,33 @@ public final class ModuleLoader {
   /** Returns all modules by the names of their texts; the main one first. */
   public static Map<String, Loaded> load(
       SourceText main, ModuleSources sources, List<Diagnostic> found) {
-    ModuleLoader loader = new ModuleLoader(sources, found);
+    return load(main, sources, found, ModuleParser::parse);
+  }
+
+  /**
+   * As {@link #load(SourceText, ModuleSources, List)}, for editors, which know the modules of texts
+   * that have not changed; without findings.
+   *
+   * @param parser returns the module of a text, such as {@link #understand}
+   */
+  public static Map<String, Loaded> load(
+      SourceText main, ModuleSources sources, Function<SourceText, Syntax.Module> parser) {
+    return load(main, sources, new ArrayList<>(), problems -> parser.apply(problems.source()));
+  }
+
+  private static Map<String, Loaded> load(
+      SourceText main,
+      ModuleSources sources,
+      List<Diagnostic> found,
+      Function<Problems, Syntax.Module> parser) {
+    ModuleLoader loader = new ModuleLoader(sources, found, parser);
     loader.load(main);
     return loader.modules;
+  }
+
+  /** Returns the module of a text as far as it can be read. */
+  public static Syntax.Module understand(SourceText source) {
+    return ModuleParser.understand(source);
   }
 
   /**
@@ -106,7 +136,7 @@ public final class ModuleLoader {
   private void load(SourceText source) {
     Problems problems = new Problems(source, found);
     SourceLocation place = SourceLocation.of(source.name());
-    Syntax.Module module = DiagnosticException.at(place, () -> ModuleParser.parse(problems));
+    Syntax.Module module = DiagnosticException.at(place, () -> parser.apply(problems));
     Loaded loaded = new Loaded(module, problems, new HashMap<>());
     modules.put(source.name(), loaded);
     module.extended().forEach(other -> load(other, loaded));

@@ -2,6 +2,7 @@ package dev.eventchain.m2t.syntax;
 
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.syntax.Syntax.Name;
 import dev.eventchain.m2t.syntax.Syntax.Query;
 import dev.eventchain.m2t.syntax.Syntax.Template;
@@ -30,11 +31,11 @@ final class ModuleParser {
   private Optional<Name> module = Optional.empty();
   private boolean mainComment;
 
-  private ModuleParser(Problems problems, List<Token> tokens) {
+  private ModuleParser(Problems problems, List<Token> tokens, boolean halfTyped) {
     this.problems = problems;
     this.tokens = tokens;
     List<Syntax.Text> texts = WhiteSpace.normalise(problems.source().text(), tokens);
-    this.blocks = new BlockParser(problems, tokens, texts);
+    this.blocks = new BlockParser(problems, tokens, texts, halfTyped);
   }
 
   /** Returns the tree of a file, without invalid parts. */
@@ -46,7 +47,14 @@ final class ModuleParser {
           nul, "The file contains a NUL character, which text never does.", "Remove it.");
     }
     List<Token> tokens = Blocks.balanced(TemplateLexer.tokens(problems), problems);
-    return new ModuleParser(problems, tokens).module();
+    return new ModuleParser(problems, tokens, false).module();
+  }
+
+  /** As {@link #parse}, with the bodies of blocks whose tags cannot be read, and no findings. */
+  static Syntax.Module understand(SourceText source) {
+    Problems lost = Problems.ignored(source);
+    List<Token> tokens = Blocks.balanced(TemplateLexer.tokens(lost), lost);
+    return new ModuleParser(lost, tokens, true).module();
   }
 
   private static void warnOfMixedLineEnds(Problems problems) {

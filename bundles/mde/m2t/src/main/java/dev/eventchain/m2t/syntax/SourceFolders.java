@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -31,6 +32,7 @@ public final class SourceFolders implements ModuleSources {
 
   private final Path main;
   private final List<Path> roots;
+  private final Function<Path, Optional<SourceText>> reader;
 
   /** Files by the names of their texts. */
   private final Map<String, Path> files = new HashMap<>();
@@ -45,18 +47,36 @@ public final class SourceFolders implements ModuleSources {
    * @param roots the source roots named by the user
    */
   public SourceFolders(Path main, List<Path> roots) {
+    this(
+        main,
+        roots,
+        file -> Files.exists(file) ? Optional.of(ModuleLoader.read(file)) : Optional.empty());
+  }
+
+  /**
+   * Creates a resolver of files that may be open in editors.
+   *
+   * @param reader returns the text of a file; empty if there is none
+   */
+  public SourceFolders(Path main, List<Path> roots, Function<Path, Optional<SourceText>> reader) {
     this.main = main.normalize();
     this.roots = List.copyOf(roots);
+    this.reader = reader;
   }
 
   /** Returns the text of the main module. */
   public SourceText main() {
-    return read(main);
+    return read(main).orElseGet(() -> ModuleLoader.read(main)); // which says what is wrong
   }
 
   /** Returns the files that were read, in no order. */
   public Set<Path> files() {
     return Set.copyOf(files.values());
+  }
+
+  /** Returns the file of a text that was read, by the text's name. */
+  public Optional<Path> file(String name) {
+    return Optional.ofNullable(files.get(name));
   }
 
   @Override
@@ -84,7 +104,7 @@ public final class SourceFolders implements ModuleSources {
   }
 
   private Optional<SourceText> first(Stream<Path> candidates) {
-    return candidates.map(Path::normalize).filter(Files::exists).findFirst().map(this::read);
+    return candidates.map(Path::normalize).flatMap(file -> read(file).stream()).findFirst();
   }
 
   /**
@@ -179,13 +199,18 @@ public final class SourceFolders implements ModuleSources {
         : Optional.empty();
   }
 
-  private SourceText read(Path file) {
-    return texts.computeIfAbsent(
-        file.toAbsolutePath().normalize(),
-        any -> {
-          SourceText text = ModuleLoader.read(file);
-          files.put(text.name(), file);
-          return text;
+  private Optional<SourceText> read(Path file) {
+    Path absolute = file.toAbsolutePath().normalize();
+    SourceText known = texts.get(absolute);
+    if (known != null) {
+      return Optional.of(known);
+    }
+    Optional<SourceText> text = reader.apply(file);
+    text.ifPresent(
+        found -> {
+          texts.put(absolute, found);
+          files.put(found.name(), file);
         });
+    return text;
   }
 }

@@ -47,6 +47,32 @@ public final class CallLibrary implements OperationLibrary {
   }
 
   @Override
+  public List<Signature> signatures(TypeSystem language, EClassifier source) {
+    Signatures types = new Signatures(language);
+    return visible.stream()
+        .filter(each -> source == null || takes(each, source, types))
+        .map(each -> signature(each, source == null ? 0 : 1))
+        .toList();
+  }
+
+  private static boolean takes(Callable callable, EClassifier source, Signatures types) {
+    return !callable.parameters().isEmpty()
+        && types.mayFit(source, callable.parameters().get(0).type());
+  }
+
+  private static Signature signature(Callable callable, int from) {
+    List<String> parameters =
+        callable.parameters().subList(from, callable.parameters().size()).stream()
+            .map(each -> each.name() + " : " + each.type().getName())
+            .toList();
+    return new Signature(
+        callable.name(),
+        parameters,
+        callable.resultType().getName(),
+        callable instanceof Query ? "query" : "template");
+  }
+
+  @Override
   public Optional<Operation> lookup(
       TypeSystem language, EClassifier source, String name, List<EClassifier> argumentTypes) {
     return operation(language, source, name, argumentTypes, false);

@@ -20,8 +20,10 @@ import dev.eventchain.ocl.editing.Mention;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.ocl.types.CollectionType;
@@ -70,12 +72,27 @@ public abstract class AssistedText implements Analysis {
   /** Returns the names outside expressions, in the order of the text. */
   protected abstract List<Mention> outerMentions();
 
+  /** Returns the names outside expressions near an offset; those elsewhere may be left out. */
+  protected List<Mention> outerMentionsNear(int offset) {
+    return outerMentions();
+  }
+
   /** Returns the texts in which something may be named that this one can name. */
   protected abstract List<? extends AssistedText> family();
 
   /** Returns what a name that is no variable stands for: each may be declared somewhere. */
   protected List<Object> targets(Mention mention) {
     return mention.target() == null ? List.of() : List.of(mention.target());
+  }
+
+  /**
+   * Returns what has the same name as some targets, and has to keep it: all that is changed
+   * together.
+   *
+   * @param texts the family
+   */
+  protected Set<Object> together(List<Object> targets, List<? extends AssistedText> texts) {
+    return new LinkedHashSet<>(targets);
   }
 
   /** Returns where something is declared that is no variable. */
@@ -135,7 +152,7 @@ public abstract class AssistedText implements Analysis {
   /** Returns the name at a position. */
   protected final Optional<Mention> mentionAt(TextPosition position) {
     int offset = lines.offset(position);
-    return outerMentions().stream()
+    return outerMentionsNear(offset).stream()
         .filter(each -> each.touches(offset))
         .findFirst()
         .or(
@@ -215,13 +232,14 @@ public abstract class AssistedText implements Analysis {
     if (isVariable(mention)) {
       return mention.declaredAt() < 0 ? List.of() : usesOfVariable(mention, declaration);
     }
-    List<Object> wanted = targets(mention);
-    List<FileRange> declared = declarationsOf(mention);
+    List<? extends AssistedText> texts = family();
+    Set<Object> wanted = together(targets(mention), texts);
+    List<FileRange> declared = wanted.stream().flatMap(each -> declaration(each).stream()).toList();
     List<FileRange> found = new ArrayList<>();
     if (declaration) {
       found.addAll(declared);
     }
-    for (AssistedText text : family()) {
+    for (AssistedText text : texts) {
       for (Mention each : text.mentions()) {
         FileRange place = new FileRange(text.file(), text.range(each));
         boolean same = text.targets(each).stream().anyMatch(wanted::contains);
@@ -282,7 +300,7 @@ public abstract class AssistedText implements Analysis {
     String reason =
         isVariable(mention)
             ? Renaming.collision(mention, newName, places(), outerMentions())
-            : targets(mention).stream()
+            : together(targets(mention), family()).stream()
                 .map(each -> collision(each, newName))
                 .filter(each -> !each.isEmpty())
                 .findFirst()
