@@ -26,12 +26,13 @@ class AccExampleTest {
 
   @InTurn
   @Test
-  void everyRequirementIsProvedFromTheRecordings() {
+  void everyRequirementIsProvedFromTheRecordings() throws IOException {
     project
         .run()
         .expect(0)
         .says("PASSED: 19 of 19 scenarios passed, 11 requirements proved")
         .says("0 errors, 0 warnings");
+    Program.requireBoundsHold(project.path());
   }
 
   @InTurn

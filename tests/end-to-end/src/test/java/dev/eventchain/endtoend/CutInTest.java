@@ -114,5 +114,6 @@ class CutInTest {
     ProjectCopy copy = ProjectCopy.of("cut-in", folder);
     Projects.withoutStrength(copy.path());
     copy.run().expect(0).says("PASSED: 9 of 9 scenarios passed, 11 requirements proved");
+    Program.requireBoundsHold(copy.path());
   }
 }

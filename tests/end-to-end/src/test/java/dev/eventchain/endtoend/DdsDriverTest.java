@@ -71,6 +71,7 @@ class DdsDriverTest {
     assertEquals(lockstep.code(), dds.code(), dds.err());
     assertEquals(verdicts, verdicts(dds));
     assertEquals(measured, measurements(project));
+    Program.requireBoundsHold(project);
   }
 
   /** Returns the example with this scenario, or with all of them. */

@@ -21,8 +21,9 @@ class LaneDepartureTest {
 
   @InTurn
   @Test
-  void everyRequirementIsProvedFromTheRecordings() {
+  void everyRequirementIsProvedFromTheRecordings() throws IOException {
     project.run().expect(0).says("PASSED: 15 of 15 scenarios passed, 7 requirements proved");
+    Program.requireBoundsHold(project.path());
   }
 
   @Test

@@ -1,5 +1,9 @@
 package dev.eventchain.endtoend;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.fixtures.InTurn;
 import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
@@ -54,6 +58,19 @@ class LatencyBoundTest {
         .says("warning: 'list_to_brake' allows 115 ms, but with what passes before")
         .says("'Crossing_Prediction' starts up to 122 ms are possible")
         .says("PASSED");
+    JsonNode bound =
+        new ObjectMapper().readTree(folder.resolve("out/latency-bounds.json").toFile()).get(1);
+    assertEquals("list_to_brake", bound.path("constraint").asText());
+    assertEquals(115.0, bound.path("maximum").asDouble());
+    assertEquals(122.0, bound.path("bound").asDouble());
+    assertEquals(40.0, bound.path("before").asDouble());
+    JsonNode first = bound.path("parts").get(0);
+    assertEquals("Crossing_Prediction", first.path("component").asText());
+    assertEquals(25.0, first.path("saved").asDouble());
+    assertEquals(43.0, first.path("largest").asDouble());
+    assertEquals(112.0, bound.path("aligned").path("bound").asDouble());
+    assertEquals(10.0, bound.path("aligned").path("releases").get(1).path("phase").asDouble());
+    assertEquals(111.736, bound.path("measured").path("longest").asDouble());
   }
 
   private void withoutSafeValues(String file, String pattern) throws IOException {

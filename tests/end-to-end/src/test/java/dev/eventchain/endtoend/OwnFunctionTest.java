@@ -45,6 +45,7 @@ class OwnFunctionTest {
         .says("consumes /cluster/collision_warning (std_msgs/msg/Bool) <- Collision_Warning");
     String path = "Radar_Tracking Brake_Request";
     assertEquals(List.of(path, path), Program.slowestPaths(project.path()));
+    Program.requireBoundsHold(project.path());
     assertTrue(
         Files.readString(project.path().resolve("out/report.html")).contains("class=\"passage\""));
   }

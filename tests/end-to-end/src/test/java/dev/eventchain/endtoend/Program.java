@@ -225,6 +225,23 @@ final class Program {
   }
 
   /**
+   * Fails if a latency was measured above what the model makes possible, or if none was measured.
+   * In simulated time, components without a worst-case execution time take none.
+   */
+  static void requireBoundsHold(Path project) throws IOException {
+    JsonNode all = new ObjectMapper().readTree(project.resolve("out/latency-bounds.json").toFile());
+    int measured = 0;
+    for (JsonNode latency : all) {
+      if (latency.has("measured")) {
+        double longest = latency.path("measured").path("longest").asDouble();
+        assertTrue(longest > 0 && longest <= latency.path("known").asDouble(), latency::toString);
+        measured++;
+      }
+    }
+    assertTrue(measured > 0, all::toString);
+  }
+
+  /**
    * Returns a copy of the AEB example without results of runs, and with two scenarios only: they
    * prove all of its requirements, and tests about other features need not wait for the rest.
    */

@@ -58,6 +58,11 @@ class RunTest {
         .says("report.html");
   }
 
+  @Test
+  void noLatencyIsAboveItsBound() throws IOException {
+    Program.requireBoundsHold(project);
+  }
+
   /** Except for times, and the confinement of components on this machine. */
   @Test
   void theReadmeShowsWhatIsPrinted() throws IOException {
@@ -127,6 +132,7 @@ class RunTest {
             "ros2/aeb/aeb/components/ObjectDetection.py",
             "report.html",
             "measurements.json",
+            "latency-bounds.json",
             "measurements.csv",
             "curves/stopped-vehicle-50.csv",
             "verdict.json",
@@ -157,6 +163,7 @@ class RunTest {
             "chain.json",
             "chain.xmi",
             "generated.ocl",
+            "latency-bounds.json",
             "measurements.csv",
             "curves/stopped-vehicle-50.csv",
             "chain.measured.xmi")) {

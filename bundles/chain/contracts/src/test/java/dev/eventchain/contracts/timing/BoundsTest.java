@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.Random;
+import java.util.Set;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
@@ -226,6 +227,50 @@ class BoundsTest {
     assertEquals(55, latency.known());
     PathLatency first = PathLatency.of(LatencyType.REACTION, List.of(unknown));
     assertEquals(List.of(new Gap("fusion", Gap.Kind.RESPONSE)), first.gaps());
+  }
+
+  @Test
+  void periodsAreTradedAgainstTheMaximum() {
+    List<PathLatency> paths =
+        List.of(
+            PathLatency.of(
+                LatencyType.REACTION,
+                List.of(Task.periodic("camera", 50, 10), Task.periodic("brake", 20, 15))),
+            PathLatency.of(
+                LatencyType.REACTION,
+                List.of(Task.periodic("radar", 40, 1), Task.periodic("brake", 20, 15))));
+    Map<String, Sensitivity.Effect> effects = Sensitivity.of(LatencyType.REACTION, paths, 100);
+    assertEquals(new Sensitivity.Effect(50, 19, OptionalLong.of(55)), effects.get("camera"));
+    assertEquals(new Sensitivity.Effect(20, 5, OptionalLong.of(25)), effects.get("brake"));
+    assertEquals(new Sensitivity.Effect(40, 0, OptionalLong.of(64)), effects.get("radar"));
+    assertEquals(
+        OptionalLong.empty(),
+        Sensitivity.of(LatencyType.REACTION, paths, 39).get("brake").largest());
+  }
+
+  /** The end of a data age does not depend on how often the last task is executed. */
+  @Test
+  void periodWithoutEffectIsNotNamed() {
+    List<Task> path = List.of(Task.periodic("camera", 50, 10), Task.periodic("brake", 20, 2));
+    assertEquals(
+        Set.of("camera"),
+        Sensitivity.of(
+                LatencyType.DATA_AGE, List.of(PathLatency.of(LatencyType.DATA_AGE, path)), 100)
+            .keySet());
+  }
+
+  @Test
+  void timersThatFollowEachOtherSaveTheWaitingBetweenThem() {
+    List<Task> path =
+        List.of(
+            Task.periodic("camera", 50, 10),
+            Task.periodic("fusion", 50, 45),
+            Task.periodic("brake", 50, 2));
+    AlignedTimers aligned = AlignedTimers.of(LatencyType.REACTION, path).orElseThrow();
+    assertEquals(Map.of("camera", 0L, "fusion", 10L, "brake", 5L), aligned.phases());
+    assertEquals(50 + 10 + 45 + 2, aligned.bound().time());
+    assertTrue(
+        AlignedTimers.of(LatencyType.REACTION, List.of(Task.onMessage("filter", 1))).isEmpty());
   }
 
   @Test

@@ -30,6 +30,7 @@ public final class StandingResults {
       List.of(
           SimulateStage.MEASUREMENTS,
           SimulateStage.MEASUREMENTS_TABLE,
+          SimulateStage.LATENCY_BOUNDS,
           SimulateStage.MEASURED_MODEL,
           ReportPage.FILE);
 

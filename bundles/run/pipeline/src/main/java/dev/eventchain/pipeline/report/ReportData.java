@@ -74,6 +74,7 @@ public final class ReportData {
     set("validation", validation());
     set("conversations", conversations());
     diagnostics(found);
+    set("latencies", simulated().map(Simulated::latencies).orElse(List.of()));
     data.set("scenarios", before.beside(simulated().map(Simulated::scenarios).orElse(List.of())));
     set("faults", simulated().map(Simulated::faults).orElse(List.of()));
     set("nodes", simulated().map(Simulated::nodes).orElse(List.of()));

@@ -53,6 +53,7 @@ public final class ReportPage {
           "head.js",
           "requirements.js",
           "measurements.js",
+          "bounds.js",
           "report.js");
 
   /** The name of the report among the results of a run. */

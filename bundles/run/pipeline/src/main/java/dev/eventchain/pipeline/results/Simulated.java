@@ -13,6 +13,7 @@ import java.util.OptionalLong;
  * @param python the version of Python
  * @param driver the driver and its speed
  * @param attached the driver of nodes that were started elsewhere, if they were
+ * @param latencies that of the chain, and those of the constraints
  * @param untested the qualified names of constraints that implement a requirement and were not
  *     tested
  * @param requirements the outcome of each requirement; empty in a simulation of some scenarios
@@ -30,6 +31,7 @@ public record Simulated(
     List<Node> nodes,
     List<Hop> hops,
     List<Topic> topics,
+    List<BoundedLatency> latencies,
     List<String> untested,
     List<RequirementOutcome> requirements,
     Optional<String> strength,
@@ -43,6 +45,7 @@ public record Simulated(
     nodes = List.copyOf(nodes);
     hops = List.copyOf(hops);
     topics = List.copyOf(topics);
+    latencies = List.copyOf(latencies);
     untested = List.copyOf(untested);
     requirements = List.copyOf(requirements);
   }

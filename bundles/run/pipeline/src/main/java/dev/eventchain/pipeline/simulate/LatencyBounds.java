@@ -10,6 +10,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.results.BoundedLatency;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.SimulationResult;
 import dev.eventchain.simulation.verdict.Measurements;
@@ -37,12 +38,16 @@ final class LatencyBounds {
    * A latency with its bound.
    *
    * @param constraint the constraint; empty for the latency of the whole chain
+   * @param first the component where it begins
+   * @param last the component where it ends
    * @param components what components alone make of it
    * @param estimate with the messages from outside
    * @param longest the longest time that was measured; empty if none was
    */
   record Bounded(
       Optional<LatencyConstraint> constraint,
+      String first,
+      String last,
       LatencyEstimate components,
       LatencyEstimate estimate,
       Optional<Longest> longest) {
@@ -62,8 +67,21 @@ final class LatencyBounds {
    * The longest measured time.
    *
    * @param time of the messages, without the value latency of components, in ns
+   * @param parts what it consists of, if that is known
    */
-  record Longest(String scenario, long time) {}
+  record Longest(String scenario, long time, List<ScenarioVerdict.Part> parts) {
+
+    private static Longest of(ScenarioVerdict verdict, ScenarioVerdict.Latency latency) {
+      double time = latency.statistics().maximum() - latency.values();
+      // Parts have the value latency in them, which no bound covers.
+      List<ScenarioVerdict.Part> parts = latency.values() > 0 ? List.of() : latency.slowest();
+      return new Longest(verdict.scenario(), Math.round(time * MILLISECOND), parts);
+    }
+
+    private static Longest of(ScenarioVerdict verdict, Measurements.Statistics chain) {
+      return new Longest(verdict.scenario(), Math.round(chain.maximum() * MILLISECOND), List.of());
+    }
+  }
 
   private final List<Bounded> all = new ArrayList<>();
 
@@ -79,12 +97,17 @@ final class LatencyBounds {
     for (int i = 0; i < chain.getLatencyConstraints().size(); i++) {
       LatencyConstraint constraint = chain.getLatencyConstraints().get(i);
       if (constraint.getFirst() != null && constraint.getLast() != null) {
+        int index = i;
         bounds.all.add(
             new Bounded(
                 Optional.of(constraint),
+                constraint.getFirst().getName(),
+                constraint.getLast().getName(),
                 components.of(constraint),
                 timing.of(constraint),
-                longest(result, i)));
+                longest(
+                    result,
+                    verdict -> verdict.latencies().get(index).map(it -> Longest.of(verdict, it)))));
       }
     }
     return bounds;
@@ -95,10 +118,17 @@ final class LatencyBounds {
     Optional<SoftwareNode> first = node(chain, result.measurements().firstNode());
     Optional<SoftwareNode> last = node(chain, result.measurements().lastNode());
     Optional<Longest> longest =
-        longest(result, verdict -> verdict.latency().map(Measurements.Statistics::maximum));
+        longest(result, verdict -> verdict.latency().map(it -> Longest.of(verdict, it)));
     if (first.isPresent() && last.isPresent() && longest.isPresent()) {
       LatencyEstimate estimate = timing.reaction(first.get(), last.get());
-      all.add(new Bounded(Optional.empty(), estimate, estimate, longest));
+      all.add(
+          new Bounded(
+              Optional.empty(),
+              first.get().getName(),
+              last.get().getName(),
+              estimate,
+              estimate,
+              longest));
     }
   }
 
@@ -106,29 +136,16 @@ final class LatencyBounds {
     return chain.getSoftware().stream().filter(node -> name.equals(node.getName())).findFirst();
   }
 
-  /** Returns the longest time that messages took in a constraint. */
-  private static Optional<Longest> longest(SimulationResult result, int constraint) {
-    return longest(
-        result,
-        verdict ->
-            verdict.latencies().get(constraint).map(it -> it.statistics().maximum() - it.values()));
-  }
-
   private static Optional<Longest> longest(
-      SimulationResult result, Function<ScenarioVerdict, Optional<Double>> milliseconds) {
+      SimulationResult result, Function<ScenarioVerdict, Optional<Longest>> ofScenario) {
     return result.verdicts().stream()
-        .flatMap(
-            verdict ->
-                milliseconds
-                    .apply(verdict)
-                    .map(it -> new Longest(verdict.scenario(), Math.round(it * MILLISECOND)))
-                    .stream())
+        .flatMap(verdict -> ofScenario.apply(verdict).stream())
         .max(Comparator.comparingLong(Longest::time));
   }
 
-  /** Returns all of them: first that of the chain, then the constraints in their order. */
-  List<Bounded> all() {
-    return List.copyOf(all);
+  /** Returns all for the report: first that of the chain, then the constraints in their order. */
+  List<BoundedLatency> report() {
+    return all.stream().map(BoundReport::of).toList();
   }
 
   /**

@@ -14,6 +14,7 @@ import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.design.VerdictCorrection;
 import dev.eventchain.pipeline.generate.GeneratedPackage;
 import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.results.BoundedLatency;
 import dev.eventchain.pipeline.results.RequirementOutcome;
 import dev.eventchain.pipeline.results.Simulated;
 import dev.eventchain.pipeline.run.Stage;
@@ -59,12 +60,13 @@ public final class SimulateStage implements StageWork {
   /** The folder of the curves of each scenario. */
   private static final String CURVES = "curves";
 
+  public static final String LATENCY_BOUNDS = "latency-bounds.json";
   public static final String VERDICT = "verdict.json";
   public static final String MEASURED_MODEL = "chain.measured.xmi";
 
   /** Results of all scenarios, which must not be replaced by results of some. */
   private static final List<String> RESULTS =
-      List.of(MEASUREMENTS, MEASUREMENTS_TABLE, VERDICT, MEASURED_MODEL);
+      List.of(MEASUREMENTS, MEASUREMENTS_TABLE, LATENCY_BOUNDS, VERDICT, MEASURED_MODEL);
 
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
@@ -116,7 +118,7 @@ public final class SimulateStage implements StageWork {
     OclResult validation = ProjectChecks.constraints(run).check(measured, locator);
     RuleEvidence evidence = RuleEvidence.of(run, measured, validation);
     found.addAll(evidence.findings());
-    found.addAll(LatencyBounds.of(run, result).findings(run.chain()::locate));
+    List<BoundedLatency> latencies = latencies(run, result, found);
     List<RequirementOutcome> outcomes = outcomes(run, chain, scenarios, result, evidence);
     if (!run.options().isPartial()) {
       addUntested(run, chain, scenarios, result, outcomes, found);
@@ -124,7 +126,7 @@ public final class SimulateStage implements StageWork {
       run.writeResult(VERDICT, verdict(run, chain, result, found, outcomes));
     }
     Coverage coverage = Constraints.coverage(List.of(measuredFile(run)), validation).and(ecore);
-    Simulated report = report(run, result, validation, outcomes, evidence);
+    Simulated report = report(run, result, latencies, validation, outcomes, evidence);
     return new StageResult(details(run, result), results(run, result), found, report, coverage);
   }
 
@@ -135,6 +137,18 @@ public final class SimulateStage implements StageWork {
     run.output().removeAll(CURVES);
     result.curves().forEach((scenario, table) -> run.writeResult(curvesOf(scenario), table));
     run.writeResult(MEASURED_MODEL, XmiStore.toBytes(measured));
+  }
+
+  /** Returns latencies with their bounds, writes them, and adds what is wrong with them. */
+  private static List<BoundedLatency> latencies(
+      RunContext run, SimulationResult result, List<Diagnostic> found) {
+    LatencyBounds bounds = LatencyBounds.of(run, result);
+    found.addAll(bounds.findings(run.chain()::locate));
+    List<BoundedLatency> latencies = bounds.report();
+    if (!run.options().isPartial()) {
+      run.writeResult(LATENCY_BOUNDS, SimulationReport.pretty(latencies));
+    }
+    return latencies;
   }
 
   private static String curvesOf(String scenario) {
@@ -156,11 +170,13 @@ public final class SimulateStage implements StageWork {
   private static Simulated report(
       RunContext run,
       SimulationResult result,
+      List<BoundedLatency> latencies,
       OclResult validation,
       List<RequirementOutcome> outcomes,
       RuleEvidence evidence) {
     return SimulationReport.of(
         result,
+        latencies,
         evidence.untestedConstraints(),
         run.options().isPartial() ? List.of() : outcomes,
         RequirementStrength.limited(run, result),

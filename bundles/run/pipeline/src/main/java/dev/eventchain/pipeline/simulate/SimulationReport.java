@@ -9,6 +9,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.pipeline.results.BoundedLatency;
 import dev.eventchain.pipeline.results.Criterion;
 import dev.eventchain.pipeline.results.RequirementOutcome;
 import dev.eventchain.pipeline.results.ResultJson;
@@ -45,6 +46,7 @@ public final class SimulationReport {
   /**
    * Returns the simulation's part of the report.
    *
+   * @param latencies with their bounds
    * @param untested the qualified names of untested constraints
    * @param outcomes the outcome of each requirement; empty in a simulation of some scenarios
    * @param strength why the strength of requirements was not measured, or the size of its sample;
@@ -53,6 +55,7 @@ public final class SimulationReport {
    */
   static Simulated of(
       SimulationResult result,
+      List<BoundedLatency> latencies,
       List<String> untested,
       List<RequirementOutcome> outcomes,
       Optional<String> strength,
@@ -70,6 +73,7 @@ public final class SimulationReport {
         result.measurements().nodes().stream().map(SimulationReport::node).toList(),
         flow.hops().stream().map(SimulationReport::hop).toList(),
         flow.topics().stream().map(SimulationReport::topic).toList(),
+        latencies,
         untested,
         outcomes,
         strength,
@@ -184,16 +188,17 @@ public final class SimulationReport {
     }
   }
 
-  private static byte[] pretty(VerdictFile verdict) {
+  /** Returns a result as JSON for people to read. */
+  static byte[] pretty(Object result) {
     DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
     DefaultPrettyPrinter printer =
         new DefaultPrettyPrinter().withObjectIndenter(indenter).withArrayIndenter(indenter);
     try {
       String text =
-          new ObjectMapper().writer(printer).writeValueAsString(ResultJson.tree(verdict)) + "\n";
+          new ObjectMapper().writer(printer).writeValueAsString(ResultJson.tree(result)) + "\n";
       return text.getBytes(StandardCharsets.UTF_8);
     } catch (JsonProcessingException e) {
-      throw new IllegalStateException("a verdict is plain data", e);
+      throw new IllegalStateException("a result is plain data", e);
     }
   }
 

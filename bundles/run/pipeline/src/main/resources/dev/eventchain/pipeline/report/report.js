@@ -206,6 +206,7 @@ function page() {
   completeChain();
   completeSilence();
   completeMeasurements();
+  completeBounds();
   completeFlow();
   if (verdictOf(record(data.project)) !== "passed") {
     ["chain", "validation", "measurements", "stages", "conversations", "provenance"].filter((id) => !isToldThere(id)).forEach(foldSection);

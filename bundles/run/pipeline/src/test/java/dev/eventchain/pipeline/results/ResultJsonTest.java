@@ -53,14 +53,23 @@ class ResultJsonTest {
           "executionTime",
           "hostExecutionTime",
           "timesWorstCase",
-          "waiting",
+          "waiting of hops",
           "age",
           "samples",
           "tooOld",
           "late",
           "published of topics",
           "dropped",
-          "lost");
+          "lost",
+          "constraint of latencies",
+          "maximum of latencies",
+          "bound of latencies",
+          "assumes of latencies",
+          "aligned of latencies",
+          "measured of latencies",
+          "period of parts",
+          "saved of parts",
+          "largest of parts");
 
   private static final Set<Stage> SAMPLES =
       Set.of(Stage.IMPLEMENT, Stage.VALIDATE, Stage.GENERATE, Stage.SIMULATE);
