@@ -65,7 +65,8 @@ final class Findings {
     add(Severity.INFO, rule, place, message, hint, related);
   }
 
-  private void add(
+  /** Adds a finding of a severity that depends on what it is about. */
+  void add(
       Severity severity,
       ContractRule rule,
       SourceLocation place,

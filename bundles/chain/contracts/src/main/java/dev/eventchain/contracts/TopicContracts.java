@@ -1,10 +1,12 @@
 package dev.eventchain.contracts;
 
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.RosNames;
 import dev.eventchain.model.DataFlowIndex;
 import dev.eventchain.model.Signal;
+import dev.eventchain.model.eventchain.ComponentImplementation;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventchainPackage.Literals;
 import java.util.Collection;
@@ -261,7 +263,10 @@ final class TopicContracts {
         if (flow.producers(data).isEmpty()) {
           Endpoint publisher = topic.publishers().get(0);
           Set<String> set = fieldsThatAreSet(topic, data.getMessageType());
-          findings.error(
+          // A node as it is may know what to do without it.
+          boolean asItIs = subscriber.node().getImplementation() == ComponentImplementation.NODE;
+          findings.add(
+              asItIs ? Severity.WARNING : Severity.ERROR,
               ContractRule.FIELD_UNSET,
               findings.at(data, Literals.DATA__FIELD_NAME),
               "%s reads the field '%s' of %s, which %s does not set."

@@ -95,22 +95,44 @@ public final class SoftwareBaseFiles {
   private List<DescribedEndpoint> endpoints(FoundNode node) {
     List<DescribedEndpoint> all = new ArrayList<>();
     for (FoundEndpoint endpoint : node.endpoints()) {
-      type(endpoint)
-          .ifPresent(
-              type -> {
-                Optional<List<MessageFields.Leaf>> used =
-                    endpoint.fields().flatMap(paths -> fields.of(type, paths));
-                if (used.isEmpty() && fields.all(type).size() > 1) {
-                  ask(
-                      "Which fields of %s on %s does %s use? All are taken."
-                          .formatted(endpoint.type(), endpoint.topic(), node.name()),
-                      endpoint.file(),
-                      endpoint.line());
-                }
-                DescribedEndpoint.add(endpoint, used.orElseGet(() -> fields.all(type)), all);
-              });
+      Optional<MessageType> type = type(endpoint);
+      List<MessageFields.Leaf> used = type.map(it -> used(node, endpoint, it)).orElse(List.of());
+      if (!used.isEmpty()) {
+        DescribedEndpoint.add(endpoint, used, all);
+      }
     }
     return all;
+  }
+
+  /**
+   * Returns the fields that a node uses, as far as that is known; none of a type without fields.
+   * Where only the arrival of a message matters, its first field stands for it.
+   */
+  private List<MessageFields.Leaf> used(FoundNode node, FoundEndpoint endpoint, MessageType type) {
+    List<MessageFields.Leaf> all = fields.all(type);
+    Optional<List<MessageFields.Leaf>> used =
+        endpoint.fields().flatMap(paths -> fields.of(type, paths));
+    if (all.isEmpty()) {
+      ask(
+          "%s on %s has no fields, so that no chain has it. Does it matter to %s?"
+              .formatted(endpoint.type(), endpoint.topic(), node.name()),
+          endpoint.file(),
+          endpoint.line());
+    } else if (used.isEmpty() && all.size() > 1) {
+      ask(
+          "Which fields of %s on %s does %s use? All are taken."
+              .formatted(endpoint.type(), endpoint.topic(), node.name()),
+          endpoint.file(),
+          endpoint.line());
+    } else if (used.filter(List::isEmpty).isPresent()) {
+      ask(
+          "Which fields of %s on %s does %s use? None was found, and '%s' stands for its messages."
+              .formatted(endpoint.type(), endpoint.topic(), node.name(), all.get(0).path()),
+          endpoint.file(),
+          endpoint.line());
+      return List.of(all.get(0));
+    }
+    return used.orElse(all);
   }
 
   private Optional<MessageType> type(FoundEndpoint endpoint) {

@@ -67,7 +67,7 @@ public final class Workspace {
         start.isPresent()
             ? nodes.launched(LaunchRun.of(start.get(), sources, questions))
             : nodes.alone();
-    return new FoundSoftware(found, files.modules(), List.copyOf(questions));
+    return new FoundSoftware(found, files.modules(found), List.copyOf(questions));
   }
 
   private RosFolder list() {

@@ -14,8 +14,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.regex.Pattern;
 
 /** The files of a workspace that say something about its nodes, as texts. */
@@ -69,8 +71,13 @@ final class WorkspaceFiles {
     return request;
   }
 
-  /** Returns the modules of Python packages, by their files below the folder of the packages. */
-  SortedMap<String, String> modules() {
+  /**
+   * Returns the modules of Python packages, and those beside nodes that are in none, by their files
+   * below the folder of the packages.
+   */
+  SortedMap<String, String> modules(List<FoundNode> nodes) {
+    Set<String> folders = new TreeSet<>();
+    nodes.forEach(node -> node.python().ifPresent(it -> folders.add(folder(it.file()))));
     SortedMap<String, String> all = new TreeMap<>();
     for (JsonNode each : packages) {
       for (JsonNode module : each.path("python")) {
@@ -81,8 +88,15 @@ final class WorkspaceFiles {
     SortedMap<String, String> modules = new TreeMap<>(all);
     modules
         .keySet()
-        .removeIf(file -> !all.containsKey(file.replaceFirst("/.*", "") + "/__init__.py"));
+        .removeIf(
+            file ->
+                !all.containsKey(file.replaceFirst("/.*", "") + "/__init__.py")
+                    && !folders.contains(folder(file)));
     return modules;
+  }
+
+  private static String folder(String file) {
+    return file.replaceFirst("[^/]*$", "");
   }
 
   /** Returns the launch files in XML and YAML, by their names. */
@@ -124,10 +138,20 @@ final class WorkspaceFiles {
     } else if (CPP.matcher(simple).matches()) {
       text(file).ifPresent(it -> put(json, "cpp", it));
     } else if (simple.endsWith(".py")) {
-      String path = owner.folder().relativize(file).toString();
-      String name = path.substring(0, path.length() - 3).replace('\\', '/').replace('/', '.');
-      text(file).ifPresent(it -> module(json, "python", it, name));
+      text(file).ifPresent(it -> module(json, "python", it, moduleOf(owner, file)));
     }
+  }
+
+  /**
+   * Returns the name of a module. Several packages may have a folder {@code scripts}, so what is in
+   * no Python package is named after the package of ROS.
+   */
+  private static String moduleOf(RosPackage owner, Path file) {
+    Path path = owner.folder().relativize(file);
+    String name = path.toString().replaceFirst("\\.py$", "").replace('\\', '/').replace('/', '.');
+    boolean packaged =
+        Files.isRegularFile(owner.folder().resolve(path.getName(0)).resolve("__init__.py"));
+    return packaged ? name : owner.name() + "." + name;
   }
 
   private static void put(ObjectNode json, String part, SourceText text) {

@@ -1,13 +1,16 @@
-"""Executables of Python packages: the console scripts of setup.py and setup.cfg, and the nodes that they make."""
+"""Executables in Python, and the nodes that they make: console scripts of setup.py and setup.cfg, programs of CMake."""
 
 from __future__ import annotations
 
 import ast
 import configparser
+import itertools
+import re
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from python_nodes import NodeClass
-from source_modules import FUNCTIONS, Function, Module, Modules, Question
+from source_modules import FUNCTIONS, Module, Modules, Question
 
 
 class Executable(NamedTuple):
@@ -19,6 +22,88 @@ class Executable(NamedTuple):
     function: str
     file: str
     line: int
+
+
+class Program(NamedTuple):
+    """A Python file that a CMakeLists.txt installs under a name; the path is that of the workspace."""
+
+    name: str
+    path: str
+    line: int
+
+
+_COMMAND = re.compile(r"\b(set|project|install)\s*\(([^)]*)\)", re.IGNORECASE)
+_VARIABLE = re.compile(r"\$\{(\w+)\}")
+
+
+def of_cmake(file: str, text: str, modules: Modules, questions: list[Question]) -> Iterator[Program]:
+    """Find the Python programs that a CMakeLists.txt installs below `lib`, with variables that it sets itself."""
+    plain = re.sub(r"#[^\n]*", "", text)
+    folder = file.rpartition("/")[0]
+    variables = {"CMAKE_CURRENT_SOURCE_DIR": ".", "CMAKE_SOURCE_DIR": ".", "PROJECT_SOURCE_DIR": "."}
+    for match in _COMMAND.finditer(plain):
+        words = _expanded(match[2], variables).replace('"', " ").split()
+        command = match[1].lower()
+        if command == "project" and words:
+            variables["PROJECT_NAME"] = words[0]
+        elif command == "set" and words:
+            variables[words[0]] = " ".join(words[1:])
+        elif command == "install" and "DESTINATION" in words and _option(words, "DESTINATION").startswith("lib"):
+            line = plain.count("\n", 0, match.start()) + 1
+            yield from _installed(folder, file, line, words, modules, questions)
+
+
+def _expanded(text: str, variables: dict[str, str]) -> str:
+    """Return a text with known variables; those in their values are expanded, too, a few times."""
+    for _ in range(4):
+        text = _VARIABLE.sub(lambda found: variables.get(found[1], found[0]), text)
+    return text
+
+
+def _option(words: list[str], name: str) -> str:
+    return next((value for key, value in itertools.pairwise(words) if key == name), "")
+
+
+def _installed(
+    folder: str, file: str, line: int, words: list[str], modules: Modules, questions: list[Question]
+) -> Iterator[Program]:
+    paths = words[1 : min(words.index(each) for each in words if each.isupper() and each != words[0])]
+    for path in paths:
+        if "$" in path:
+            text = f"Which programs does this install? '{path}' is not set in this file."
+            questions.append(Question(file, line, text))
+        elif words[0] == "PROGRAMS" and not path.endswith(".py"):
+            text = f"What does the program '{path}' do? By its name it is no Python file, and it is not read."
+            questions.append(Question(file, line, text))
+        elif words[0] == "PROGRAMS":
+            name = _option(words, "RENAME") or path.rpartition("/")[2]
+            yield Program(name, _joined(folder, path), line)
+        elif words[0] == "DIRECTORY":
+            below = _joined(folder, path).rstrip("/") + "/"
+            for module in modules.all:
+                if module.file.startswith(below) and module.starts:
+                    yield Program(module.file.rpartition("/")[2], module.file, line)
+
+
+def _joined(folder: str, path: str) -> str:
+    parts = [part for part in [*folder.split("/"), *path.split("/")] if part not in ("", ".")]
+    return "/".join(parts)
+
+
+def nodes_of_program(
+    program: Program, file: str, modules: Modules, nodes: list[NodeClass], questions: list[Question]
+) -> list[NodeClass]:
+    """Return the nodes that a program makes, in its order."""
+    module = next((each for each in modules.all if each.file == program.path), None)
+    if module is None:
+        text = f"What does the program '{program.name}' run? {program.path} is no Python file that was read."
+        questions.append(Question(file, program.line, text))
+        return []
+    found = _made(module, list(module.run), modules, nodes)
+    if not found:
+        text = f"Which nodes does the executable '{program.name}' make? None that is a class of this workspace."
+        questions.append(Question(module.file, 1, text))
+    return found
 
 
 def of_setup_py(package: str, file: str, text: str, questions: list[Question]) -> list[Executable]:
@@ -73,17 +158,18 @@ def nodes_of(
         text = f"What does the executable '{executable.name}' run? {executable.module} has no {executable.function}()."
         questions.append(Question(executable.file, executable.line, text))
         return []
-    found = _made(owner[0], function, modules, nodes)
+    found = _made(owner[0], [function], modules, nodes)
     if not found:
         text = f"Which nodes does the executable '{executable.name}' make? None that is a class of this workspace."
         questions.append(owner[0].question(function, text))
     return found
 
 
-def _made(module: Module, function: Function, modules: Modules, nodes: list[NodeClass]) -> list[NodeClass]:
-    """Return the nodes that a function makes, itself or in functions of its module that it calls."""
+def _made(module: Module, begin: list[ast.AST], modules: Modules, nodes: list[NodeClass]) -> list[NodeClass]:
+    """Return the nodes that functions or statements make, themselves or in functions of their module that they call."""
     found: list[NodeClass] = []
-    pending, seen = [function], {function.name}
+    pending: list[ast.AST] = list(begin)
+    seen = {each.name for each in begin if isinstance(each, FUNCTIONS)}
     while pending:
         for node in ast.walk(pending.pop(0)):
             if not isinstance(node, ast.Call):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import NamedTuple, TypeGuard
 
 from constants import Constants, Place, UnknownValueError
 from message_fields import MessageUse
@@ -22,9 +22,8 @@ _LEFT_OUT = {
     "TransformListener": "a listener to transforms",
     "TransformBroadcaster": "a broadcaster of transforms",
     "StaticTransformBroadcaster": "a broadcaster of transforms",
-    "TimeSynchronizer": "synchronized inputs",
-    "ApproximateTimeSynchronizer": "synchronized inputs",
 }
+_SYNCHRONIZERS = ("TimeSynchronizer", "ApproximateTimeSynchronizer")
 _CONDITIONS = (ast.If, ast.For, ast.While, ast.Try, ast.IfExp, ast.ListComp, ast.DictComp, ast.Lambda)
 
 Json = dict[str, object]
@@ -61,6 +60,18 @@ class PythonNodes:
                     self.questions.append(module.question(cls, text))
         return found
 
+    def ask_for_others(self, nodes: list[NodeClass]) -> None:
+        """Ask for what is made with node objects outside of the classes of nodes: once for each class and function."""
+        known = {id(cls) for node in nodes for _, cls in node.line}
+        for module in self._modules.all:
+            if not any(full.startswith("rclpy") for full in module.imports.values()) or _is_test(module):
+                continue
+            for owner in [*module.classes.values(), *module.functions.values()]:
+                call = next((each for each in ast.walk(owner) if _is_of_another(each)), None)
+                if call is not None and id(owner) not in known:
+                    text = f"Whose is what '{ast.unparse(call.func)}' makes? {owner.name} is no class of a node."
+                    self.questions.append(module.question(call, text))
+
     def read(self, node: NodeClass) -> Json:
         """Return what is known of a node, and questions about what is not."""
         return _ClassReader(self._constants, self._qos, node).read()
@@ -93,6 +104,21 @@ class PythonNodes:
             and each.func.value.id == "self"
             for each in ast.walk(cls)
         )
+
+
+def _is_of_another(node: ast.AST) -> TypeGuard[ast.Call]:
+    """Return whether a call makes something for a node that is not `self`."""
+    return (
+        isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Attribute)
+        and node.func.attr in _MAKERS
+        and ast.unparse(node.func.value) != "self"
+    )
+
+
+def _is_test(module: Module) -> bool:
+    folders, _, name = module.file.rpartition("/")
+    return name.startswith("test_") or bool({"test", "tests"} & set(folders.split("/")))
 
 
 class _ClassReader:
@@ -150,7 +176,7 @@ class _ClassReader:
             return self._constants.text(given, place) if given is not None and place is not None else None
         except UnknownValueError as problem:
             if place is not None and given is not None:
-                self._ask(place.module, given, f"What is the node's {keyword.replace('_', ' ')}: {problem}?")
+                self._ask(place.module, given, f"What is the node's {keyword.removeprefix('node_')}: {problem}?")
             return None
 
     # Calls
@@ -173,6 +199,9 @@ class _ClassReader:
                 self._endpoint(call, place, name, is_conditional, targets.get(call))
             elif full == "message_filters.Subscriber":
                 self._filter(call, place, is_conditional)
+            elif name in _SYNCHRONIZERS:
+                whose = f"Which inputs of {self._node.definition.name} belong together, and within which tolerance?"
+                self._ask(place.module, call, f"{whose} 'synchronized' and 'tolerance' of the component say it.")
             elif name in _LEFT_OUT and (own or not name.startswith("create_")):
                 text = (
                     f"{self._node.definition.name} has {_LEFT_OUT[name]}, which a chain does not have. Does it matter?"

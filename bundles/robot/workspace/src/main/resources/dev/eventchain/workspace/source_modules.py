@@ -46,6 +46,7 @@ class Module:
         self.name = name
         self.tree = tree
         self.imports: dict[str, str] = {}
+        self.unsure: set[str] = set()  # names that stand for one of several imports
         self.stars: list[str] = []
         self.classes = {node.name: node for node in _statements(tree.body) if isinstance(node, ast.ClassDef)}
         self.functions = {node.name: node for node in _statements(tree.body) if isinstance(node, FUNCTIONS)}
@@ -54,9 +55,23 @@ class Module:
             if isinstance(node, ast.Import):
                 for alias in node.names:
                     bound = alias.asname or alias.name.partition(".")[0]
-                    self.imports[bound] = alias.name if alias.asname else bound
+                    self._bind(bound, alias.name if alias.asname else bound)
             elif isinstance(node, ast.ImportFrom):
                 self._import_from(node)
+
+    @property
+    def run(self) -> Iterator[ast.AST]:
+        """The statements that are run when it is started as a program."""
+        return (node for node in self.tree.body if not isinstance(node, (*FUNCTIONS, ast.ClassDef)))
+
+    @property
+    def starts(self) -> bool:
+        """Whether it has a part for being started as a program."""
+        return any(
+            isinstance(node, ast.If)
+            and any(isinstance(each, ast.Name) and each.id == "__name__" for each in ast.walk(node.test))
+            for node in self.tree.body
+        )
 
     def _import_from(self, node: ast.ImportFrom) -> None:
         above = self.name.split(".")[: -node.level] if node.level else []
@@ -65,7 +80,11 @@ class Module:
             if alias.name == "*":
                 self.stars.append(source)
             else:
-                self.imports[alias.asname or alias.name] = f"{source}.{alias.name}"
+                self._bind(alias.asname or alias.name, f"{source}.{alias.name}")
+
+    def _bind(self, name: str, full: str) -> None:
+        if self.imports.setdefault(name, full) != full:
+            self.unsure.add(name)
 
     def full_name(self, node: ast.expr) -> str | None:
         """Return the dotted name of what an expression names, through the imports: ``std_msgs.msg.String``."""
@@ -73,6 +92,8 @@ class Module:
             owner = self.full_name(node.value)
             return f"{owner}.{node.attr}" if owner else None
         if not isinstance(node, ast.Name):
+            return None
+        if node.id in self.unsure:
             return None
         if node.id in self.imports:
             return self.imports[node.id]

@@ -44,6 +44,7 @@ class Workspace:
             if index not in started and not _is_base(found, classes):
                 text = f"What starts the node {found.definition.name}? No executable of this workspace does."
                 self._questions.append(found.module.question(found.definition, text))
+        nodes.ask_for_others(classes)
         self._cpp()
         launch = {
             module.file: LaunchFile(module, Constants(Modules([module]))).read() for module in self._modules("launch")
@@ -79,6 +80,12 @@ class Workspace:
                 numbers = [classes.index(each) for each in made]
                 started.update(numbers)
                 self._add(script.package, script.name, numbers, script.file, script.line)
+            for file, text in package["cmake"].items():
+                for program in dict.fromkeys(executables.of_cmake(file, text, modules, self._questions)):
+                    made = executables.nodes_of_program(program, file, modules, classes, self._questions)
+                    numbers = [classes.index(each) for each in made]
+                    started.update(numbers)
+                    self._add(package["name"], program.name, numbers, file, program.line)
         return started
 
     def _cpp(self) -> None:
