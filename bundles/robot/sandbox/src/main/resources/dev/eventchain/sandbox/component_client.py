@@ -16,9 +16,8 @@ from array import array
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import component_values
 from component_results import VALUE_HINT
-from component_values import LONGEST, NO_OBJECTS, MalformedError, Objects
+from component_values import LONGEST, NO_OBJECTS, Codec, MalformedError, Objects
 
 _HEADER = struct.Struct("<I4s")
 _TOKEN_BYTES = 4
@@ -147,7 +146,7 @@ class ComponentProcess:
         self._class_name: str = description["class"]
         self._sources: list[str] = description["sources"]
         self._limits = limits
-        self._objects = objects
+        self._codec = Codec(objects)
         self._ended = False
         self._process, self._channel, self._stack = server.start(description)
         self._clock = (~self._process << 3) | 2  # the processor time of another process, clock_getcpuclockid(3)
@@ -220,9 +219,9 @@ class ComponentProcess:
         self._asked_at = time.clock_gettime_ns(self._clock)
         self._deadline = time.monotonic() + self._limits.wall
         self._token = os.urandom(_TOKEN_BYTES)  # prevents answers sent before the question
-        self._send(component_values.write(question, self._objects))
+        self._send(self._codec.write(question))
         try:
-            answer = component_values.read(self._receive(), self._objects)
+            answer = self._codec.read(self._receive())
         except MalformedError:
             raise self._strange() from None
         if type(answer) is not list or not answer:

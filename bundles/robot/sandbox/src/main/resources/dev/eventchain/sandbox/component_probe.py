@@ -19,11 +19,11 @@ from pathlib import Path
 from typing import Any
 
 import component_results
-import component_values
 from component_client import ComponentError, ComponentProcess, ForkServer, Limits
 from component_results import Output
 from component_rules import STATE_HINT, Component, Finding, check_file
 from component_sources import check_needs
+from component_values import Codec
 
 REPEATED = 50
 """Number of calls that are made again on a second object: what differs differs at once."""
@@ -124,10 +124,11 @@ class Probe:
     def _check_state(self, process: ComponentProcess) -> list[Finding]:
         """Check for state outside the object, which would be visible in a second object."""
         process.make()
+        codec = Codec()
         for call, first in zip(self._calls, self._returned, strict=False):
             arguments = {key: decode(value) for key, value in call["arguments"].items()}
             second = process.call((), arguments)
-            if component_values.write(second.values) != component_values.write(first):
+            if codec.write(second.values) != codec.write(first):
                 message = f"In the call '{call['name']}' a second object returns something else than the first one did."
                 return [Finding("component.state.shared", second.line, second.column, message, STATE_HINT)]
         return []

@@ -30,8 +30,8 @@ from signal import SIGUSR1
 from types import FunctionType, ModuleType, TracebackType
 from typing import Any, NoReturn
 
-import component_values
 from component_rules import Component, Rules, decode
+from component_values import NO_OBJECTS, Codec, Objects
 
 SHOW_STACK = SIGUSR1
 """The signal at which the process writes where it is."""
@@ -68,7 +68,7 @@ class ComponentProcess:
         self._class_name: str = description["class"]
         self._sources: list[str] = description["sources"]
         self._seed: str = description.get("seed", "")
-        self._objects = _objects(description.get("messages"))
+        self._codec = Codec(_objects(description.get("messages")))
         self._module: ModuleType | None = None
         self._component: Any = None
         self._execute_place = 1, 1
@@ -78,15 +78,15 @@ class ComponentProcess:
         """Answer requests until there are no more."""
         while True:
             token, data = self._receive()
-            question = component_values.read(data, self._objects)
+            question = self._codec.read(data)
             try:
                 answer = self._answer(question)
             except BaseException as problem:  # untrusted code may raise anything
                 answer = self._raised(problem)
             try:
-                buffers = component_values.write(answer, self._objects)
+                buffers = self._codec.write(answer)
             except TypeError:
-                buffers = component_values.write(self._unfit(answer[1]))
+                buffers = self._codec.write(self._unfit(answer[1]))
             _write_all(self._channel, [_HEADER.pack(sum(map(len, buffers)), token), *buffers])
 
     def _receive(self) -> tuple[bytes, memoryview]:
@@ -160,7 +160,7 @@ class ComponentProcess:
         """Report the value that cannot be sent."""
         for key, value in result.items():
             try:
-                component_values.write(value, self._objects)
+                self._codec.write(value)
             except TypeError as problem:
                 return ["unfit", str(problem), str(key), *self._place]
         return ["unfit", type(result).__name__, None, *self._place]
@@ -219,11 +219,11 @@ def _column(trace: TracebackType) -> int:
     return 0 if column is None else column + 1
 
 
-def _objects(files: list[str] | None) -> component_values.Objects:
+def _objects(files: list[str] | None) -> Objects:
     """The message classes of the runtime, if its package is on the path."""
     if files is None:
-        return component_values.NO_OBJECTS
-    objects: component_values.Objects = importlib.import_module(MESSAGE_OBJECTS).serve(files)
+        return NO_OBJECTS
+    objects: Objects = importlib.import_module(MESSAGE_OBJECTS).serve(files)
     return objects
 
 

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 _INTEGERS = frozenset({f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64)} | {"char"})
 _NUMBERS = _INTEGERS | {"float", "float32", "float64", "double"}
+_TRUTHS = frozenset({"bool", "boolean"})
 
 VALUE_HINT = "Return a number, a truth value, a string, or a list of these."
 
@@ -42,7 +43,7 @@ def check(values: Any, outputs: list[Output]) -> list[Problem]:
     return wrong or [
         problem
         for output in outputs
-        if not _is_number(output.type, values[output.name])
+        if not _is_usual(output.type, values[output.name])
         for problem in _check_output(output, values[output.name])
     ]
 
@@ -60,10 +61,12 @@ def check_keys(keys: Collection[Any], outputs: list[Output]) -> list[Problem]:
     return [Problem("component.result.keys", f"returned a dict {' and '.join(parts)}", keys_hint(outputs))]
 
 
-def _is_number(declared: str, value: Any) -> bool:
-    """Return whether the value is a finite number as declared: most are, at each step."""
+def _is_usual(declared: str, value: Any) -> bool:
+    """Return whether the value is a finite number or a truth value as declared: most are, at each step."""
     kind = type(value)
-    return ((kind is float and -math.inf < value < math.inf) or kind is int) and declared in _NUMBERS
+    if kind is float:
+        return -math.inf < value < math.inf and declared in _NUMBERS
+    return declared in _NUMBERS if kind is int else kind is bool and declared in _TRUTHS
 
 
 def _check_output(output: Output, value: Any) -> list[Problem]:
@@ -89,7 +92,7 @@ def _kinds(declared: str) -> tuple[Any, ...]:
     """Return the name of a declared type and the Python types that it accepts; empty for any."""
     if declared.endswith("]"):
         return "a sequence", list, tuple, array, bytes, bytearray
-    if declared in ("bool", "boolean"):
+    if declared in _TRUTHS:
         return "a truth value", bool, int
     return ("a text", str) if declared.partition("<")[0] == "string" else ()
 

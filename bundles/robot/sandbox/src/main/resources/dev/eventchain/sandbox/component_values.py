@@ -1,14 +1,16 @@
 """Encoding of values between a component and the process that calls it.
 
 The processes do not trust each other: any bytes decode to a value or to a :class:`MalformedError`. The bytes of a value
-are the length of its head (u32, little endian), the head, and parts. The head is JSON in ASCII, in which an object has
-one member that names what it stands for::
+are the length of its head (u32, little endian), the head, and parts. The head is JSON in ASCII, in which an object with
+the name "" has no other one, and stands for something that JSON does not have::
 
-    {"bytes": length}                      the next part
-    {"array": [typecode, length]}          array.array, its content is the next part
-    {"numpy": [dtype, shape, length]}      numpy.ndarray, likewise
-    {"dict": {key: value, ...}}
-    {"message": [type, {field: value}]}    an object that the caller's `Objects` know
+    {"": ["bytes", length]}                   the next part
+    {"": ["array", typecode, length]}         array.array, its content is the next part
+    {"": ["numpy", dtype, shape, length]}     numpy.ndarray, likewise
+    {"": ["dict", [[key, value], ...]]}       a dict that has the key ""
+    {"": ["message", type, {field: value}]}   an object that the caller's `Objects` know
+
+So what most calls consist of, dicts of numbers, is written and read by the functions of Python's JSON in C.
 """
 
 from __future__ import annotations
@@ -16,7 +18,7 @@ from __future__ import annotations
 import json
 import struct
 from array import array
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
 LONGEST = 1 << 26
@@ -24,27 +26,28 @@ LONGEST = 1 << 26
 
 _LENGTH = struct.Struct("<I")
 _SCALARS = frozenset({bool, int, float, str, type(None)})
+_LEAVES = _SCALARS | {array, bytes, bytearray, memoryview}
 _TYPE_CODES = frozenset("bBhHiIlLqQfd")
 _NUMPY_KINDS = frozenset("biuf")
 _WIDEST = 8  # size of a number in bytes
-_decode = json.JSONDecoder().raw_decode
+# NumPy evaluates parts of other texts, which may then be anything.
+_DTYPES = frozenset(
+    ["|b1", "|i1", "|u1", "<f2", "<f4", "<f8", *(f"<{kind}{size}" for kind in "iu" for size in (2, 4, 8))]
+)
 
 Buffer = bytes | bytearray | memoryview
 
 
-def _encoder() -> Callable[[Any], str]:
+def _encoder(default: Callable[[Any], Any]) -> Callable[[Any], str]:
     """Return what encodes JSON, without the parts that Python's encoder makes anew for each value, if it has them."""
-    plain = json.JSONEncoder(separators=(",", ":"), check_circular=False)
+    plain = json.JSONEncoder(separators=(",", ":"), check_circular=False, default=default)
     try:
         parts: Any = json.encoder.c_make_encoder(  # type: ignore[attr-defined]
-            None, plain.default, json.encoder.encode_basestring_ascii, None, ":", ",", False, False, True
+            None, default, json.encoder.encode_basestring_ascii, None, ":", ",", False, False, True
         )
         return lambda value: "".join(parts(value, 0))
     except (AttributeError, TypeError):
         return plain.encode
-
-
-_encode = _encoder()
 
 
 class MalformedError(ValueError):
@@ -69,133 +72,174 @@ def _no_type(name: str, _: dict[str, Any]) -> Any:
 NO_OBJECTS = Objects(lambda _: None, _no_type)
 
 
-def write(value: Any, objects: Objects = NO_OBJECTS) -> list[Any]:
-    """Return the buffers that encode a value.
+class Codec:
+    """Writes and reads values, one after the other.
 
-    Numbers of NumPy become numbers of Python, and tuples lists.
-
-    Raises:
-        TypeError: a part of it cannot be sent; the text names its type.
+    Args:
+        objects: objects that may be sent besides plain values.
 
     """
-    parts: list[Any] = []
-    try:
-        head = _encode(_plain(value, parts, objects)).encode("ascii")
-    except RecursionError:
-        raise TypeError("something that contains itself, or is nested too deep") from None
-    return [_LENGTH.pack(len(head)), head, *parts]
 
-
-def _plain(value: Any, parts: list[Any], objects: Objects) -> Any:
-    kind = type(value)
-    if kind in _SCALARS:
-        return value
-    if kind is array and value.typecode in _TYPE_CODES:
-        parts.append(memoryview(value).cast("B") if len(value) else b"")
-        return {"array": [value.typecode, len(parts[-1])]}
-    if kind is list or kind is tuple:
-        return [item if type(item) in _SCALARS else _plain(item, parts, objects) for item in value]
-    if isinstance(value, (bytes, bytearray, memoryview)):
-        parts.append(bytes(value))
-        return {"bytes": len(parts[-1])}
-    if isinstance(value, dict):
-        return {
-            "dict": {
-                key if type(key) is str else str(key): item if type(item) in _SCALARS else _plain(item, parts, objects)
-                for key, item in value.items()
-            }
-        }
-    return _uncommon(value, parts, objects)
-
-
-def _uncommon(value: Any, parts: list[Any], objects: Objects) -> Any:
-    described = objects.describe(value)
-    if described is not None:
-        name, fields = described
-        return {"message": [name, {field: _plain(item, parts, objects) for field, item in fields.items()}]}
-    dtype: Any = getattr(value, "dtype", None)
-    if getattr(dtype, "kind", "") in _NUMPY_KINDS and dtype.itemsize <= _WIDEST:
-        if getattr(value, "shape", None) == ():
-            return value.item()
-        plain = dtype.newbyteorder("<")
-        parts.append(value.astype(plain).tobytes())
-        return {"numpy": [plain.str, list(value.shape), len(parts[-1])]}
-    for base in (bool, int, float, str):
-        if isinstance(value, base):  # an enumeration or another subclass
-            return base(value)
-    if isinstance(value, (list, tuple)):
-        return [_plain(item, parts, objects) for item in value]
-    raise TypeError(type(value).__name__)
-
-
-def read(data: Buffer, objects: Objects = NO_OBJECTS) -> Any:
-    """Return the value that these bytes encode.
-
-    Raises:
-        MalformedError: they encode none.
-
-    """
-    view = memoryview(data)
-    try:
-        (length,) = _LENGTH.unpack_from(view)
-        text = str(view[_LENGTH.size : _LENGTH.size + length], "ascii")
-        head, end = _decode(text)
-        if end != len(text):
-            raise MalformedError("there is text left over")
-        reader = _Reader(view[_LENGTH.size + length :], objects)
-        value = reader.value(head)
-    except (struct.error, ValueError, TypeError, KeyError, AttributeError, RecursionError, OverflowError) as problem:
-        raise MalformedError(f"{type(problem).__name__}: {problem}"[:200]) from None
-    if reader.rest:
-        raise MalformedError("there are bytes left over")
-    return value
-
-
-class _Reader:
-    def __init__(self, parts: memoryview, objects: Objects) -> None:
-        self.rest = parts
+    def __init__(self, objects: Objects = NO_OBJECTS) -> None:
         self._objects = objects
+        self._encode = _encoder(self._leaf)
+        self._scan = json.JSONDecoder(object_hook=self._object).scan_once
+        self._parts: list[Any] = []  # of the value that is written
+        self._rest = memoryview(b"")  # parts of the value that is read
 
-    def value(self, plain: Any) -> Any:
-        kind = type(plain)
+    def write(self, value: Any) -> list[Any]:
+        """Return the buffers that encode a value.
+
+        Numbers of NumPy become numbers of Python, and tuples lists.
+
+        Raises:
+            TypeError: a part of it cannot be sent; the text names its type.
+
+        """
+        self._parts = parts = []
+        try:
+            head = self._encode(value if _is_usual((value,)) else self._plain(value)).encode("ascii")
+        except RecursionError:
+            raise TypeError("something that contains itself, or is nested too deep") from None
+        return [_LENGTH.pack(len(head)), head, *parts]
+
+    def _leaf(self, value: Any) -> Any:
+        """Return what stands for a value that is a part."""
+        if type(value) is array and value.typecode in _TYPE_CODES:
+            return self._part("array", value.typecode, memoryview(value).cast("B") if len(value) else b"")
+        if isinstance(value, (bytes, bytearray, memoryview)):
+            return self._part("bytes", bytes(value))
+        raise TypeError(type(value).__name__)
+
+    def _part(self, *description: Any) -> Any:
+        *stated, content = description
+        self._parts.append(content)
+        return {"": [*stated, len(content)]}
+
+    def _plain(self, value: Any) -> Any:
+        kind = type(value)
         if kind in _SCALARS:
+            return value
+        if kind is list or kind is tuple:
+            return [self._plain(item) for item in value]
+        if isinstance(value, dict):
+            plain = {key if type(key) is str else str(key): self._plain(item) for key, item in value.items()}
+            return {"": ["dict", list(plain.items())]} if "" in plain else plain
+        if kind in _LEAVES or isinstance(value, (bytes, bytearray)):
+            return self._leaf(value)
+        return self._uncommon(value)
+
+    def _uncommon(self, value: Any) -> Any:
+        described = self._objects.describe(value)
+        if described is not None:
+            name, fields = described
+            return {"": ["message", name, {field: self._plain(item) for field, item in fields.items()}]}
+        dtype: Any = getattr(value, "dtype", None)
+        if getattr(dtype, "kind", "") in _NUMPY_KINDS and dtype.itemsize <= _WIDEST:
+            if getattr(value, "shape", None) == ():
+                return value.item()
+            plain = dtype.newbyteorder("<")
+            return self._part("numpy", plain.str, list(value.shape), value.astype(plain).tobytes())
+        for base in (bool, int, float, str):
+            if isinstance(value, base):  # an enumeration or another subclass
+                return base(value)
+        if isinstance(value, (list, tuple)):
+            return [self._plain(item) for item in value]
+        raise TypeError(type(value).__name__)
+
+    def read(self, data: Buffer) -> Any:
+        """Return the value that these bytes encode.
+
+        Raises:
+            MalformedError: they encode none.
+
+        """
+        view = memoryview(data)
+        try:
+            (length,) = _LENGTH.unpack_from(view)
+            text = str(view[_LENGTH.size : _LENGTH.size + length], "ascii")
+            self._rest = view[_LENGTH.size + length :]
+            value, end = self._scan(text, 0)
+            if end != len(text):
+                raise MalformedError("there is text left over")
+        except _MALFORMED as problem:
+            raise MalformedError(f"{type(problem).__name__}: {problem}"[:200]) from None
+        if self._rest:
+            raise MalformedError("there are bytes left over")
+        return value
+
+    def _object(self, plain: dict[str, Any]) -> Any:
+        """Return what an object of the head stands for; those within it have been read."""
+        if "" not in plain:
             return plain
-        if kind is list:
-            return [item if type(item) in _SCALARS else self.value(item) for item in plain]
-        ((name, content),) = plain.items()
+        ((_, (name, *content)),) = plain.items()
         if name == "array":
             code, length = content
             if code not in _TYPE_CODES:
                 raise MalformedError("an array of an unknown type")
             result = array(code)
-            result.frombytes(self._part(length))
+            result.frombytes(self._next(length))
             return result
         if name == "bytes":
-            return bytes(self._part(content))
+            (length,) = content
+            return bytes(self._next(length))
         if name == "numpy":
             return self._numpy(*content)
         if name == "dict":
-            return {key: item if type(item) in _SCALARS else self.value(item) for key, item in content.items()}
+            (items,) = content
+            return {_text(key): value for key, value in items}
         if name == "message":
             type_name, fields = content
-            return self._objects.make(_text(type_name), {key: self.value(item) for key, item in fields.items()})
+            if type(fields) is not dict:
+                raise MalformedError("a message without fields")
+            return self._objects.make(_text(type_name), fields)
         raise MalformedError("an unknown kind of value")
 
-    def _part(self, length: int) -> memoryview:
-        if type(length) is not int or not 0 <= length <= len(self.rest):
+    def _next(self, length: int) -> memoryview:
+        """Return the next part."""
+        if type(length) is not int or not 0 <= length <= len(self._rest):
             raise MalformedError("a part that is not there")
-        part, self.rest = self.rest[:length], self.rest[length:]
+        part, self._rest = self._rest[:length], self._rest[length:]
         return part
 
     def _numpy(self, name: str, shape: list[int], length: int) -> Any:
         import numpy as np
 
-        dtype = np.dtype(_text(name))
-        if dtype.kind not in _NUMPY_KINDS or dtype.itemsize > _WIDEST or dtype.names is not None:
+        if name not in _DTYPES:
             raise MalformedError("an array of an unknown type")
         if any(type(size) is not int or size < 0 for size in shape):
             raise MalformedError("an array of an impossible shape")
-        return np.frombuffer(self._part(length), dtype).reshape(shape).copy()
+        return np.frombuffer(self._next(length), name).reshape(shape).copy()
+
+
+_MALFORMED = (
+    struct.error,
+    ValueError,
+    TypeError,
+    KeyError,
+    AttributeError,
+    RecursionError,
+    OverflowError,
+    StopIteration,  # of text that is no JSON
+)
+
+
+def _is_usual(values: Iterable[Any]) -> bool:
+    """Return whether JSON's encoder writes these values, leaves apart, as they have to be written."""
+    for value in values:
+        kind = type(value)
+        if kind in _LEAVES:
+            continue
+        if kind is dict:
+            for key in value:
+                if type(key) is not str or not key:
+                    return False
+            value = value.values()
+        elif kind is not list and kind is not tuple:
+            return False
+        if not _is_usual(value):
+            return False
+    return True
 
 
 def _text(value: Any) -> str:
