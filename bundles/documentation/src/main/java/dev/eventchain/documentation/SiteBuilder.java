@@ -43,6 +43,7 @@ public final class SiteBuilder {
           Map.entry("evidence", "Evidence"),
           Map.entry("coding-agents", "Coding agents"),
           Map.entry("eclipse", "Eclipse"),
+          Map.entry("vscode", "VS Code"),
           Map.entry("editors", "Other editors"),
           Map.entry("java", "Java API"),
           Map.entry("formats", "File formats"),

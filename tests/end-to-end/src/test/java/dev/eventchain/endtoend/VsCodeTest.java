@@ -1,0 +1,221 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import dev.eventchain.m2t.TemplateParts;
+import dev.eventchain.ocl.text.Keywords;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipFile;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Tests the extension for VS Code as far as no VS Code is needed; what runs its code is skipped
+ * where there is no Node.
+ */
+class VsCodeTest {
+
+  private static final ObjectMapper MAPPER = new ObjectMapper();
+  private static final Path EXTENSION = Program.ROOT.resolve("bundles/front/vscode");
+  private static final Pattern ALTERNATIVES = Pattern.compile("\\\\b\\(\\?:([A-Za-z|]+)\\)\\\\b");
+  private static final Pattern BLOCKS =
+      Pattern.compile("\\(([a-z|]+)\\)\\(\\?=\\[\\\\s\\(\\\\]\\]\\)");
+
+  /** Templates whose tags do not end: a grammar goes on to the next tag, a lexer gives up. */
+  private static final List<String> BROKEN = List.of("/cases/errors/", "/front/eclipse/tests/");
+
+  @TempDir Path folder;
+
+  @Test
+  void everythingThatTheExtensionNamesIsInTheArchive() throws IOException {
+    try (ZipFile archive = archive()) {
+      JsonNode extension = MAPPER.readTree(read(archive, "extension/package.json"));
+      List<String> named = new ArrayList<>(extension.findValuesAsText("path"));
+      named.addAll(extension.at("/contributes/languages").findValuesAsText("configuration"));
+      named.add(extension.path("main").asText());
+      named.addAll(List.of("README.md", "LICENSE.txt", "program/bin/eventchain"));
+      for (String name : named) {
+        String entry = Path.of("extension", name).normalize().toString();
+        assertTrue(archive.getEntry(entry) != null, entry);
+      }
+      assertTrue(named.size() > 8, named::toString);
+      String manifest = read(archive, "extension.vsixmanifest");
+      String version = extension.path("version").asText();
+      assertTrue(manifest.contains("Id=\"eventchain\" Version=\"" + version + "\""), manifest);
+      assertTrue(read(archive, "[Content_Types].xml").contains("Extension=\".jar\""));
+    }
+  }
+
+  @Test
+  void everyCommandIsRegistered() throws IOException {
+    JsonNode extension = MAPPER.readTree(EXTENSION.resolve("package.json").toFile());
+    String source = Files.readString(EXTENSION.resolve("source/extension.js"));
+    String all = Files.readString(EXTENSION.resolve("source/tasks.js"));
+    Matcher commands = Pattern.compile("COMMANDS = (\\[.*])").matcher(all);
+    assertTrue(commands.find());
+    Set<String> registered = new TreeSet<>();
+    MAPPER
+        .readTree(commands.group(1))
+        .forEach(name -> registered.add("eventchain." + name.asText()));
+    Pattern.compile("command\\(\"(\\w+)\"")
+        .matcher(source)
+        .results()
+        .forEach(found -> registered.add("eventchain." + found.group(1)));
+    Set<String> declared =
+        new TreeSet<>(extension.at("/contributes/commands").findValuesAsText("command"));
+    assertEquals(declared, registered);
+    Set<String> inMenus =
+        new TreeSet<>(extension.at("/contributes/menus").findValuesAsText("command"));
+    assertTrue(inMenus.size() > 3 && declared.containsAll(inMenus), inMenus::toString);
+  }
+
+  @Test
+  void grammarsHaveTheWordsOfTheEngine() throws IOException {
+    Set<String> ocl = words(ALTERNATIVES, "ocl");
+    ocl.add("self");
+    assertEquals(union(Keywords.ALL, Keywords.TYPES), ocl);
+    assertEquals(new TreeSet<>(TemplateParts.MODIFIERS), words(ALTERNATIVES, "mtl"));
+    Set<String> blocks = words(BLOCKS, "mtl");
+    blocks.add("comment");
+    assertEquals(new TreeSet<>(TemplateParts.KEYWORDS), blocks);
+  }
+
+  /** Returns the alternatives of all patterns of a grammar. */
+  private static Set<String> words(Pattern pattern, String language) throws IOException {
+    Path file = EXTENSION.resolve("syntaxes/" + language + ".tmLanguage.json");
+    Set<String> words = new TreeSet<>();
+    for (String key : List.of("match", "begin")) {
+      for (String expression : MAPPER.readTree(file.toFile()).findValuesAsText(key)) {
+        pattern
+            .matcher(expression)
+            .results()
+            .forEach(found -> words.addAll(List.of(found.group(1).split("\\|", -1))));
+      }
+    }
+    return words;
+  }
+
+  private static Set<String> union(Collection<String> first, Collection<String> second) {
+    return Stream.of(first, second)
+        .flatMap(Collection::stream)
+        .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  @Test
+  void commentsAndTagsOfTemplatesAreWhereTheEngineSeesThem() throws Exception {
+    List<String> files = templates();
+    assertTrue(files.size() > 500, files.size() + " templates");
+    JsonNode seen =
+        MAPPER.readTree(node(Stream.concat(Stream.of("test/kinds.js"), files.stream())));
+    List<String> different = new ArrayList<>();
+    for (String file : files) {
+      List<String> expected =
+          TemplateParts.of(Files.readString(Path.of(file))).stream()
+              .map(part -> part.start() + " " + part.end() + " " + part.kind())
+              .toList();
+      List<String> actual = new ArrayList<>();
+      seen.path(file)
+          .forEach(
+              part -> actual.add(part.get(0) + " " + part.get(1) + " " + part.get(2).asText()));
+      if (!merged(expected).equals(merged(actual))) {
+        different.add(file);
+      }
+    }
+    assertEquals(List.of(), different);
+  }
+
+  private static List<String> templates() throws IOException {
+    try (Stream<Path> all = Files.walk(Program.ROOT)) {
+      return all.map(Path::toString)
+          .filter(name -> name.endsWith(".mtl") && !name.contains("/target/"))
+          .filter(name -> BROKEN.stream().noneMatch(name::contains))
+          .sorted()
+          .toList();
+    }
+  }
+
+  /** Returns parts with those together that touch and are of one kind. */
+  private static List<String> merged(List<String> parts) {
+    List<String> merged = new ArrayList<>();
+    for (String part : parts) {
+      String[] words = part.split(" ", -1);
+      int last = merged.size() - 1;
+      String[] before = last < 0 ? new String[] {"", "", ""} : merged.get(last).split(" ", -1);
+      if (before[2].equals(words[2])) {
+        merged.set(last, before[0] + " " + words[1] + " " + words[2]);
+      } else {
+        merged.add(part);
+      }
+    }
+    return merged;
+  }
+
+  @Test
+  void codeOfTheExtension() throws Exception {
+    List<String> tests;
+    try (Stream<Path> files = Files.list(EXTENSION.resolve("test"))) {
+      tests =
+          files
+              .map(file -> "test/" + file.getFileName())
+              .filter(name -> name.endsWith(".test.js"))
+              .sorted()
+              .toList();
+    }
+    String said = node(Stream.concat(Stream.of("--test"), tests.stream()));
+    assertTrue(tests.size() > 4 && said.contains("# fail 0") && !said.contains("# pass 0"), said);
+  }
+
+  /** Returns what Node prints; fails if it fails. */
+  private String node(Stream<String> arguments) throws IOException, InterruptedException {
+    boolean isThere =
+        Stream.of(System.getenv("PATH").split(":", -1))
+            .anyMatch(path -> Files.isExecutable(Path.of(path, "node")));
+    assumeTrue(isThere, "there is no Node");
+    Path out = folder.resolve("out");
+    List<String> command = Stream.concat(Stream.of("node"), arguments).toList();
+    Process process =
+        new ProcessBuilder(command)
+            .directory(EXTENSION.toFile())
+            .redirectErrorStream(true)
+            .redirectOutput(out.toFile())
+            .start();
+    int code = process.waitFor();
+    String printed = Files.readString(out);
+    assertEquals(0, code, printed);
+    return printed;
+  }
+
+  private static ZipFile archive() throws IOException {
+    try (Stream<Path> files = Files.list(EXTENSION.resolve("target"))) {
+      Path archive =
+          files.filter(file -> file.toString().endsWith(".vsix")).findFirst().orElseThrow();
+      return new ZipFile(archive.toFile());
+    }
+  }
+
+  private static String read(ZipFile archive, String name) throws IOException {
+    ZipEntry entry = archive.getEntry(name);
+    assertTrue(entry != null, name);
+    try (InputStream content = archive.getInputStream(entry)) {
+      return new String(content.readAllBytes(), StandardCharsets.UTF_8);
+    }
+  }
+}
