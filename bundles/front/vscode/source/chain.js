@@ -23,6 +23,8 @@ class ChainView {
     this.media = vscode.Uri.joinPath(extension, "media");
     /** @type {Map<string, vscode.WebviewPanel>} */
     this.panels = new Map();
+    /** @type {WeakMap<vscode.WebviewPanel, string>} */
+    this.drawn = new WeakMap();
   }
 
   /** @param {string} project */
@@ -52,6 +54,7 @@ class ChainView {
       watchers.forEach((watcher) => watcher.dispose());
     });
     panel.webview.onDidReceiveMessage((message) => this.open(project, String(message.name)));
+    panel.webview.html = "<p>Drawing the event chain ...</p>";
     await this.draw(project, panel);
   }
 
@@ -72,10 +75,10 @@ class ChainView {
    */
   async draw(project, panel) {
     const drawn = await this.picture(project);
-    if (this.panels.get(project) !== panel || (drawn.svg && drawn.svg === this.last && panel.webview.html)) {
+    if (this.panels.get(project) !== panel || (drawn.svg && drawn.svg === this.drawn.get(panel))) {
       return; // It was closed meanwhile, or nothing has changed.
     }
-    this.last = drawn.svg;
+    this.drawn.set(panel, drawn.svg);
     const uri = (/** @type {string} */ name) => panel.webview.asWebviewUri(vscode.Uri.joinPath(this.media, name)).toString();
     panel.webview.html = page(drawn, {
       nonce: crypto.randomBytes(16).toString("base64"),

@@ -18,7 +18,7 @@ function scopes(grammar, text, ...words) {
 test("a template's declaration has names, modifiers and types", () => {
   assert.deepStrictEqual(
     scopes("text.mtl", "[template public t(c : Set(C)) overrides u]", "template", "public", "t", "Set", "overrides"),
-    ["keyword.control", "storage.modifier", "entity.name.function", "support.type", "storage.modifier"],
+    ["keyword.control", "storage.modifier", "entity.name.function", "entity.name.type", "storage.modifier"],
   );
 });
 
@@ -47,12 +47,24 @@ test("a bracket in quotes does not end a tag", () => {
   );
 });
 
-test("a feature with the name of a keyword is a feature", () => {
+test("a feature with the name of a keyword is a feature, and an operation has parentheses", () => {
   assert.deepStrictEqual(scopes("source.ocl", "self.context->select(e | e.body)", "context", "select", "body", "self"), [
+    "variable.other.property",
     "entity.name.function.member",
-    "entity.name.function.member",
-    "entity.name.function.member",
+    "variable.other.property",
     "variable.language",
+  ]);
+});
+
+test("what stands after a name and a colon is a type, but not after a constraint's", () => {
+  const text = "def: f(x : a::B) : Integer = let y : C = x in y\n  inv Small: self.n < 1\n  inv: null";
+  assert.deepStrictEqual(scopes("source.ocl", text, "a::B", "Integer", "C", "x", "self", "null"), [
+    "entity.name.type",
+    "entity.name.type",
+    "entity.name.type",
+    "variable.parameter",
+    "variable.language",
+    "constant.language",
   ]);
 });
 

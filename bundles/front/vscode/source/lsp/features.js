@@ -305,7 +305,8 @@ class Features {
             return whole ? Object.assign(action, convert.codeAction(whole)) : action;
           },
         },
-        {
+        // An empty list would say that there are none of any kind.
+        options.codeActionKinds && {
           providedCodeActionKinds: all(options.codeActionKinds, (kind) => vscode.CodeActionKind.Empty.append(kind)),
         },
       ),

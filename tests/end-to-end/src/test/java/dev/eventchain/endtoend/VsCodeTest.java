@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import dev.eventchain.fixtures.Thorough;
 import dev.eventchain.m2t.TemplateParts;
 import dev.eventchain.ocl.text.Keywords;
 import java.io.IOException;
@@ -183,14 +184,29 @@ class VsCodeTest {
     assertTrue(tests.size() > 4 && said.contains("# fail 0") && !said.contains("# pass 0"), said);
   }
 
+  @Test
+  void inAWorkbench() throws Exception {
+    assumeTrue(Thorough.IS_ON, "run in the profile 'thorough'");
+    for (String program : List.of("node", "npm", "chromium", "chromedriver", "rg")) {
+      assumeTrue(isThere(program), "there is no " + program);
+    }
+    String said = run(List.of("workbench/run"));
+    assertTrue(said.contains("all is well"), said);
+  }
+
+  private static boolean isThere(String program) {
+    return Stream.of(System.getenv("PATH").split(":", -1))
+        .anyMatch(path -> Files.isExecutable(Path.of(path, program)));
+  }
+
   /** Returns what Node prints; fails if it fails. */
   private String node(Stream<String> arguments) throws IOException, InterruptedException {
-    boolean isThere =
-        Stream.of(System.getenv("PATH").split(":", -1))
-            .anyMatch(path -> Files.isExecutable(Path.of(path, "node")));
-    assumeTrue(isThere, "there is no Node");
+    assumeTrue(isThere("node"), "there is no Node");
+    return run(Stream.concat(Stream.of("node"), arguments).toList());
+  }
+
+  private String run(List<String> command) throws IOException, InterruptedException {
     Path out = folder.resolve("out");
-    List<String> command = Stream.concat(Stream.of("node"), arguments).toList();
     Process process =
         new ProcessBuilder(command)
             .directory(EXTENSION.toFile())
