@@ -43,6 +43,60 @@ class InitWorkspaceTest {
     new Program().run("run", known, "--no-strength").expect(1).says("passed  stopped-vehicle");
   }
 
+  /** Scripts of two packages may have one name, and would be one file in the generated package. */
+  @Test
+  void scriptsOfOneNameAreNotMistakenForEachOther() throws IOException {
+    Path workspace = folder.resolve("scripts");
+    script(workspace.resolve("src/one"), "first", "second");
+    script(workspace.resolve("src/two"), "second", "third");
+    Path project = folder.resolve("relays");
+    new Program()
+        .run("init", project, "--from-workspace", workspace)
+        .expect(0)
+        .says("software-base/nodes/two/scripts/relay.py");
+    new Program()
+        .run("generate", project)
+        .expect(1)
+        .says("nodes/two/scripts/relay.py: error: Another node needs another module of this name")
+        .says("[component.import.helper]");
+    Path other = project.resolve("software-base/nodes/two/scripts/relay.py");
+    Files.move(other, other.resolveSibling("relay_of_two.py"));
+    Path components = project.resolve("software-base/components.json");
+    String text = Files.readString(components);
+    Files.writeString(components, text.replace("two/scripts/relay", "two/scripts/relay_of_two"));
+    new Program().run("generate", project).expect(0);
+  }
+
+  private static void script(Path owner, String input, String output) throws IOException {
+    Files.createDirectories(owner.resolve("scripts"));
+    String name = owner.getFileName().toString();
+    Files.writeString(owner.resolve("package.xml"), "<package><name>" + name + "</name></package>");
+    Files.writeString(
+        owner.resolve("CMakeLists.txt"),
+        "install(PROGRAMS scripts/relay.py DESTINATION lib/" + name + ")\n");
+    Files.writeString(
+        owner.resolve("scripts/relay.py"),
+        """
+        import rclpy
+        from rclpy.node import Node
+        from std_msgs.msg import Float32
+
+        class Relay(Node):
+            def __init__(self):
+                super().__init__("%s")
+                self.output = self.create_publisher(Float32, "%s", 1)
+                self.create_subscription(Float32, "%s", self.on_input, 1)
+
+            def on_input(self, message):
+                self.output.publish(Float32(data=message.data))
+
+        if __name__ == "__main__":
+            rclpy.init()
+            rclpy.spin(Relay())
+        """
+            .formatted(name, output, input));
+  }
+
   @Test
   void aRecordingIsAProjectWithSignals() throws IOException {
     Path recordings = WORKSPACE.resolveSibling("recordings");

@@ -2,10 +2,15 @@ package dev.eventchain.pipeline.generate;
 
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.project.HostedNode;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.SoftwareBase;
+import dev.eventchain.sandbox.ComponentRules;
 import dev.eventchain.simulation.node.NodeManifest;
 import java.nio.file.Path;
 import java.util.Map;
@@ -41,6 +46,9 @@ public final class HostedNodes {
   /**
    * Returns the Python files below the folders from which the nodes are imported, by the paths of
    * their copies in the folder of the generated package.
+   *
+   * @throws DiagnosticException FINDINGS ({@code component.import.helper}) if two of them have the
+   *     same name, but not the same text
    */
   public static SortedMap<String, Path> copies(RunContext run) {
     SortedMap<String, Path> copies = new TreeMap<>();
@@ -48,11 +56,27 @@ public final class HostedNodes {
       for (Path file : ProjectFolder.below(root)) {
         if (file.toString().endsWith(".py")) {
           String name = root.relativize(file).toString().replace('\\', '/');
-          copies.putIfAbsent(NodeManifest.NODES + "/" + name, file);
+          Path other = copies.putIfAbsent(NodeManifest.NODES + "/" + name, file);
+          requireSame(file, other == null ? file : other);
         }
       }
     }
     return copies;
+  }
+
+  /** Refuses two modules of one name, since nodes of both folders would run the same one. */
+  private static void requireSame(Path file, Path other) {
+    if (!SourceText.read(file).text().equals(SourceText.read(other).text())) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.FINDINGS,
+          Diagnostic.of(
+                  ComponentRules.IMPORT_HELPER,
+                  "Another node needs another module of this name: "
+                      + SourceLocation.of(other).file()
+                      + ".",
+                  SourceLocation.of(file))
+              .withHint("Rename one of them, or put both into packages of different names."));
+    }
   }
 
   private static Stream<SoftwareBase.Component> nodes(RunContext run) {
