@@ -46,6 +46,10 @@ final class LaunchRun {
 
   private static final class Scope {
     final Map<String, String> variables;
+
+    /** Values of variables that no argument gives, from where they are used. */
+    final Map<String, String> fallbacks = new HashMap<>();
+
     final List<TopicNames.Remap> remaps;
     Optional<String> namespace;
 
@@ -56,7 +60,9 @@ final class LaunchRun {
     }
 
     Scope inner() {
-      return new Scope(variables, remaps, namespace);
+      Scope inner = new Scope(variables, remaps, namespace);
+      inner.fallbacks.putAll(fallbacks);
+      return inner;
     }
   }
 
@@ -102,6 +108,9 @@ final class LaunchRun {
     }
     switch (element.kind()) {
       case "arg" -> argument(element, "default", scope);
+      case "fallback" ->
+          text(element, "default", scope)
+              .ifPresent(value -> scope.fallbacks.put(known(element, "name").orElse(""), value));
       case "let" -> variable(element, "value", scope);
       case "push_ros_namespace" -> scope.namespace = namespace(element, scope);
       case "set_remap" -> scope.remaps.addAll(0, remaps(element, List.of(element), scope));
@@ -232,7 +241,8 @@ final class LaunchRun {
               StringBuilder text = new StringBuilder();
               Matcher found = VARIABLE.matcher(written);
               while (found.find()) {
-                String value = scope.variables.get(found.group(1));
+                String name = found.group(1);
+                String value = scope.variables.getOrDefault(name, scope.fallbacks.get(name));
                 if (value == null) {
                   return Optional.empty();
                 }

@@ -28,6 +28,7 @@ class LaunchFile:
         self._module = module
         self._constants = constants
         self._place = Place(module)
+        self._fallbacks: dict[str, Json] = {}  # defaults of configurations, which arguments replace
 
     def read(self) -> list[Json]:
         """Return the elements of the launch description."""
@@ -41,7 +42,7 @@ class LaunchFile:
                 found += self._list(node.args[0], node) if node.args else []
         for statement in function.body:
             found += self._statement(statement)
-        return found
+        return [*self._fallbacks.values(), *found]
 
     def _statement(self, node: ast.stmt) -> Iterator[Json]:
         """Return what a statement adds to the description: ``description.add_action(node)``."""
@@ -166,6 +167,11 @@ class LaunchFile:
         if first is None:
             return None
         if name == "LaunchConfiguration":
+            default = next((each.value for each in node.keywords if each.arg == "default"), None)
+            text = self._text(default, depth + 1) if default is not None else None
+            if text is not None:
+                attributes = {"name": first, "default": text}
+                self._fallbacks[first] = {"kind": "fallback", "line": node.lineno, "attributes": attributes}
             return f"$(var {first})"
         if name in _SHARES:
             return f"$(find-pkg-share {first})"

@@ -15,6 +15,9 @@ def generate_launch_description():
             remappings=[("kept", "kept_here"), ("output", LaunchConfiguration("nowhere"))],
         )
     )
+    space = LaunchConfiguration("space_of_part", default="")
+    ld.add_action(DeclareLaunchArgument("space_of_part", default_value=space))
+    ld.add_action(Node(package="corner_nodes", executable="kept", name="in_no_space", namespace=space))
     for index in range(2):
         ld.add_action(Node(package="corner_nodes", executable="kept", name=f"kept_{index}"))
     ld.add_action(OpaqueFunction(function=print))
