@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import dev.eventchain.model.WrittenRequirement;
 import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -28,8 +27,9 @@ class RequirementFormatsTest {
   }
 
   /** The ids of Doorstop are names of files, with the prefix of their document. */
-  @Test
-  void doorstopSaysTheSameUnderItsOwnIds() {
+  @ParameterizedTest
+  @ValueSource(strings = {"doorstop", "doorstop-markdown"})
+  void doorstopSaysTheSameUnderItsOwnIds(String format) {
     List<String> same =
         SAME.stream()
             .map(each -> each.replace("RAD-1.1", "REQ-2").replace("a/b", "REQ-4"))
@@ -37,7 +37,7 @@ class RequirementFormatsTest {
             .toList();
     assertEquals(
         same,
-        read("doorstop").stream()
+        read(format).stream()
             .sorted((a, b) -> a.id().compareTo(b.id()))
             .map(RequirementFormatsTest::described)
             .toList());

@@ -10,6 +10,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** Reads the items of a document of Doorstop: a folder with a file of settings and one per item. */
 final class DoorstopReader {
@@ -17,20 +19,29 @@ final class DoorstopReader {
   /** The file of settings, which makes a folder a document. */
   static final String SETTINGS = ".doorstop.yml";
 
+  private static final Pattern ATTRIBUTES =
+      Pattern.compile("(?s)---[ \\t]*\\R.*?^(---[ \\t]*(\\R|\\z))", Pattern.MULTILINE);
+
+  /** The line that ends the attributes, and a header of the first level that comes first. */
+  private static final Pattern BEFORE_TEXT =
+      Pattern.compile("---[ \\t]*(\\R\\s*(# .*(\\R\\s*)?)?)?");
+
   private final String prefix;
+  private final boolean markdown;
   private final Reading reading;
 
-  private DoorstopReader(String prefix, Reading reading) {
+  private DoorstopReader(String prefix, boolean markdown, Reading reading) {
     this.prefix = prefix;
+    this.markdown = markdown;
     this.reading = reading;
   }
 
   /**
    * Reads a document.
    *
-   * @param items the files of its items
+   * @param files the files in its folder; items are those with the ending of its format
    */
-  static void read(Path settings, List<Path> items, Reading reading) {
+  static void read(Path settings, List<Path> files, Reading reading) {
     Optional<ObjectReader> read =
         Reading.file(
             settings, reading, text -> document(text, reading).object("", reading.findings::add));
@@ -43,17 +54,19 @@ final class DoorstopReader {
       return;
     }
     String format = known.get().text("itemformat").orElse("yaml");
-    if (!format.equals("yaml")) {
+    boolean markdown = format.equals("markdown");
+    if (!markdown && !format.equals("yaml")) {
       reading.unread(
           "Items in the format '" + format + "' are not read.",
           known.get().at("itemformat"),
-          "Let Doorstop keep them as YAML: itemformat: yaml");
+          "Let Doorstop keep them as YAML or Markdown: itemformat: yaml");
       return;
     }
-    DoorstopReader reader = new DoorstopReader(known.get().requiredText("prefix"), reading);
-    for (Path item : items) {
-      Reading.file(item, reading, text -> reader.item(text, item));
-    }
+    DoorstopReader reader =
+        new DoorstopReader(known.get().requiredText("prefix"), markdown, reading);
+    files.stream()
+        .filter(file -> SourceFiles.has(file, ".md") == markdown)
+        .forEach(file -> Reading.file(file, reading, text -> reader.item(text, file)));
   }
 
   private static Document document(SourceText text, Reading reading) {
@@ -61,8 +74,14 @@ final class DoorstopReader {
   }
 
   private Optional<Item> item(SourceText source, Path file) {
-    String id = file.getFileName().toString().replaceFirst("\\.ya?ml$", "");
-    Document document = document(source, reading);
+    String id = file.getFileName().toString().replaceFirst("\\.(ya?ml|md)$", "");
+    Optional<Integer> end =
+        markdown ? endOfAttributes(source) : Optional.of(source.text().length());
+    if (end.isEmpty()) {
+      return Optional.empty();
+    }
+    Document document =
+        document(SourceText.of(source.name(), source.text().substring(0, end.get())), reading);
     Optional<ObjectReader> read = document.object("", reading.findings::add);
     if (!id.toLowerCase(Locale.ROOT).startsWith(prefix.toLowerCase(Locale.ROOT))) {
       reading.unread(
@@ -75,8 +94,11 @@ final class DoorstopReader {
     Item item =
         new Item(
             names.id().flatMap(name -> read.flatMap(it -> plain(it, name))).orElse(id),
-            read.flatMap(it -> plain(it, names.text().orElse("text"))).orElse(""),
-            document.atKey("/" + names.text().orElse("text")).withElement(""));
+            read.flatMap(it -> plain(it, names.text().orElse("text")))
+                .orElse(source.text().substring(textStart(source, end.get()))),
+            markdown && names.text().isEmpty()
+                ? source.at(textStart(source, end.get()))
+                : document.atKey("/" + names.text().orElse("text")).withElement(""));
     item.type = Optional.of(prefix);
     item.status = read.flatMap(it -> plain(it, names.status().orElse("status")));
     item.tags = read.map(it -> tags(it, names.tags().orElse("tags"))).orElse(List.of());
@@ -86,6 +108,25 @@ final class DoorstopReader {
     }
     reading.items.add(item);
     return Optional.of(item);
+  }
+
+  /** Returns where the attributes above a Markdown text end; without them, it is a finding. */
+  private Optional<Integer> endOfAttributes(SourceText source) {
+    Matcher attributes = ATTRIBUTES.matcher(source.text());
+    if (!attributes.lookingAt()) {
+      reading.unread(
+          "The item has no attributes between two lines '---'.",
+          source.at(0),
+          "Doorstop writes them; move other Markdown out of the folder of the document.");
+      return Optional.empty();
+    }
+    return Optional.of(attributes.start(1));
+  }
+
+  /** Returns where the text of an item begins: behind its attributes and its header, if any. */
+  private static int textStart(SourceText source, int end) {
+    Matcher header = BEFORE_TEXT.matcher(source.text()).region(end, source.text().length());
+    return header.lookingAt() ? header.end() : source.text().length();
   }
 
   private static Optional<String> excluded(ObjectReader item) {

@@ -23,7 +23,7 @@ final class SourceFiles {
 
   private static final int MOST = 10_000;
   private static final String NEEDS = "needs.json";
-  private static final List<String> ITEMS = List.of(".yml", ".yaml");
+  private static final List<String> ITEMS = List.of(".yml", ".yaml", ".md");
   private static final List<String> FORMATS =
       List.of(".reqif", ".reqifz", ".sdoc", ".sgra", ".trlc", ".rsl");
 
@@ -52,10 +52,11 @@ final class SourceFiles {
   private static boolean isRead(Path file) {
     return FORMATS.stream().anyMatch(format -> has(file, format))
         || file.getFileName().toString().equals(NEEDS)
-        || (isYaml(file) && document(file).isPresent());
+        || (isItem(file) && document(file).isPresent());
   }
 
-  private static boolean isYaml(Path file) {
+  /** Returns whether a file may be an item of Doorstop, or the settings of a document. */
+  private static boolean isItem(Path file) {
     return ITEMS.stream().anyMatch(suffix -> has(file, suffix));
   }
 
@@ -129,7 +130,7 @@ final class SourceFiles {
     for (Path file : files) {
       if (has(file, ".rsl")) {
         Reading.file(file, reading, text -> done(() -> types.read(new TrlcTokens(text))));
-      } else if (isYaml(file)) {
+      } else if (isItem(file)) {
         document(file).ifPresent(it -> documents.computeIfAbsent(it, key -> new ArrayList<>()));
         document(file).ifPresent(it -> addItem(documents.get(it), file));
       }
@@ -175,9 +176,9 @@ final class SourceFiles {
           file, reading, text -> done(() -> TrlcReader.read(new TrlcTokens(text), types, reading)));
     } else if (has(file, ".json")) {
       Reading.file(file, reading, text -> done(() -> JsonItems.read(text, reading)));
-    } else if (!isYaml(file) && !has(file, ".rsl") && !has(file, ".sgra")) {
+    } else if (!isItem(file) && !has(file, ".rsl") && !has(file, ".sgra")) {
       unknown(file, reading);
-    } else if (isYaml(file) && document(file).isEmpty()) {
+    } else if (isItem(file) && document(file).isEmpty()) {
       unknown(file, reading);
     }
   }
