@@ -159,7 +159,7 @@ class CampaignTest {
     campaign("--compare", folder).expect(2).says("[campaign.comparison]");
     campaign("--case", 4).expect(0).says("case 4: speed = 50, gap = 10").says("FAILED  ");
     String scenario = Files.readString(results("approach/case-4/scenario.yaml"));
-    assertTrue(scenario.contains("\"gap_m\" : 10"), scenario);
+    assertTrue(scenario.contains("gap_m: 10"), scenario);
     assertTrue(Files.size(results("approach/case-4/stopped-vehicle-50.mcap")) > 10_000);
     campaign("--case", 7).expect(2).says("There is no case 7 of 6.");
   }

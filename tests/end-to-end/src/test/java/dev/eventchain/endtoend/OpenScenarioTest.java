@@ -79,9 +79,47 @@ class OpenScenarioTest {
     campaign(file, "--accept", "no_impact").expect(2).says("--accept needs a file");
   }
 
+  /** What a search finds leads to the file that it plays, from the results and when it is kept. */
+  @InTurn
+  @Test
+  void aSearchGoesThroughTheParametersOfAFile() throws IOException {
+    Path file = folder.resolve("far.yaml");
+    Files.writeString(
+        file,
+        """
+        scenario: %s
+        accept: [no_impact]
+        factors:
+          speed_kph: {values: [30, 70]}
+          target_kph: {values: [0, 20]}
+        search: {runs: 10, seeds: 1, stop: first_failure}
+        """
+            .formatted(FILES.resolve("rear-end.xosc").toAbsolutePath()));
+    campaign(file, "--engine", "ray").expect(2).says("[campaign.engine]");
+    campaigns("search", file, "--keep")
+        .expect(1)
+        .says("found/rear-end-found-1.yaml: speed_kph = 70")
+        .says("[search.found]")
+        .says("Kept: ");
+    Path found = project.path().resolve("out/searches/far/found/rear-end-found-1.yaml");
+    Path kept = project.path().resolve("scenarios/found/rear-end-found-1.yaml");
+    for (Path each : List.of(found, kept)) {
+      simulate("--no-strength", "--scenario-file", each).says("FAILED  rear-end-found-1");
+    }
+    campaigns("campaign", file, "--case", 1).expect(2).says("There is no case 1 of 0");
+    campaign(file).expect(1).says("4 cases: 3 passed, 1 failed");
+    campaigns("campaign", file, "--case", 3).expect(0).says("FAILED  no impact");
+    Path replayed = project.path().resolve("out/campaigns/far/case-3/scenario.yaml");
+    simulate("--no-strength", "--scenario-file", replayed).says("FAILED  rear-end");
+  }
+
   private Program.Ended campaign(Path file, Object... more) {
+    return campaigns("campaign", file, more);
+  }
+
+  private Program.Ended campaigns(String command, Path file, Object... more) {
     Object[] arguments = new Object[more.length + 3];
-    arguments[0] = "campaign";
+    arguments[0] = command;
     arguments[1] = project.path();
     arguments[2] = file;
     System.arraycopy(more, 0, arguments, 3, more.length);

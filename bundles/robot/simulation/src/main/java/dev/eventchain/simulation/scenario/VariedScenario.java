@@ -10,6 +10,7 @@ import dev.eventchain.openscenario.document.Variations;
 import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -25,9 +26,14 @@ import java.util.TreeSet;
  * @param fixed values of parameters that are the same in all cases, but not those of the scenario
  * @param parameters what varies, in the order of the file; empty if nothing does
  * @param rows the values of the parameters in each case; empty if all combinations are meant
+ * @param declared the values of all parameters of the scenario, as it writes them
  */
 public record VariedScenario(
-    Path scenario, Map<String, String> fixed, List<Parameter> parameters, List<List<String>> rows) {
+    Path scenario,
+    Map<String, String> fixed,
+    List<Parameter> parameters,
+    List<List<String>> rows,
+    Map<String, String> declared) {
 
   /** Digits of a number with which sums are computed at once. */
   private static final int MOST_DIGITS = 400;
@@ -63,6 +69,7 @@ public record VariedScenario(
   public VariedScenario {
     parameters = List.copyOf(parameters);
     rows = List.copyOf(rows);
+    declared = Collections.unmodifiableMap(new LinkedHashMap<>(declared));
   }
 
   /**
@@ -78,7 +85,14 @@ public record VariedScenario(
             file,
             Map.of(),
             read.parameters().stream().flatMap(each -> bounded(each).stream()).toList(),
-            List.of());
+            List.of(),
+            declared(read));
+  }
+
+  private static Map<String, String> declared(ScenarioFile scenario) {
+    Map<String, String> declared = new LinkedHashMap<>();
+    scenario.parameters().forEach(each -> declared.put(each.name(), each.value()));
+    return declared;
   }
 
   /** Returns the name of a scenario that plays a file. */
@@ -94,13 +108,31 @@ public record VariedScenario(
    * @throws dev.eventchain.diagnostics.DiagnosticException (INPUT) if nothing is required
    */
   public ObjectNode written(String path, List<String> accept) {
+    return written(path, accept, Set.of());
+  }
+
+  /**
+   * As {@link #written(String, List)}, with the values that more of its parameters have, as far as
+   * they are numbers: a factor replaces them.
+   */
+  public ObjectNode written(String path, List<String> accept, Set<String> more) {
     ObjectNode written = ScenarioFiles.written(scenario, path, accept);
     ObjectNode values = ((ObjectNode) written.get(OpenScenarioReader.KEY)).putObject("parameters");
-    fixed.forEach(values::put);
+    fixed.forEach(
+        (name, value) -> {
+          Optional<BigDecimal> number = number(value).filter(it -> more.contains(name));
+          number.ifPresentOrElse(it -> values.set(name, node(it)), () -> values.put(name, value));
+        });
     for (Parameter each : parameters) {
       // A number, which a factor replaces.
       values.set(each.name(), node(number(each.usual()).orElse(BigDecimal.ZERO)));
     }
+    declared.forEach(
+        (name, value) -> {
+          if (more.contains(name) && !values.has(name)) {
+            number(value).ifPresent(it -> values.set(name, node(it)));
+          }
+        });
     return written;
   }
 
@@ -144,7 +176,8 @@ public record VariedScenario(
         variations.scenario().path(),
         fixed,
         parameters,
-        isGrid(parameters, rows) ? List.of() : rows);
+        isGrid(parameters, rows) ? List.of() : rows,
+        declared(variations.scenario()));
   }
 
   private static boolean isGrid(List<Parameter> parameters, List<List<String>> rows) {

@@ -3,10 +3,12 @@ package dev.eventchain.pipeline.campaign;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.documents.YamlLayout;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignRules;
+import dev.eventchain.pipeline.campaign.plan.PlayedScenario;
 import dev.eventchain.pipeline.engine.PipelineRun;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;
@@ -20,6 +22,7 @@ import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.sandbox.Confinement;
 import dev.eventchain.simulation.CaseSimulation;
 import dev.eventchain.simulation.scenario.Scenario;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -35,6 +38,7 @@ final class CampaignScene {
 
   private final RunContext run;
   private final CampaignPlan plan;
+  private final Optional<Path> file;
   private final Fingerprint inputs;
   private final List<Scenario> scenarios;
   private final Scenario scenario;
@@ -43,17 +47,21 @@ final class CampaignScene {
   private boolean wasChanged;
 
   private CampaignScene(
-      RunContext run, CampaignPlan plan, Fingerprint inputs, List<Scenario> scenarios) {
+      RunContext run,
+      CampaignPlan plan,
+      Optional<Path> file,
+      Fingerprint inputs,
+      List<Scenario> scenarios) {
     this.run = run;
     this.plan = plan;
+    this.file = file;
     this.inputs = inputs;
     this.scenarios = scenarios;
-    Optional<Path> own = plan.scenarioFile();
     this.scenario =
-        own.map(file -> Scenario.read(file, run.chain().bench(), run::find))
+        file.map(it -> Scenario.read(it, run.chain().bench(), run::find))
             .orElseGet(() -> ScenarioTemplate.find(scenarios, plan));
     this.template =
-        new ScenarioTemplate(run, plan, own.orElseGet(() -> Path.of(scenario.location().file())));
+        new ScenarioTemplate(run, plan, file.orElseGet(() -> Path.of(scenario.location().file())));
   }
 
   /**
@@ -91,12 +99,30 @@ final class CampaignScene {
 
   private static List<CampaignScene> scenes(RunContext run, List<CampaignPlan> plans) {
     // Before anything is read, so that later changes are noticed.
-    List<Fingerprint> inputs = plans.stream().map(plan -> fingerprint(run, plan)).toList();
+    List<Optional<Path>> files = plans.stream().map(plan -> file(run, plan)).toList();
+    List<Fingerprint> inputs =
+        IntStream.range(0, plans.size())
+            .mapToObj(i -> fingerprint(run, plans.get(i), files.get(i)))
+            .toList();
     List<Scenario> scenarios =
         Scenario.readFolder(run.project().scenarios(), run.chain().bench(), run::find);
     return IntStream.range(0, plans.size())
-        .mapToObj(i -> new CampaignScene(run, plans.get(i), inputs.get(i), scenarios))
+        .mapToObj(i -> new CampaignScene(run, plans.get(i), files.get(i), inputs.get(i), scenarios))
         .toList();
+  }
+
+  /** Returns the file of a scenario that is not one of the project's; one may have to be made. */
+  private static Optional<Path> file(RunContext run, CampaignPlan plan) {
+    if (plan.played().isEmpty()) {
+      return plan.scenarioFile();
+    }
+    PlayedScenario played = plan.played().get();
+    String name = OpenScenarioCampaigns.FOLDER + "/" + plan.name() + "-scenario.yaml";
+    Path file = run.file(name);
+    String path = ScenarioTemplate.path(file.getParent(), played.varied().scenario());
+    String text = YamlLayout.of(played.written(path, plan.paths()));
+    run.writeResult(name, text.getBytes(StandardCharsets.UTF_8));
+    return Optional.of(file);
   }
 
   RunContext run() {
@@ -152,12 +178,13 @@ final class CampaignScene {
     return inputs;
   }
 
-  private static Fingerprint fingerprint(RunContext run, CampaignPlan plan) {
+  private static Fingerprint fingerprint(RunContext run, CampaignPlan plan, Optional<Path> file) {
     Fingerprint fingerprint = new Fingerprint(run);
     new SimulateStage().fingerprint(run, fingerprint);
     fingerprint.addFile(plan.file());
     plan.part().ifPresent(fingerprint::add);
-    plan.scenarioFile().map(Scenario::filesOf).ifPresent(fingerprint::addFiles);
+    plan.played().ifPresent(played -> fingerprint.addFile(played.file()));
+    file.map(Scenario::filesOf).ifPresent(fingerprint::addFiles);
     plan.factors().forEach(factor -> fingerprint.add(factor.levels()));
     return fingerprint;
   }
@@ -184,7 +211,7 @@ final class CampaignScene {
 
   /** Returns whether all files that a result depends on have always been as at first. */
   synchronized boolean isUnchanged() {
-    wasChanged |= !fingerprint(run, plan).value().equals(inputs.value());
+    wasChanged |= !fingerprint(run, plan, file).value().equals(inputs.value());
     return !wasChanged;
   }
 

@@ -53,7 +53,7 @@ final class CaseReplay {
     }
     CampaignCase id = rows.get(number - 1).id();
     String folder = "case-" + number;
-    byte[] text = (template.text(id) + "\n").getBytes(StandardCharsets.UTF_8);
+    byte[] text = template.text(id, store.path(folder)).getBytes(StandardCharsets.UTF_8);
     store.write(folder + "/scenario.yaml", text);
     SimulationResult result = simulate(template.of(id), folder);
     StringBuilder words = new StringBuilder("case " + number + ": " + id.words(plan) + "\n");

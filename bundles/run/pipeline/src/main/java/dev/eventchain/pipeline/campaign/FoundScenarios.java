@@ -29,7 +29,7 @@ final class FoundScenarios {
 
   /** Returns the name of a scenario. */
   String name(int number) {
-    return scene.plan().scenario() + "-found-" + number;
+    return scene.scenario().name() + "-found-" + number;
   }
 
   /** Returns the name of a scenario's file. */
@@ -37,7 +37,7 @@ final class FoundScenarios {
     return FOLDER + "/" + name(number) + ".yaml";
   }
 
-  private String text(SearchFinds.Find find, int number) {
+  private String text(SearchFinds.Find find, int number, Path folder) {
     String words = find.simple().id().words(scene.plan());
     String title = scene.scenario().title() + ": " + words;
     return """
@@ -50,13 +50,14 @@ final class FoundScenarios {
                 scene.plan().search().runs(),
                 words,
                 find.simple().result().reason().replaceAll("\\s+", " "))
-        + scene.template().text(find.simple().id(), name(number), title);
+        + scene.template().text(find.simple().id(), folder, name(number), title);
   }
 
   /** Writes a file for each find, and its bench if it is not the project's. */
   void write(CampaignStore store) {
     for (int i = 0; i < finds.size(); i++) {
-      store.write(file(i + 1), text(finds.get(i), i + 1).getBytes(StandardCharsets.UTF_8));
+      String found = text(finds.get(i), i + 1, store.path(FOLDER));
+      store.write(file(i + 1), found.getBytes(StandardCharsets.UTF_8));
       String bench = FOLDER + "/" + name(i + 1) + ".bench.txt";
       scene
           .template()
@@ -86,7 +87,7 @@ final class FoundScenarios {
     Path scenarios = scene.run().project().scenarios();
     for (int number = 1; ; number++) {
       Path target = scenarios.resolve(file(number));
-      String text = text(find, number);
+      String text = text(find, number, target.getParent());
       if (Files.exists(target) && isSame(target, text)) {
         return target;
       }

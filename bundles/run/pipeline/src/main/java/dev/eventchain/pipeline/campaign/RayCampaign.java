@@ -1,9 +1,12 @@
 package dev.eventchain.pipeline.campaign;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
+import dev.eventchain.pipeline.campaign.plan.CampaignRules;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
@@ -78,6 +81,7 @@ final class RayCampaign {
    *     versions; the cases that came before are kept
    */
   void simulate(Combinations combinations, Fingerprint sources) {
+    requireSendable();
     long open = combinations.of(Shard.ALL).stream().filter(this::isOpen).count();
     if (open == 0) {
       return;
@@ -96,6 +100,20 @@ final class RayCampaign {
       }
     } finally {
       store.save();
+    }
+  }
+
+  /** Refuses a scenario that leads from the output folder, which is elsewhere on each node. */
+  private void requireSendable() {
+    if (plan.played().isPresent()) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.of(
+                  CampaignRules.ENGINE,
+                  "A campaign that names an OpenSCENARIO file is not sent to a cluster.",
+                  SourceLocation.of(plan.file()))
+              .withHint(
+                  "Write a scenario that plays the file, and name that, or use --shard K/N."));
     }
   }
 

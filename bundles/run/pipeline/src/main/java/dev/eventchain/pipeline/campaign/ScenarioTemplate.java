@@ -41,6 +41,8 @@ final class ScenarioTemplate {
 
   private static final String BENCH = "bench:";
   private static final String PHASE = "phases_ms.";
+  private static final String PLAYED = "openscenario";
+  private static final String PLAYED_FILE = "file";
   private static final int MOST_TRIED = 200;
 
   /** Larger than any number of a scenario or a bench. */
@@ -213,8 +215,8 @@ final class ScenarioTemplate {
         cases.read(SourceText.of(file.toString(), text(each)), own), own);
   }
 
-  /** Returns the scenario of a case as JSON, which is YAML, too. */
-  String text(CampaignCase each) {
+  /** Returns the scenario of a case as JSON, which is YAML, too, for the folder of its file. */
+  private String text(CampaignCase each) {
     ObjectNode copy = scenario.deepCopy();
     setAll(copy, false, each);
     if (plan.repetitions() > 1) {
@@ -224,13 +226,35 @@ final class ScenarioTemplate {
     return copy.toPrettyString();
   }
 
-  /** Returns the scenario of a case as YAML, under another name and title. */
-  String text(CampaignCase each, String name, String title) {
-    SourceText text = SourceText.of(file.toString(), text(each));
-    ObjectNode copy = tree(text);
+  /** Returns the scenario of a case as YAML, for a folder. */
+  String text(CampaignCase each, Path folder) {
+    return YamlLayout.of(moved(each, folder));
+  }
+
+  /** Returns the scenario of a case as YAML, for a folder, under another name and title. */
+  String text(CampaignCase each, Path folder, String name, String title) {
+    ObjectNode copy = moved(each, folder);
     copy.put("name", name);
     copy.put("title", title);
     return YamlLayout.of(copy);
+  }
+
+  /** Returns the scenario of a case, which leads from a folder to the file that it plays. */
+  private ObjectNode moved(CampaignCase each, Path folder) {
+    ObjectNode copy = tree(SourceText.of(file.toString(), text(each)));
+    if (copy.path(PLAYED).path(PLAYED_FILE).isTextual()) {
+      Path played = file.resolveSibling(copy.get(PLAYED).get(PLAYED_FILE).textValue());
+      ((ObjectNode) copy.get(PLAYED)).put(PLAYED_FILE, path(folder, played));
+    }
+    return copy;
+  }
+
+  /** Returns a path from a folder, so that results do not depend on where a project lies. */
+  static String path(Path folder, Path file) {
+    Path from = folder.toAbsolutePath().normalize();
+    Path to = file.toAbsolutePath().normalize();
+    boolean related = from.getRoot().equals(to.getRoot());
+    return (related ? from.relativize(to) : to).toString().replace('\\', '/');
   }
 
   /** Returns the bench of a case as YAML; empty if it is the project's own. */

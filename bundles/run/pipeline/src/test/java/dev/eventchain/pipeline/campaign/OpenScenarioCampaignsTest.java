@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.documents.YamlLayout;
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
@@ -17,6 +18,9 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests campaigns that are written about files in OpenSCENARIO XML. */
 class OpenScenarioCampaignsTest {
@@ -122,5 +126,69 @@ class OpenScenarioCampaignsTest {
     Diagnostic finding =
         assertThrows(DiagnosticException.class, () -> write(name, isSearched)).diagnostics().get(0);
     return finding.id() + ": " + finding.message();
+  }
+
+  private CampaignPlan plan(String name, String more) throws IOException {
+    Path file = output.resolve("campaign.yaml");
+    Path scenario = FOLDER.resolve(name).toAbsolutePath();
+    return plan(Files.writeString(file, "scenario: " + scenario + "\n" + more));
+  }
+
+  private static String written(CampaignPlan plan) {
+    return YamlLayout.of(plan.played().orElseThrow().written("x.xosc", plan.paths()));
+  }
+
+  /** What a campaign file says of a file is the same as what is written about it. */
+  @ParameterizedTest
+  @ValueSource(strings = {"bounded.xosc", "grid.xosc", "sets.xosc"})
+  void aCampaignFileNamesAFile(String name) throws IOException {
+    CampaignPlan plan = plan(name, "accept: [no_impact]\n");
+    CampaignPlan expected = plan(write(name, false));
+    assertEquals(cases(expected), cases(plan));
+    assertEquals(expected.names(), plan.names());
+    assertEquals(expected.paths().toList(), plan.paths().toList());
+    assertEquals(List.of(), plan.tables());
+    String scenario =
+        Files.readString(output.resolve("openscenario/" + name.replace(".xosc", "-scenario.yaml")));
+    assertEquals(
+        scenario.replaceAll("file: .*", "file: x.xosc"),
+        written(plan).replaceAll("file: .*", "file: x.xosc"));
+  }
+
+  @Test
+  void factorsMayBeOtherParametersThanThoseThatVary() throws IOException {
+    String factors =
+        """
+        accept: [maximal_impact_speed_kmh=10]
+        factors:
+          onlyLeast: {values: [3, 4]}
+          turned: {path: openscenario.parameters.lane.shift, values: [0, 1]}
+        """;
+    CampaignPlan plan = plan("bounded.xosc", factors);
+    assertEquals(4, cases(plan).size());
+    assertEquals(
+        List.of("openscenario.parameters.onlyLeast", "openscenario.parameters.lane.shift"),
+        plan.paths().toList());
+    String scenario = written(plan);
+    assertTrue(scenario.contains("onlyLeast: 5"), scenario);
+    assertTrue(scenario.contains("accept: {maximal_impact_speed_kmh: 10.0}"), scenario);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "bounded.xosc | '' | campaign.key.missing: An OpenSCENARIO file does not say",
+        "bounded.xosc | 'accept: no_impact' | campaign.value.type",
+        "single.xosc | 'accept: [no_impact]' | campaign.empty: Nothing varies in this file",
+        "words.xosc | 'accept: [no_impact]' | campaign.factor: 'word' differs",
+        "missing.xosc | 'accept: [no_impact]' | file.missing",
+        "other.yaml | 'accept: [no_impact]' | campaign.key.missing",
+      })
+  void whatCannotBeACampaignIsRefused(String name, String more, String finding) {
+    DiagnosticException refused =
+        assertThrows(DiagnosticException.class, () -> plan(name, more + "\n"));
+    Diagnostic first = refused.diagnostics().get(0);
+    assertTrue((first.id() + ": " + first.message()).startsWith(finding), refused::getMessage);
   }
 }

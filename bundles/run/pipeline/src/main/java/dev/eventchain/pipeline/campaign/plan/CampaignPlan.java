@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * Statements of a campaign file about a campaign.
@@ -17,6 +18,7 @@ import java.util.Optional;
  * @param part its name in a file of several campaigns; empty in one of a single campaign
  * @param name that of its results
  * @param scenario the name of the scenario whose cases are simulated, or the path of its file
+ * @param played the file in OpenSCENARIO XML that {@code scenario} names, if it is one
  * @param computed what follows from the factors, in the order of the file
  * @param conditions keep the combinations for which all are true
  * @param repetitions of each combination, with other seeds
@@ -29,6 +31,7 @@ public record CampaignPlan(
     Optional<String> part,
     String name,
     String scenario,
+    Optional<PlayedScenario> played,
     List<Factor> factors,
     List<Computed> computed,
     Sampling sampling,
@@ -67,6 +70,7 @@ public record CampaignPlan(
         part,
         name,
         scenario,
+        played,
         factors,
         computed,
         Sampling.USUAL,
@@ -86,9 +90,21 @@ public record CampaignPlan(
   public List<Path> tables() {
     return factors.stream()
         .filter(factor -> factor.levels() instanceof Levels.Column)
+        .filter(factor -> !isPlayed(((Levels.Column) factor.levels()).table()))
         .map(factor -> file.resolveSibling(((Levels.Column) factor.levels()).table()))
         .distinct()
         .toList();
+  }
+
+  private boolean isPlayed(String table) {
+    return played.filter(it -> it.file().endsWith(table)).isPresent();
+  }
+
+  /** Returns the paths of all factors and of what is computed. */
+  public Stream<String> paths() {
+    return Stream.concat(
+            factors.stream().map(Factor::paths), computed.stream().map(Computed::paths))
+        .flatMap(List::stream);
   }
 
   /** Returns the values of the factors of a case, by their names. */

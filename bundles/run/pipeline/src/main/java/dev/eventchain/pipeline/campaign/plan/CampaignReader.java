@@ -24,6 +24,8 @@ public final class CampaignReader {
   private static final NumberRange SEED = NumberRange.of(0, 1L << 52);
   private static final NumberRange REPETITIONS = NumberRange.of(1, 1000);
 
+  private static final String FACTORS = "factors";
+
   private final Path file;
   private final boolean isSearched;
   private final SourceText text;
@@ -90,32 +92,30 @@ public final class CampaignReader {
   private CampaignPlan plan(ObjectReader section, Optional<String> part) {
     String scenario = section.requiredText("scenario");
     section.text("description"); // for people
-    List<Factor> factors = section.requiredObject("factors").map(this::factors).orElse(List.of());
-    Sampling sampling = sampling(section, factors);
+    Optional<PlayedScenario> played = PlayedScenario.read(file, scenario, section);
+    List<Factor> factors = factors(section, played);
+    Sampling sampling = sampling(section, factors, played);
     FormulasOfCases formulas = new FormulasOfCases(section, factors);
     List<Computed> computed = formulas.computed();
     Optional<Points> points = formulas.points();
-    List<SourceRange> conditions = conditions(section);
-    int repetitions = (int) section.wholeNumber("repetitions", REPETITIONS).orElse(1);
-    long seed = section.wholeNumber("seed", SEED).orElse(1);
-    Optional<CampaignPlan.Boundary> boundary =
-        section.object("boundary").flatMap(it -> boundary(it, factors, sampling));
-    Optional<SearchSettings> search = section.object("search").map(SearchSettings::read);
+    CampaignPlan plan =
+        new CampaignPlan(
+            file,
+            part,
+            name(part),
+            scenario,
+            played,
+            factors,
+            computed,
+            sampling,
+            conditions(section),
+            (int) section.wholeNumber("repetitions", REPETITIONS).orElse(1),
+            section.wholeNumber("seed", SEED).orElse(1),
+            section.object("boundary").flatMap(it -> boundary(it, factors, sampling)),
+            section.object("search").map(SearchSettings::read).orElse(SearchSettings.USUAL),
+            points);
     section.refuseOthers();
-    return new CampaignPlan(
-        file,
-        part,
-        name(part),
-        scenario,
-        factors,
-        computed,
-        sampling,
-        conditions,
-        repetitions,
-        seed,
-        boundary,
-        search.orElse(SearchSettings.USUAL),
-        points);
+    return plan;
   }
 
   /** Returns the name of a campaign's results. */
@@ -124,8 +124,25 @@ public final class CampaignReader {
     return part.map(own -> name + "-" + own).orElse(name);
   }
 
-  private Sampling sampling(ObjectReader section, List<Factor> factors) {
-    Sampling sampling = section.object("sampling").map(this::sampling).orElse(Sampling.USUAL);
+  /** Returns the factors; of a file in OpenSCENARIO XML, without any, what varies in it. */
+  private List<Factor> factors(ObjectReader section, Optional<PlayedScenario> played) {
+    if (played.isPresent() && !section.has(FACTORS)) {
+      PlayedScenario file = played.get();
+      Optional<Diagnostic> refusal = PlayedScenario.refusal(file.file(), file.varied(), isSearched);
+      refusal.ifPresent(section::find);
+      return refusal.isPresent() ? List.of() : file.factors(section.at("scenario"));
+    }
+    List<Factor> stated = section.requiredObject(FACTORS).map(this::factors).orElse(List.of());
+    return played.map(file -> stated.stream().map(file::addressed).toList()).orElse(stated);
+  }
+
+  private Sampling sampling(
+      ObjectReader section, List<Factor> factors, Optional<PlayedScenario> played) {
+    Sampling unstated =
+        section.has(FACTORS)
+            ? Sampling.USUAL
+            : played.map(file -> file.sampling(isSearched)).orElse(Sampling.USUAL);
+    Sampling sampling = section.object("sampling").map(this::sampling).orElse(unstated);
     requireFit(section, factors, sampling);
     return sampling;
   }
