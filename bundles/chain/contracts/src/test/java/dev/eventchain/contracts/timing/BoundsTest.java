@@ -98,7 +98,7 @@ class BoundsTest {
   }
 
   private static int length(Random random) {
-    return 1 + random.nextInt(5);
+    return 1L + random.nextInt(5);
   }
 
   private static long period(Random random) {
@@ -147,7 +147,7 @@ class BoundsTest {
     List<Task> path = new ArrayList<>();
     for (int i = length(random); i > 0; i--) {
       long period = period(random);
-      long execution = 1 + random.nextInt(3);
+      long execution = 1L + random.nextInt(3);
       executions.add(execution);
       String processor = "ecu" + random.nextInt(processors);
       int priority = 10 * random.nextInt(3) + i;
