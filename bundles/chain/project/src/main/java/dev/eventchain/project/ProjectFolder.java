@@ -213,8 +213,21 @@ public class ProjectFolder {
 
   /** Returns the files that describe the software base, which may be absent. */
   public final List<Path> softwareBaseFiles() {
-    return List.of(
-        softwareBase().resolve("components.json"), softwareBase().resolve("signals.json"));
+    List<Path> files = new ArrayList<>(signalFiles());
+    files.add(0, softwareBase().resolve("components.json"));
+    return files;
+  }
+
+  /** Returns the files of the vehicle's signals, without what they include. */
+  public final List<Path> signalFiles() {
+    List<Path> files = new ArrayList<>(List.of(softwareBase().resolve("signals.json")));
+    catalogue().map(it -> it.source().files()).ifPresent(files::addAll);
+    return files;
+  }
+
+  /** Returns the catalogue of signals that the configuration names, which has to be readable. */
+  public Optional<CatalogueSettings> catalogue() {
+    return ProjectSettings.catalogue(this);
   }
 
   /** Returns the file of open questions about the software base, which may be absent. */
@@ -319,7 +332,7 @@ public class ProjectFolder {
    * @throws DiagnosticException INPUT with the findings if any is an error
    */
   public final SoftwareBase readSoftwareBase() {
-    SoftwareBase base = SoftwareBase.read(softwareBase());
+    SoftwareBase base = SoftwareBase.read(softwareBase(), catalogue());
     refuseErrors(base.diagnostics());
     return base;
   }

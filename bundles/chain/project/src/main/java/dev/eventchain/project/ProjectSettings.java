@@ -68,6 +68,11 @@ public record ProjectSettings(String name, double frequency, RosDistribution dis
     return read(folder, settings -> RequirementSources.read(settings, folder.folder()));
   }
 
+  /** As {@link #read(ProjectFolder)}, but only the catalogue of signals, if there is one. */
+  static Optional<CatalogueSettings> catalogue(ProjectFolder folder) {
+    return read(folder, settings -> CatalogueSettings.read(settings, folder.folder()));
+  }
+
   /** Returns the required name; the reader reports an invalid one. */
   public static String name(ObjectReader settings) {
     String name = settings.requiredText("name");

@@ -1,5 +1,9 @@
 package dev.eventchain.project;
 
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import dev.eventchain.catalogue.SignalCatalogue;
+import dev.eventchain.catalogue.signal.CatalogueSignal;
 import dev.eventchain.description.ChainNames;
 import dev.eventchain.description.EventChainReader;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -39,8 +43,8 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
- * Software base of a project: the components of {@code components.json} with their files, and the
- * signals of {@code signals.json}.
+ * Software base of a project: the components of {@code components.json} with their files, the
+ * signals of {@code signals.json}, and those of a catalogue.
  */
 public final class SoftwareBase {
 
@@ -73,6 +77,7 @@ public final class SoftwareBase {
   private final String componentsText;
   private final String signalsText;
   private final Optional<List<Signal>> signals;
+  private final Optional<SignalCatalogue> catalogue;
   private final List<Diagnostic> diagnostics;
   private final EventChain described;
 
@@ -82,12 +87,14 @@ public final class SoftwareBase {
       String componentsText,
       String signalsText,
       Optional<List<Signal>> signals,
+      Optional<SignalCatalogue> catalogue,
       List<Diagnostic> diagnostics) {
     this.components = components;
     this.described = described;
     this.componentsText = componentsText;
     this.signalsText = signalsText;
     this.signals = signals.map(List::copyOf);
+    this.catalogue = catalogue;
     this.diagnostics = List.copyOf(diagnostics);
   }
 
@@ -98,7 +105,14 @@ public final class SoftwareBase {
    * @param folder the folder {@code software-base}
    */
   public static SoftwareBase read(Path folder) {
+    return read(folder, Optional.empty());
+  }
+
+  /** As {@link #read(Path)}, with the signals and findings of a catalogue. */
+  static SoftwareBase read(Path folder, Optional<CatalogueSettings> named) {
     List<Diagnostic> diagnostics = new ArrayList<>();
+    Optional<SignalCatalogue> catalogue = named.map(it -> SignalCatalogue.read(it.source()));
+    catalogue.map(SignalCatalogue::diagnostics).ifPresent(diagnostics::addAll);
     Map<String, Component> components = new LinkedHashMap<>();
     EventChain described = EventchainFactory.eINSTANCE.createEventChain();
     Optional<Text> componentsFile = existing(folder, COMPONENTS, diagnostics);
@@ -117,8 +131,45 @@ public final class SoftwareBase {
         described,
         componentsFile.map(Text::text).orElse("[]"),
         signalsFile.map(Text::text).orElse("[]"),
-        signals,
+        signals.map(own -> joined(own, catalogue.map(SignalCatalogue::topics).orElse(List.of()))),
+        catalogue,
         diagnostics);
+  }
+
+  private static List<Signal> joined(List<Signal> own, List<Signal> others) {
+    List<Signal> all = new ArrayList<>(own);
+    all.addAll(others);
+    return all;
+  }
+
+  /**
+   * Returns this software base with some signals of the catalogue only, as language models see it;
+   * unchanged without a catalogue.
+   */
+  public SoftwareBase offering(List<CatalogueSignal> some) {
+    if (catalogue.isEmpty()) {
+      return this;
+    }
+    ArrayNode text = JsonNodeFactory.instance.arrayNode();
+    for (String part : List.of(signalsText, catalogue.get().asJson(some))) {
+      JsonDocument.parse(SourceText.of("signals.json", part)).root().forEach(text::add);
+    }
+    List<Signal> whole = catalogue.get().topics();
+    List<Signal> own = signals.orElse(List.of());
+    List<Signal> kept = own.subList(0, own.size() - whole.size());
+    return new SoftwareBase(
+        components,
+        described,
+        componentsText,
+        text.toString(),
+        Optional.of(joined(kept, catalogue.get().topics(some))),
+        catalogue,
+        diagnostics);
+  }
+
+  /** Returns the catalogue of signals, if the project names one. */
+  public Optional<SignalCatalogue> catalogue() {
+    return catalogue;
   }
 
   /** Returns the software base of a chain outside any project: no components, vehicle unknown. */
@@ -128,6 +179,7 @@ public final class SoftwareBase {
         EventchainFactory.eINSTANCE.createEventChain(),
         "[]",
         "[]",
+        Optional.empty(),
         Optional.empty(),
         List.of());
   }
@@ -210,14 +262,17 @@ public final class SoftwareBase {
     return componentsText;
   }
 
-  /** Returns the text of {@code signals.json}; an empty array without such a file. */
+  /**
+   * Returns the text of {@code signals.json}; an empty array without such a file. Signals of the
+   * catalogue are in it only where some are {@link #offering offered}.
+   */
   public String signalsText() {
     return signalsText;
   }
 
   /**
-   * Returns the signals, in the order of the file; empty without such a file, so that the vehicle
-   * is unknown.
+   * Returns the signals, in the order of the file, and then those of the catalogue; empty without
+   * the file, so that the vehicle is unknown.
    */
   public Optional<List<Signal>> signals() {
     return signals;

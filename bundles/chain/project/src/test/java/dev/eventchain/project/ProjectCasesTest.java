@@ -45,6 +45,7 @@ class ProjectCasesTest {
     try {
       return switch (kind) {
         case "base" -> base(folder);
+        case "catalogue" -> catalogue(new ProjectFolder(folder));
         case "questions" -> render(OpenQuestions.read(new ProjectFolder(folder)), folder);
         case "requirements" -> requirements(folder);
         case "sources" -> sources(folder);
@@ -77,6 +78,22 @@ class ProjectCasesTest {
       text += render(base.check(chain.root(), chain.origins()::locate), folder);
     }
     return text;
+  }
+
+  private static String catalogue(ProjectFolder project) {
+    CatalogueSettings settings = project.catalogue().orElseThrow();
+    SoftwareBase base = project.readSoftwareBase();
+    String chosen =
+        "shortlist %d, pinned %s, excluded %s%n"
+            .formatted(settings.shortlist(), settings.pinned(), settings.excluded());
+    return chosen
+        + base.signals().orElseThrow().stream()
+            .map(it -> it.topic() + " " + it.direction() + " " + it.fields().get(0).unit() + "\n")
+            .collect(Collectors.joining())
+        + base.signalsText().strip()
+        + "\n"
+        + base.offering(base.catalogue().orElseThrow().signals().subList(0, 1)).signalsText()
+        + "\n";
   }
 
   private static String requirements(Path folder) {

@@ -39,7 +39,7 @@ public record ProjectBench(String text, List<Diagnostic> diagnostics) {
    * @throws DiagnosticException INPUT if the bench, the software base or the model cannot be read
    */
   public static ProjectBench of(Project project, Path output) {
-    SoftwareBase base = soundBase(project);
+    SoftwareBase base = project.readSoftwareBase();
     Bench bench = read(project, base);
     List<Diagnostic> found = new ArrayList<>(base.diagnostics());
     Optional<Path> file = project.model(output);
@@ -58,7 +58,7 @@ public record ProjectBench(String text, List<Diagnostic> diagnostics) {
    * @throws DiagnosticException INPUT if the bench or the software base cannot be read
    */
   public static Bench read(Project project) {
-    return read(project, soundBase(project));
+    return read(project, project.readSoftwareBase());
   }
 
   private static Bench read(Project project, SoftwareBase base) {
@@ -66,14 +66,6 @@ public record ProjectBench(String text, List<Diagnostic> diagnostics) {
         project.bench(),
         base.signals().orElse(List.of()),
         MessageCatalog.of(project.distribution(), project.messageFolders()));
-  }
-
-  private static SoftwareBase soundBase(Project project) {
-    SoftwareBase base = SoftwareBase.read(project.softwareBase());
-    if (Diagnostic.anyError(base.diagnostics())) {
-      throw new DiagnosticException(DiagnosticException.Reason.INPUT, base.diagnostics());
-    }
-    return base;
   }
 
   /**

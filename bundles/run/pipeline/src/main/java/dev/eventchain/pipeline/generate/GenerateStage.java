@@ -43,7 +43,7 @@ public final class GenerateStage implements StageWork {
     fingerprint
         .addSetting("template", run.project().configuration().template())
         .addFile(run.model())
-        .addFile(run.project().softwareBase().resolve("signals.json"))
+        .addFiles(run.project().signalFiles())
         .addMessages()
         .addFile(run.file(ProjectFolder.GENERATED));
     run.project().configuration().packageFacts().forEach(fingerprint::addSetting);

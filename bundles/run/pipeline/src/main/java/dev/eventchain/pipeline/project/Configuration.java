@@ -11,6 +11,7 @@ import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.llm.service.ModelServices;
 import dev.eventchain.messages.RosDistribution;
+import dev.eventchain.project.CatalogueSettings;
 import dev.eventchain.project.ProjectSettings;
 import dev.eventchain.project.RequirementSources;
 import java.nio.file.Path;
@@ -36,6 +37,7 @@ import java.util.stream.Stream;
  * @param services the locations and prices of models, and the spending limit of a run
  * @param repairs the number of times that failed checks are sent back to the model
  * @param requirements the sources of requirements besides {@code requirements.md}
+ * @param catalogue the catalogue of signals, if there is one
  * @param template the folder of the template set, under templates/, or a file *.mtl of the project
  * @param strength the strength that requirements have to have
  * @param packageFacts the given metadata of the generated package, by template property, such as
@@ -51,6 +53,7 @@ public record Configuration(
     ModelServices services,
     int repairs,
     RequirementSources requirements,
+    Optional<CatalogueSettings> catalogue,
     String template,
     StrengthSettings strength,
     SortedMap<String, String> packageFacts) {
@@ -100,6 +103,7 @@ public record Configuration(
             ModelServices.read(settings),
             (int) settings.wholeNumber("repairs", REPAIRS).orElse(DEFAULT_REPAIRS),
             RequirementSources.read(settings, folder),
+            CatalogueSettings.read(settings, folder),
             template(settings, folder),
             StrengthSettings.read(settings),
             settings.object("package").map(Configuration::facts).orElseGet(TreeMap::new));
@@ -184,6 +188,7 @@ public record Configuration(
         services,
         repairs,
         requirements,
+        catalogue,
         template,
         strength,
         packageFacts);

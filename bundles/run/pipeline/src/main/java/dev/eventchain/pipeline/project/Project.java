@@ -1,6 +1,7 @@
 package dev.eventchain.pipeline.project;
 
 import dev.eventchain.messages.RosDistribution;
+import dev.eventchain.project.CatalogueSettings;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.RequirementSources;
 import dev.eventchain.simulation.bench.Bench;
@@ -58,6 +59,12 @@ public final class Project extends ProjectFolder {
     return configuration.requirements();
   }
 
+  /** Returns the catalogue of signals as it was read with the rest of the configuration. */
+  @Override
+  public Optional<CatalogueSettings> catalogue() {
+    return configuration.catalogue();
+  }
+
   public Path recordings() {
     return folder().resolve("recordings");
   }
@@ -110,6 +117,7 @@ public final class Project extends ProjectFolder {
     files.add(designRulesFile());
     files.addAll(ownConstraints());
     bench().ifPresent(files::add);
+    catalogue().ifPresent(it -> files.addAll(it.source().files()));
     for (String name : List.of("software-base", "scenarios", "tests")) {
       existing(name).filter(Files::isDirectory).ifPresent(each -> files.addAll(below(each)));
     }

@@ -1,0 +1,95 @@
+package dev.eventchain.catalogue;
+
+import dev.eventchain.catalogue.signal.CatalogueFormat;
+import dev.eventchain.catalogue.signal.CatalogueRules;
+import dev.eventchain.catalogue.signal.CatalogueSignal;
+import dev.eventchain.catalogue.vss.VssFormat;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.model.Signal;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/** The signals of a whole vehicle, of which a chain uses a few. Immutable. */
+public final class SignalCatalogue {
+
+  private static final List<CatalogueFormat> FORMATS = List.of(new VssFormat());
+
+  private final Map<String, CatalogueSignal> byPath = new LinkedHashMap<>();
+  private final CatalogueTopics topics;
+  private final List<Diagnostic> diagnostics;
+
+  private SignalCatalogue(
+      List<CatalogueSignal> signals, CatalogueTopics topics, List<Diagnostic> diagnostics) {
+    signals.forEach(signal -> byPath.putIfAbsent(signal.path(), signal));
+    this.topics = topics;
+    this.diagnostics = List.copyOf(diagnostics);
+  }
+
+  /** Reads a catalogue. What cannot be read is a finding, and so is a catalogue without signals. */
+  public static SignalCatalogue read(CatalogueSource source) {
+    List<Diagnostic> found = new ArrayList<>();
+    String name = source.file().toString().toLowerCase(Locale.ROOT);
+    Optional<CatalogueFormat> format =
+        FORMATS.stream().filter(it -> it.suffixes().stream().anyMatch(name::endsWith)).findFirst();
+    if (format.isEmpty()) {
+      String suffixes =
+          FORMATS.stream().flatMap(it -> it.suffixes().stream()).collect(Collectors.joining(", "));
+      found.add(
+          Diagnostic.of(
+                  CatalogueRules.FORMAT,
+                  "This is no catalogue of signals in a format that is read.",
+                  SourceLocation.of(source.file()))
+              .withHint("These are read: " + suffixes + "."));
+      return new SignalCatalogue(List.of(), new CatalogueTopics("none"), found);
+    }
+    List<CatalogueSignal> signals = format.get().read(source.file(), source.overlays(), found::add);
+    if (signals.isEmpty() && found.isEmpty()) {
+      found.add(
+          Diagnostic.of(
+                  CatalogueRules.EMPTY,
+                  "The catalogue has no signals.",
+                  SourceLocation.of(source.file()))
+              .withHint("A signal has the type sensor, actuator or attribute."));
+    }
+    return new SignalCatalogue(signals, new CatalogueTopics(format.get().prefix()), found);
+  }
+
+  /** Returns all signals, in the order of the files. */
+  public List<CatalogueSignal> signals() {
+    return List.copyOf(byPath.values());
+  }
+
+  /** Returns the signal with a path. */
+  public Optional<CatalogueSignal> find(String path) {
+    return Optional.ofNullable(byPath.get(path));
+  }
+
+  /** Returns the topics of all signals. */
+  public List<Signal> topics() {
+    return topics(signals());
+  }
+
+  /**
+   * Returns the topics of some signals: one for the current value of each, and one for the wanted
+   * value of each actuator.
+   */
+  public List<Signal> topics(List<CatalogueSignal> some) {
+    return some.stream().flatMap(signal -> topics.of(signal).stream()).toList();
+  }
+
+  /** Returns the topics of some signals in the form of {@code signals.json}. */
+  public String asJson(List<CatalogueSignal> some) {
+    return topics.asJson(some);
+  }
+
+  /** Returns the findings. */
+  public List<Diagnostic> diagnostics() {
+    return diagnostics;
+  }
+}

@@ -1,0 +1,2 @@
+/** Reader of the Vehicle Signal Specification of COVESA. */
+package dev.eventchain.catalogue.vss;
