@@ -39,7 +39,7 @@ public final class Bench {
   public static final String FILE = "bench.yaml";
 
   /** Source of a published value. */
-  public sealed interface Source permits Constant, Quantity, Truth {
+  public sealed interface Source permits Constant, Quantity, Truth, ChosenText {
 
     /** Returns an example value of the published kind. */
     Object example();

@@ -22,6 +22,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 
 /** Reads the connections of single fields of a bench's topics. */
@@ -29,6 +30,7 @@ final class BenchFields {
 
   private static final String VALUE = "value";
   private static final String CONSTANT = "constant";
+  private static final String TEXTS = "texts";
 
   /** Message for a value that is not a string, a number, a Boolean or a list. */
   static final String NO_VALUE = "This is not a value that a field can have.";
@@ -122,23 +124,46 @@ final class BenchFields {
     Optional<Source> found =
         section.has(CONSTANT)
             ? constant(section)
-            : section
-                .text(VALUE)
-                .flatMap(
-                    text ->
-                        source(
-                            section,
-                            VALUE,
-                            text,
-                            unit(section, unitText, topic, path),
-                            absent,
-                            type));
+            : section.has(TEXTS)
+                ? chosen(section, type)
+                : section
+                    .text(VALUE)
+                    .flatMap(
+                        text ->
+                            source(
+                                section,
+                                VALUE,
+                                text,
+                                unit(section, unitText, topic, path),
+                                absent,
+                                type));
     section.refuseOthers();
     if (noise > 0.0 && found.isPresent() && !(found.get() instanceof Bench.Quantity)) {
       section.find(
           BenchRules.BENCH_VALUE_RANGE, "Only a quantity can have noise.", section.at(NOISE));
     }
     return found.map(source -> source instanceof Bench.Quantity it ? it.withNoise(noise) : source);
+  }
+
+  /** Reads a quantity whose values stand for texts. */
+  private Optional<Source> chosen(ObjectReader section, Optional<FieldType> type) {
+    List<String> texts = section.texts(TEXTS);
+    Optional<Term> number = part(section, VALUE, "'%s' is not a number without a unit.");
+    if (texts.size() < 2 || texts.size() != Set.copyOf(texts).size()) {
+      String message = "'" + TEXTS + "' must be at least two different strings.";
+      section.find(BenchRules.BENCH_VALUE_RANGE, message, section.at(TEXTS));
+      return Optional.empty();
+    }
+    if (type.isPresent() && !isText(type.get())) {
+      String message = "The field is %s, which holds no text.".formatted(type.get());
+      section.find(BenchRules.BENCH_VALUE_TYPE, message, section.at(TEXTS));
+      return Optional.empty();
+    }
+    return number.map(term -> new ChosenText(section.text(VALUE).orElse(""), term, texts));
+  }
+
+  private static boolean isText(FieldType type) {
+    return type.kind() == FieldType.Kind.STRING && type.shape() == FieldType.Shape.SINGLE;
   }
 
   private static Optional<Source> constant(ObjectReader section) {
@@ -290,6 +315,10 @@ final class BenchFields {
    * @param key the key of the formula
    */
   Optional<Term> part(ObjectReader section, String key) {
+    return part(section, key, "'%s' is not a fraction, such as 5 %%.");
+  }
+
+  private Optional<Term> part(ObjectReader section, String key, String otherwise) {
     Optional<String> text = section.text(key);
     if (text.isEmpty()) {
       return Optional.empty();
@@ -302,8 +331,7 @@ final class BenchFields {
           && BenchInputs.fits(term, Unit.parse("1").orElseThrow())) {
         return Optional.of(term);
       }
-      section.find(
-          BenchRules.BENCH_UNIT, "'" + text.get() + "' is not a fraction, such as 5 %.", place);
+      section.find(BenchRules.BENCH_UNIT, otherwise.formatted(text.get()), place);
     } catch (DiagnosticException e) {
       e.diagnostics().forEach(section::find);
     }

@@ -74,6 +74,8 @@ final class BenchListing {
         row(field.path(), "", quantity.text());
       } else if (field.source() instanceof Bench.Truth truth) {
         row(field.path(), "", truth.text());
+      } else if (field.source() instanceof ChosenText chosen) {
+        row(field.path(), "", chosen.text() + ": " + String.join(", ", chosen.texts()));
       } else if (field.source() instanceof Bench.Constant constant) {
         row(field.path(), "", "always " + constant.value());
       }

@@ -8,6 +8,7 @@ import dev.eventchain.messages.MessageValue;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.bench.Bench.Provided;
 import dev.eventchain.simulation.bench.BenchRules;
+import dev.eventchain.simulation.bench.ChosenText;
 import dev.eventchain.simulation.bench.TypedTopic;
 import dev.eventchain.simulation.formula.SampledRun;
 import dev.eventchain.simulation.formula.Signal;
@@ -138,6 +139,8 @@ final class Publisher {
         send(message, field, quantity.at(moment, random));
       } else if (field.source() instanceof Bench.Truth truth) {
         message.set(field.path(), truth.formula().holds(moment));
+      } else if (field.source() instanceof ChosenText chosen) {
+        message.set(field.path(), chosen.at(moment).orElseThrow(() -> noText(chosen, field)));
       }
     }
   }
@@ -168,6 +171,15 @@ final class Publisher {
           Diagnostic.of(BenchRules.BENCH_VALUE_RANGE, e.getMessage(), field.location())
               .withHint("Limit it: `min(gap, 200 m)`, or give it another unit."));
     }
+  }
+
+  private static DiagnosticException noText(ChosenText chosen, Bench.Field field) {
+    String message =
+        "'%s' is none of the %d texts.".formatted(chosen.text(), chosen.texts().size());
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT,
+        Diagnostic.of(BenchRules.BENCH_VALUE_RANGE, message, field.location())
+            .withHint("0 stands for the first text, 1 for the second one."));
   }
 
   private static void stamp(MessageValue message, String field, long now) {
