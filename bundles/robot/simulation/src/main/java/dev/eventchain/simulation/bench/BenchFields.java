@@ -31,6 +31,7 @@ final class BenchFields {
   private static final String VALUE = "value";
   private static final String CONSTANT = "constant";
   private static final String TEXTS = "texts";
+  private static final String ABSENT = "absent";
 
   /** Message for a value that is not a string, a number, a Boolean or a list. */
   static final String NO_VALUE = "This is not a value that a field can have.";
@@ -118,7 +119,7 @@ final class BenchFields {
       String message = "A field has either '" + VALUE + "' or '" + CONSTANT + "'.";
       section.find(BenchRules.BENCH_KEY_MISSING, message, section.location());
     }
-    double absent = section.number("absent", NumberRange.of(-1e12, 1e12)).orElse(0.0);
+    double absent = section.number(ABSENT, NumberRange.of(-1e12, 1e12)).orElse(0.0);
     Optional<String> unitText = section.text(UNIT);
     double noise = section.number(NOISE, NumberRange.of(0, 1e6)).orElse(0.0);
     Optional<Source> found =
@@ -138,6 +139,11 @@ final class BenchFields {
                                 absent,
                                 type));
     section.refuseOthers();
+    return withNoise(section, found, noise);
+  }
+
+  private static Optional<Source> withNoise(
+      ObjectReader section, Optional<Source> found, double noise) {
     if (noise > 0.0 && found.isPresent() && !(found.get() instanceof Bench.Quantity)) {
       section.find(
           BenchRules.BENCH_VALUE_RANGE, "Only a quantity can have noise.", section.at(NOISE));
@@ -149,6 +155,12 @@ final class BenchFields {
   private Optional<Source> chosen(ObjectReader section, Optional<FieldType> type) {
     List<String> texts = section.texts(TEXTS);
     Optional<Term> number = part(section, VALUE, "'%s' is not a number without a unit.");
+    for (String key : List.of(UNIT, ABSENT)) {
+      if (section.has(key)) {
+        String message = "A text has no '" + key + "'.";
+        section.find(BenchRules.BENCH_VALUE_RANGE, message, section.at(key));
+      }
+    }
     if (texts.size() < 2 || texts.size() != Set.copyOf(texts).size()) {
       String message = "'" + TEXTS + "' must be at least two different strings.";
       section.find(BenchRules.BENCH_VALUE_RANGE, message, section.at(TEXTS));
