@@ -18,6 +18,10 @@ import java.util.Optional;
 final class CatalogueTopics {
 
   private static final String FIELD = "data";
+  private static final String EACH = "A topic for each choice from the braces. ";
+
+  /** Longest meaning in characters. */
+  private static final int LONGEST = 400;
 
   /** Messages by the type of their field. */
   private static final Map<String, String> MESSAGES =
@@ -74,29 +78,39 @@ final class CatalogueTopics {
         signal.location());
   }
 
+  /** Returns topics in the form of {@code signals.json}; those of a group of signals at once. */
   String asJson(List<CatalogueSignal> signals) {
     ArrayNode all = JsonNodeFactory.instance.arrayNode();
-    for (CatalogueSignal signal : signals) {
-      of(signal).forEach(topic -> all.add(json(topic, signal)));
+    for (SignalGroup group : SignalGroup.of(signals)) {
+      of(group.any()).forEach(topic -> all.add(json(topic, group)));
     }
     return all.toString();
   }
 
-  private static ObjectNode json(Signal topic, CatalogueSignal signal) {
+  private static ObjectNode json(Signal topic, SignalGroup group) {
+    CatalogueSignal any = group.any();
     boolean wanted = topic.direction() == Signal.Direction.CONSUMED;
+    String start = topic.topic().substring(0, topic.topic().length() - any.path().length());
+    String meaning =
+        wanted
+            ? "Wanted value of the same signal; write it to change it."
+            : shortened(any.meaning());
     ObjectNode json = JsonNodeFactory.instance.objectNode();
-    json.put("Topic Name", topic.topic());
+    json.put("Topic Name", start + group.path().replace('.', '/'));
     json.put("Message Type", topic.messageType());
     json.put("direction", wanted ? "consumed" : "provided");
     ObjectNode field = json.putArray("Message Definition").addObject();
     field.put("Field", FIELD);
     field.put("Type", topic.fields().get(0).type());
-    field.put(
-        "Description",
-        wanted ? "Wanted value of the same signal; write it to change it." : signal.meaning());
-    if (!signal.unit().isEmpty()) {
-      field.put("Unit", signal.unit());
+    field.put("Description", group.signals().size() == 1 ? meaning : EACH + meaning);
+    if (!any.unit().isEmpty()) {
+      field.put("Unit", any.unit());
     }
     return json;
+  }
+
+  /** Returns a text without its end if it is long: some list dozens of values. */
+  private static String shortened(String text) {
+    return text.length() <= LONGEST ? text : text.substring(0, LONGEST) + " ...";
   }
 }

@@ -70,6 +70,11 @@ public final class SignalCatalogue {
     return Optional.ofNullable(byPath.get(path));
   }
 
+  /** Returns whether a signal has a path, or is in the group with that path. */
+  public static boolean isIn(CatalogueSignal signal, String path) {
+    return signal.path().equals(path) || signal.path().startsWith(path + ".");
+  }
+
   /** Returns the topics of all signals. */
   public List<Signal> topics() {
     return topics(signals());

@@ -2,14 +2,20 @@ package dev.eventchain.project;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.catalogue.CatalogueSource;
+import dev.eventchain.catalogue.SignalCatalogue;
+import dev.eventchain.catalogue.signal.CatalogueSignal;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * The catalogue of signals that {@code eventchain.yaml} names under {@code catalogue}: a file, or a
@@ -18,11 +24,16 @@ import java.util.Optional;
  *
  * @param source its files
  * @param shortlist how many signals a design is offered
- * @param pinned paths of signals that are always offered
+ * @param pinned paths of signals, or of groups of them, that are always offered
  * @param excluded paths of signals, or of groups of them, that are never offered
+ * @param place the location of the setting
  */
 public record CatalogueSettings(
-    CatalogueSource source, int shortlist, List<String> pinned, List<String> excluded) {
+    CatalogueSource source,
+    int shortlist,
+    List<String> pinned,
+    List<String> excluded,
+    SourceLocation place) {
 
   /** Default number of signals that a design is offered. */
   public static final int DEFAULT_SHORTLIST = 16;
@@ -55,7 +66,8 @@ public record CatalogueSettings(
                         new CatalogueSource(file, List.of()),
                         DEFAULT_SHORTLIST,
                         List.of(),
-                        List.of()))
+                        List.of(),
+                        settings.at(SETTING)))
         : Optional.empty();
   }
 
@@ -71,7 +83,37 @@ public record CatalogueSettings(
     catalogue.refuseOthers();
     return file.map(
         it ->
-            new CatalogueSettings(new CatalogueSource(it, overlays), shortlist, pinned, excluded));
+            new CatalogueSettings(
+                new CatalogueSource(it, overlays),
+                shortlist,
+                pinned,
+                excluded,
+                catalogue.location()));
+  }
+
+  /** Returns how many and which signals are offered, for fingerprints. */
+  public String choice() {
+    return shortlist + " " + pinned + " " + excluded;
+  }
+
+  /** Returns a finding for each chosen path that no signal of the catalogue has. */
+  List<Diagnostic> check(SignalCatalogue catalogue) {
+    List<Diagnostic> found = new ArrayList<>();
+    Set<String> chosen = new LinkedHashSet<>(pinned);
+    chosen.addAll(excluded);
+    for (String path : catalogue.signals().isEmpty() ? Set.<String>of() : chosen) {
+      if (catalogue.signals().stream().noneMatch(it -> SignalCatalogue.isIn(it, path))) {
+        String message = "The catalogue has no signal and no group '" + path + "'.";
+        List<String> paths = catalogue.signals().stream().map(CatalogueSignal::path).toList();
+        found.add(
+            Diagnostic.of(ProjectRules.PROJECT_CATALOGUE, message, place)
+                .withHint(
+                    NearestName.of(path, paths)
+                        .map(near -> "Did you mean `" + near + "`?")
+                        .orElse("Write a path as the catalogue has it, such as Vehicle.Speed.")));
+      }
+    }
+    return found;
   }
 
   private static Optional<Path> path(String file, ObjectReader settings, String key, Path folder) {

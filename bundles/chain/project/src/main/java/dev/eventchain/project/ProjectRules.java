@@ -18,6 +18,7 @@ final class ProjectRules {
   static final Rule MODELER_REQUIREMENTS_UNREAD = Rule.warning("modeler.requirements.unread");
   static final Rule MODELER_SIGNAL_DIRECTION = Rule.error("modeler.signal.direction");
   static final Rule PROJECT_ACCEPTED = Rule.error("project.accepted");
+  static final Rule PROJECT_CATALOGUE = Rule.error("project.catalogue");
   static final Rule PROJECT_CONFIGURATION = Rule.error("project.configuration");
   static final Rule PROJECT_CONSTRAINTS_UNREAD = Rule.warning("project.constraints.unread");
   static final Rule PROJECT_FILE_MISNAMED = Rule.error("project.file.misnamed");

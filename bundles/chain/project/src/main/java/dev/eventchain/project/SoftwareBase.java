@@ -113,6 +113,7 @@ public final class SoftwareBase {
     List<Diagnostic> diagnostics = new ArrayList<>();
     Optional<SignalCatalogue> catalogue = named.map(it -> SignalCatalogue.read(it.source()));
     catalogue.map(SignalCatalogue::diagnostics).ifPresent(diagnostics::addAll);
+    catalogue.map(it -> named.orElseThrow().check(it)).ifPresent(diagnostics::addAll);
     Map<String, Component> components = new LinkedHashMap<>();
     EventChain described = EventchainFactory.eINSTANCE.createEventChain();
     Optional<Text> componentsFile = existing(folder, COMPONENTS, diagnostics);
@@ -154,15 +155,14 @@ public final class SoftwareBase {
     for (String part : List.of(signalsText, catalogue.get().asJson(some))) {
       JsonDocument.parse(SourceText.of("signals.json", part)).root().forEach(text::add);
     }
-    List<Signal> whole = catalogue.get().topics();
-    List<Signal> own = signals.orElse(List.of());
-    List<Signal> kept = own.subList(0, own.size() - whole.size());
+    List<Signal> all = signals.orElse(List.of());
+    List<Signal> own = all.subList(0, all.size() - catalogue.get().topics().size());
     return new SoftwareBase(
         components,
         described,
         componentsText,
         text.toString(),
-        Optional.of(joined(kept, catalogue.get().topics(some))),
+        Optional.of(joined(own, catalogue.get().topics(some))),
         catalogue,
         diagnostics);
   }
@@ -286,9 +286,14 @@ public final class SoftwareBase {
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
+  /** Returns the descriptions of the components, in the order of the file. */
+  public List<SoftwareNode> descriptions() {
+    return List.copyOf(described.getSoftware());
+  }
+
   /** Returns the description of a component, of which a chain may use a part. */
   Optional<SoftwareNode> described(String name) {
-    return described.getSoftware().stream().filter(node -> node.getName().equals(name)).findFirst();
+    return descriptions().stream().filter(node -> node.getName().equals(name)).findFirst();
   }
 
   /** Returns the findings about the files. */

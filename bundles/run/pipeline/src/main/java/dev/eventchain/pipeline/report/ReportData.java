@@ -1,13 +1,17 @@
 package dev.eventchain.pipeline.report;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Printable;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.jsonmodels.JsonDocument;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainFactory;
+import dev.eventchain.pipeline.design.OfferedSignals;
 import dev.eventchain.pipeline.diagram.ChainPicture;
 import dev.eventchain.pipeline.project.Configuration;
 import dev.eventchain.pipeline.results.AnsweredPrompt;
@@ -23,6 +27,8 @@ import dev.eventchain.pipeline.simulate.SimulateStage;
 import dev.eventchain.pipeline.stage.ChainSnapshot;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.pipeline.stage.StageOutcome;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -72,6 +78,7 @@ public final class ReportData {
     stages();
     model.ifPresent(m -> data.set("chain", ChainPicture.of(m.chain())));
     set("validation", validation());
+    offered().ifPresent(it -> data.set("retrieved", it));
     set("conversations", conversations());
     diagnostics(found);
     set("latencies", simulated().map(Simulated::latencies).orElse(List.of()));
@@ -133,6 +140,14 @@ public final class ReportData {
     return outcomes.keySet().stream()
         .flatMap(stage -> run.models().conversation(stage).stream())
         .toList();
+  }
+
+  /** Returns the signals of a catalogue that the design was offered, if there was one. */
+  private Optional<JsonNode> offered() {
+    Path file = run.file(OfferedSignals.FILE);
+    return run.project().catalogue().isPresent() && Files.isRegularFile(file)
+        ? readable(() -> JsonDocument.parse(SourceText.read(file)).root())
+        : Optional.empty();
   }
 
   private void stages() {

@@ -49,6 +49,7 @@ public final class ReportPage {
           "chain.js",
           "scenarios.js",
           "faults.js",
+          "retrieved.js",
           "conversations.js",
           "head.js",
           "requirements.js",

@@ -1,0 +1,13 @@
+// Which signals of a catalogue the design was offered, and why.
+
+function retrievedSection() {
+  const entries = records(data.retrieved);
+  if (entries.length === 0) {
+    return null;
+  }
+  const columns = [{ name: "Signals", row: true }, { name: "Number", number: true }, { name: "Score", number: true }, { name: "Because of", plain: true }, { name: "Meaning", plain: true }];
+  const rows = entries.map((entry) => ({ cells: [code(text(entry.signals)), whole(entry.number), figure(entry.score, 3),
+    entry.pinned === true ? "pinned" : text(entry.because), text(entry.meaning)] }));
+  return section("retrieved", "Signals offered to the design", "Found in the catalogue by the words of the requirements and of existing components. A signal that is missing can be pinned in eventchain.yaml.",
+    table("Signals of the catalogue, best first", columns, rows, { stack: true }));
+}
