@@ -21,7 +21,7 @@ final class ProjectContent {
 
   /** Examples that ship with the program. */
   static final List<String> EXAMPLES =
-      List.of("aeb", "acc", "lane-departure", "radar-aeb", "cut-in");
+      List.of("aeb", "acc", "lane-departure", "child-presence", "radar-aeb", "cut-in");
 
   private final Program program;
   private final Path folder;
