@@ -128,8 +128,8 @@ final class VssFiles {
   private void children(VssValue parent, String branch, Target target) {
     parent
         .json()
-        .fields()
-        .forEachRemaining(
+        .properties()
+        .forEach(
             field -> {
               String pointer = Document.below(parent.pointer(), field.getKey());
               VssValue value = new VssValue(field.getValue(), parent.document(), pointer);
@@ -154,8 +154,8 @@ final class VssFiles {
     Map<String, VssValue> attributes = new LinkedHashMap<>();
     value
         .json()
-        .fields()
-        .forEachRemaining(
+        .properties()
+        .forEach(
             field -> {
               String pointer = Document.below(value.pointer(), field.getKey());
               attributes.put(
@@ -190,8 +190,8 @@ final class VssFiles {
   private void listed(Document document, Path file, String branch, Target target) {
     document
         .root()
-        .fields()
-        .forEachRemaining(
+        .properties()
+        .forEach(
             field -> {
               JsonNode files = field.getValue().path(INCLUDES);
               String pointer = Document.below(Document.below("", field.getKey()), INCLUDES);

@@ -232,9 +232,8 @@ final class VssLeaves {
             value ->
                 value
                     .json()
-                    .fields()
-                    .forEachRemaining(
-                        each -> texts.add(each.getValue().asText() + " " + each.getKey())));
+                    .properties()
+                    .forEach(each -> texts.add(each.getValue().asText() + " " + each.getKey())));
     return texts;
   }
 
