@@ -44,7 +44,7 @@ class AgentServerTest {
 
   @AfterEach
   void end() throws Exception {
-    client.close();
+    client.end();
   }
 
   @ParameterizedTest
@@ -207,7 +207,7 @@ class AgentServerTest {
   @Test
   void findingsThatAreTooManyAreCounted() throws Exception {
     JsonNode result = client.begun().call("campaign", Map.of("project", "p", "file", "p/c.yaml"));
-    assertEquals(50, result.at("/structuredContent/findingsLeftOut").asInt());
+    assertEquals(50, result.at("/structuredContent/leftOut").asInt());
     assertEquals(200, result.at("/structuredContent/report/findings").size());
   }
 

@@ -18,7 +18,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 
 /** A client that speaks the protocol by itself, and the server in a thread of its own. */
-final class Client implements AutoCloseable {
+final class Client {
 
   private static final ObjectMapper JSON = new ObjectMapper();
   private static final long LONGEST_SECONDS = 60;
@@ -134,10 +134,5 @@ final class Client implements AutoCloseable {
     if (server.isAlive()) {
       throw new AssertionError("the server goes on after the end of its input");
     }
-  }
-
-  @Override
-  public void close() throws Exception {
-    end();
   }
 }

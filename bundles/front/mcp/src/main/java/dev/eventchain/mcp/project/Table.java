@@ -42,8 +42,8 @@ public record Table(List<String> columns, List<Map<String, Object>> rows) {
 
   private static Object value(String cell) {
     return switch (cell) {
-      case "true" -> Boolean.TRUE;
-      case "false" -> Boolean.FALSE;
+      case "true" -> true;
+      case "false" -> false;
       default -> NUMBER.matcher(cell).matches() ? number(cell) : cell;
     };
   }

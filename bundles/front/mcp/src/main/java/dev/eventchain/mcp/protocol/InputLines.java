@@ -17,12 +17,24 @@ final class InputLines {
     this.in = in;
   }
 
-  /**
-   * A line.
-   *
-   * @param whole false if it was longer than the limit; the bytes are then its beginning
-   */
-  record Line(byte[] bytes, boolean whole) {
+  /** A line, or its beginning if it is longer than the limit. */
+  static final class Line {
+
+    private final byte[] bytes;
+    private final boolean whole;
+
+    private Line(byte[] bytes, boolean whole) {
+      this.bytes = bytes;
+      this.whole = whole;
+    }
+
+    byte[] bytes() {
+      return bytes;
+    }
+
+    boolean whole() {
+      return whole;
+    }
 
     boolean isBlank() {
       for (byte each : bytes) {

@@ -56,15 +56,13 @@ public final class Catalog {
         McpSchema.ToolAnnotations.builder()
             .title(tool.title())
             .readOnlyHint(reads)
-            .destructiveHint(tool.effect() == Tool.Effect.CHANGES_FILES)
+            .destructiveHint(tool.effect() == Tool.Effect.CHANGES)
             .idempotentHint(reads)
             .openWorldHint(false)
             .build();
-    return McpSchema.Tool.builder()
-        .name(tool.name())
+    return McpSchema.Tool.builder(tool.name(), inputSchema(tool))
         .title(tool.title())
         .description(tool.description())
-        .inputSchema(inputSchema(tool))
         .outputSchema(schema(tool.output(), List.of()))
         .annotations(annotations)
         .build();

@@ -123,7 +123,7 @@ final class ChangeTools {
         "Make a proposed change",
         "Writes the files of a proposal as its diff says, if they are still as they were. Then use"
             + " 'run': no verdict is about the changed project yet.",
-        Effect.CHANGES_FILES,
+        Effect.CHANGES,
         List.of(Parameter.required("proposal", Type.TEXT, "The name that 'propose' has given.")),
         Map.of("files", FILES),
         (arguments, call) -> applied(arguments.text("proposal", "")));

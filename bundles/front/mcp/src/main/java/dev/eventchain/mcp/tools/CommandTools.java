@@ -46,7 +46,7 @@ final class CommandTools {
         "Start a project",
         "Creates a project in a new or empty folder: a small example that runs as it is, or, with"
             + " 'workspace', one around the nodes of a ROS 2 workspace. Existing files stay.",
-        Effect.CHANGES_FILES,
+        Effect.ADDS,
         List.of(
             PROJECT,
             Parameter.of("workspace", Type.TEXT, "A colcon workspace inside the server's folder.")),
@@ -67,7 +67,7 @@ final class CommandTools {
         "Checks everything of a project that can be checked without simulation: model,"
             + " constraints, requirements, bench, scenarios, faults, components. With 'models',"
             + " checks these models of any Ecore metamodel instead.",
-        Effect.WRITES_RESULTS,
+        Effect.ADDS,
         List.of(
             PROJECT,
             Parameter.of("models", Type.TEXTS, "Model files, instead of a project."),
@@ -114,7 +114,7 @@ final class CommandTools {
         "Generate code",
         "Generates a project's ROS 2 package. With 'template' and 'models', generates text from"
             + " models of any metamodel by an Acceleo 3 template, into 'output'.",
-        Effect.WRITES_RESULTS,
+        Effect.ADDS,
         List.of(
             PROJECT,
             Parameter.of("template", Type.TEXT, "The main module of a template (.mtl)."),
@@ -152,7 +152,7 @@ final class CommandTools {
         "Simulate the generated nodes",
         "Simulates scenarios of a project whose nodes were generated, in the closed loop, and comes"
             + " to a verdict. After a change of the model or a component, use 'run'.",
-        Effect.WRITES_RESULTS,
+        Effect.ADDS,
         List.of(PROJECT, SCENARIOS),
         Commands.OUTPUT,
         (arguments, call) -> commands.report(withScenarios("simulate", arguments), call));
@@ -165,7 +165,7 @@ final class CommandTools {
         "Does all that is needed for a verdict and has changed since the last run: design,"
             + " components and their tests, constraints, generation, simulation, report. The"
             + " verdict is PASSED, FAILED, or INCOMPLETE if not all was tested.",
-        Effect.WRITES_RESULTS,
+        Effect.ADDS,
         List.of(PROJECT, SCENARIOS),
         Commands.OUTPUT,
         (arguments, call) -> commands.report(withScenarios("run", arguments), call));
@@ -177,7 +177,7 @@ final class CommandTools {
         "Simulate many cases",
         "Simulates the cases of a campaign file: a scenario with numbers that differ. Results are"
             + " the tables campaigns/NAME/cases.",
-        Effect.WRITES_RESULTS,
+        Effect.ADDS,
         List.of(
             PROJECT,
             Parameter.required(
@@ -202,7 +202,7 @@ final class CommandTools {
         "Try small defects",
         "Tries which small defects of components no test and no scenario notices. Takes minutes to"
             + " hours. Results are the table mutants.",
-        Effect.WRITES_RESULTS,
+        Effect.ADDS,
         List.of(PROJECT, Parameter.of("components", Type.TEXTS, "Mutate these components only.")),
         Commands.OUTPUT,
         (arguments, call) -> {

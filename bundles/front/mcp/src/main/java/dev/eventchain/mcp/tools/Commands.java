@@ -1,6 +1,7 @@
 package dev.eventchain.mcp.tools;
 
 import com.fasterxml.jackson.core.type.TypeReference;
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
@@ -31,7 +32,7 @@ final class Commands {
 
   private static final int HEAD = 20_000;
   private static final int TAIL = 6_000;
-  private static final int MOST_FINDINGS = 200;
+  private static final int MOST_ENTRIES = 200;
   private static final Pattern VERDICT =
       Pattern.compile("^(PASSED|FAILED|INCOMPLETE): ", Pattern.MULTILINE);
   private static final ObjectMapper JSON = new ObjectMapper();
@@ -56,8 +57,12 @@ final class Commands {
     properties.put(
         "report", Map.of("type", "object", "description", "The report that --format json writes."));
     properties.put(
-        "findingsLeftOut",
-        Map.of("type", "integer", "description", "How many findings of the report were left out."));
+        "leftOut",
+        Map.of(
+            "type",
+            "integer",
+            "description",
+            "How many entries of the report's lists, above all findings, were left out."));
     return properties;
   }
 
@@ -114,7 +119,7 @@ final class Commands {
     if (Files.exists(file)) {
       ObjectNode report = (ObjectNode) JSON.readTree(file.toFile());
       requireInside(report, folder);
-      structured.put("findingsLeftOut", shorten(report));
+      structured.put("leftOut", shorten(report));
       structured.put(
           "report", JSON.convertValue(report, new TypeReference<Map<String, Object>>() {}));
     } else if (ended.worked()) {
@@ -139,13 +144,13 @@ final class Commands {
     return structured;
   }
 
-  /** Removes findings that are too many for a message; returns how many. */
+  /** Removes entries of the report's lists that are too many for a message; returns how many. */
   private static int shorten(ObjectNode report) {
     int removed = 0;
-    for (String list : List.of("findings", "suppressed")) {
-      if (report.get(list) instanceof ArrayNode findings) {
-        for (; findings.size() > MOST_FINDINGS; removed++) {
-          findings.remove(findings.size() - 1);
+    for (JsonNode list : report) {
+      if (list instanceof ArrayNode entries) {
+        for (; entries.size() > MOST_ENTRIES; removed++) {
+          entries.remove(entries.size() - 1);
         }
       }
     }

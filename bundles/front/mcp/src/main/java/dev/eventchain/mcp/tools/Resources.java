@@ -99,12 +99,7 @@ public final class Resources {
       String type,
       Function<McpSyncServerExchange, String> text) {
     McpSchema.Resource resource =
-        McpSchema.Resource.builder()
-            .uri(uri)
-            .name(name)
-            .description(description)
-            .mimeType(type)
-            .build();
+        McpSchema.Resource.builder(uri, name).description(description).mimeType(type).build();
     return new SyncResourceSpecification(
         resource, (exchange, request) -> read(uri, type, () -> text.apply(exchange)));
   }
@@ -136,9 +131,7 @@ public final class Resources {
   private static SyncResourceTemplateSpecification template(
       String uri, String name, String description, String type, Function<String, String> text) {
     McpSchema.ResourceTemplate template =
-        McpSchema.ResourceTemplate.builder()
-            .uriTemplate(uri)
-            .name(name)
+        McpSchema.ResourceTemplate.builder(uri, name)
             .description(description)
             .mimeType(type)
             .build();

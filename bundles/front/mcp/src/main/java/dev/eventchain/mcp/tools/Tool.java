@@ -25,10 +25,10 @@ record Tool(
   enum Effect {
     /** Nothing. */
     READS,
-    /** Results of the project, which the next run makes again. */
-    WRITES_RESULTS,
+    /** Results, which the next run makes again, or files that were not there. */
+    ADDS,
     /** Files of the project. */
-    CHANGES_FILES
+    CHANGES
   }
 
   /** Does what a tool is for. */
