@@ -1,6 +1,7 @@
 package dev.eventchain.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -71,6 +72,31 @@ class LatencyBoundTest {
     assertEquals(112.0, bound.path("aligned").path("bound").asDouble());
     assertEquals(10.0, bound.path("aligned").path("releases").get(1).path("phase").asDouble());
     assertEquals(111.736, bound.path("measured").path("longest").asDouble());
+  }
+
+  /** Executed ten times a second, the brake may come 97 ms later than it did in this scenario. */
+  @InTurn
+  @Test
+  void vehicleThatStopsByLuckIsDrivenWithItsBound() throws IOException {
+    ProjectCopy project = ProjectCopy.of("radar-aeb", folder);
+    String described = "until nothing is approached.\"";
+    project.replace(CHAIN, described + " frequency=\"50.0\"", described + " frequency=\"10.0\"");
+    String json = described + ",\n    \"frequency\": ";
+    project.replace("software-base/components.json", json + "50.0", json + "10.0");
+    project.replace(CHAIN, "maximum=\"100.0\"", "maximum=\"130.0\"");
+    String scenario = "scenarios/stopped-vehicle-50.yaml";
+    project.replace(scenario, "speed_kmh: 50\n", "speed_kmh: 70\n");
+    project.replace(scenario, "gap_m: 80", "gap_m: 120");
+    project.replace(
+        scenario, "eventually[0, 0.2] /brake/request", "eventually[0, 0.4] /brake/request");
+    new Program()
+        .run("run", project.path(), "--strength")
+        .says("passed  stopped-vehicle-50")
+        .says("Scenario stopped-vehicle-50 passes with a latency of 27 ms, as measured; with the")
+        .says("124 ms that other phases of the timers make possible, 1.9 m later at 70 km/h, it")
+        .says("ends with an impact at 14.1 km/h. [simulation.latency.at-bound]");
+    String page = Files.readString(folder.resolve("radar-aeb/out/report.html"));
+    assertTrue(page.contains("\"impact\":3.9097"), page);
   }
 
   private void withoutSafeValues(String file, String pattern) throws IOException {

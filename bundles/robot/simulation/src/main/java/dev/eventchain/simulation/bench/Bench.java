@@ -9,7 +9,6 @@ import dev.eventchain.messages.MessageValue;
 import dev.eventchain.messages.QosSettings;
 import dev.eventchain.messages.Unit;
 import dev.eventchain.model.eventchain.EventChain;
-import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.simulation.formula.Formula;
 import dev.eventchain.simulation.formula.SampledRun;
 import dev.eventchain.simulation.formula.Signal;
@@ -19,6 +18,7 @@ import dev.eventchain.simulation.sensor.ObjectSensor;
 import dev.eventchain.simulation.world.Actuator;
 import dev.eventchain.simulation.world.EgoVehicle;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -142,6 +142,11 @@ public final class Bench {
       return Math.round(1e9 / rate);
     }
 
+    private Provided later(long delay) {
+      return new Provided(
+          topic, type, rate, lidar, objects, scanner, fields, transfer.later(delay), location);
+    }
+
     /** Returns whether its messages are scans, all of whose fields have values. */
     boolean scans() {
       return lidar || scanner.isPresent();
@@ -151,37 +156,6 @@ public final class Bench {
     Stream<String> paths() {
       return Stream.concat(
           fields.stream().map(Field::path), objects.stream().flatMap(it -> it.paths().stream()));
-    }
-  }
-
-  /**
-   * Transfer of messages to the nodes.
-   *
-   * @param latency from the measurement of a message to its arrival, in ns
-   * @param lost the fraction of the messages that are lost, 0 to 1; empty for none
-   * @param counted the names of the latency constraints whose times begin with the measurement, not
-   *     with the arrival
-   */
-  public record Transfer(long latency, Optional<Term> lost, List<String> counted) {
-
-    /** Copies the list. */
-    public Transfer {
-      counted = List.copyOf(counted);
-    }
-
-    /** Returns the part of the latency that counts in a latency constraint, in ns. */
-    public long countedIn(LatencyConstraint constraint) {
-      return counted.stream().anyMatch(it -> it.equals(constraint.getName())) ? latency : 0;
-    }
-
-    /** Returns whether a message is lost. */
-    public boolean loses(SampledRun moment, SplittableRandom random) {
-      return lost.isPresent()
-          && random.nextDouble() < lost.get().values().in(moment).applyAsDouble(0);
-    }
-
-    Set<Signal> signals() {
-      return lost.map(Term::signals).orElse(Set.of());
     }
   }
 
@@ -351,6 +325,13 @@ public final class Bench {
   public Bench withOutputsOf(EventChain chain) {
     BenchSignals known = signals.withOutputsOf(chain);
     return new Bench(provided, consumed, own, known, declared, vehicle, location);
+  }
+
+  /** Returns this bench with messages that take longer to the nodes, by a delay in ns. */
+  public Bench later(long delay) {
+    Map<String, Provided> delayed = new LinkedHashMap<>(provided);
+    delayed.replaceAll((topic, each) -> each.later(delay));
+    return new Bench(delayed, consumed, own, signals, declared, vehicle, location);
   }
 
   /** Returns the vehicle of the project, which stands still in the middle of its lane. */

@@ -116,7 +116,7 @@ final class BenchTopics {
         section.object(OBJECTS).map(part -> new ObjectsReader(declared, topic, message).read(part));
     Optional<LaserScanner> scanner =
         section.object(LASER_SCAN).map(part -> LaserScanReader.read(part, rate));
-    Bench.Transfer transfer = transfer(section);
+    Transfer transfer = transfer(section);
     if (isEmpty(section) && !section.has(SENSOR) && !section.has(OBJECTS) && !scans) {
       section.find(
           BenchRules.BENCH_KEY_MISSING,
@@ -128,7 +128,7 @@ final class BenchTopics {
     return new Provided(topic, type, rate, lidar, objects, scanner, read, transfer, place);
   }
 
-  private Bench.Transfer transfer(ObjectReader section) {
+  private Transfer transfer(ObjectReader section) {
     double latency = section.number(LATENCY_KEY, LATENCY).orElse(0);
     List<String> counted = section.texts(COUNTED);
     if (!counted.isEmpty() && latency == 0.0) {
@@ -137,7 +137,7 @@ final class BenchTopics {
           "There is no `latency_ms` that latency constraints could count.",
           section.atKey(COUNTED));
     }
-    return new Bench.Transfer(Math.round(latency * 1e6), fields.part(section, "lost"), counted);
+    return new Transfer(Math.round(latency * 1e6), fields.part(section, "lost"), counted);
   }
 
   private static boolean isEmpty(ObjectReader section) {

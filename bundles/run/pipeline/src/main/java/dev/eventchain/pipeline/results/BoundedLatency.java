@@ -19,6 +19,8 @@ import java.util.OptionalDouble;
  * @param unknown what would be needed for a bound
  * @param aligned the bound if the timers of that path were released one after the other
  * @param measured the scenario with the longest time
+ * @param delayed the scenarios, with the latency of the chain at {@code known}; none of a
+ *     constraint
  */
 public record BoundedLatency(
     Optional<String> constraint,
@@ -33,12 +35,14 @@ public record BoundedLatency(
     List<Part> parts,
     List<String> unknown,
     Optional<Aligned> aligned,
-    Optional<Measured> measured) {
+    Optional<Measured> measured,
+    List<DelayedScenario> delayed) {
 
   /** Copies the lists. */
   public BoundedLatency {
     parts = List.copyOf(parts);
     unknown = List.copyOf(unknown);
+    delayed = List.copyOf(delayed);
   }
 
   /**

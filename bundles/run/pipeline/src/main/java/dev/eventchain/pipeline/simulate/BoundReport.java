@@ -8,6 +8,7 @@ import dev.eventchain.contracts.timing.PathLatency;
 import dev.eventchain.contracts.timing.Sensitivity;
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.pipeline.results.BoundedLatency;
+import dev.eventchain.pipeline.results.DelayedScenario;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -24,7 +25,7 @@ final class BoundReport {
 
   private BoundReport() {}
 
-  static BoundedLatency of(LatencyBounds.Bounded bounded) {
+  static BoundedLatency of(LatencyBounds.Bounded bounded, List<DelayedScenario> delayed) {
     LatencyEstimate estimate = bounded.estimate();
     OptionalLong bound = estimate.bound();
     Optional<Bound> slowest = estimate.slowest().filter(it -> bound.isPresent());
@@ -41,7 +42,8 @@ final class BoundReport {
         slowest.map(it -> parts(bounded, it)).orElse(List.of()),
         estimate.unknown(),
         slowest.flatMap(it -> aligned(estimate, it)),
-        bounded.longest().map(BoundReport::measured));
+        bounded.longest().map(BoundReport::measured),
+        delayed);
   }
 
   private static OptionalDouble maximum(LatencyBounds.Bounded bounded) {

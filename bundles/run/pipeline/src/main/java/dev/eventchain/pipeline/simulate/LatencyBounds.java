@@ -11,8 +11,10 @@ import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.results.BoundedLatency;
+import dev.eventchain.pipeline.results.DelayedScenario;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.SimulationResult;
+import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.verdict.Measurements;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import java.util.ArrayList;
@@ -83,17 +85,20 @@ final class LatencyBounds {
     }
   }
 
+  private final SimulationResult result;
   private final List<Bounded> all = new ArrayList<>();
 
-  private LatencyBounds() {}
+  private LatencyBounds(SimulationResult result) {
+    this.result = result;
+  }
 
   /** Returns the bounds of a chain with both ends known, and what was measured of them. */
   static LatencyBounds of(RunContext run, SimulationResult result) {
-    LatencyBounds bounds = new LatencyBounds();
+    LatencyBounds bounds = new LatencyBounds(result);
     EventChain chain = run.chain().chain();
     ChainTiming components = ChainTiming.of(chain, Stimuli.FRESH);
     ChainTiming timing = ChainTiming.of(chain, new BenchStimuli(run.chain().bench()));
-    bounds.addChain(chain, timing, result);
+    bounds.addChain(chain, timing);
     for (int i = 0; i < chain.getLatencyConstraints().size(); i++) {
       LatencyConstraint constraint = chain.getLatencyConstraints().get(i);
       if (constraint.getFirst() != null && constraint.getLast() != null) {
@@ -114,7 +119,7 @@ final class LatencyBounds {
   }
 
   /** Adds the latency of the whole chain, if one was measured. */
-  private void addChain(EventChain chain, ChainTiming timing, SimulationResult result) {
+  private void addChain(EventChain chain, ChainTiming timing) {
     Optional<SoftwareNode> first = node(chain, result.measurements().firstNode());
     Optional<SoftwareNode> last = node(chain, result.measurements().lastNode());
     Optional<Longest> longest =
@@ -143,16 +148,30 @@ final class LatencyBounds {
         .max(Comparator.comparingLong(Longest::time));
   }
 
-  /** Returns all for the report: first that of the chain, then the constraints in their order. */
-  List<BoundedLatency> report() {
-    return all.stream().map(BoundReport::of).toList();
+  /**
+   * Returns all for the report, first that of the chain, then the constraints in their order, and
+   * adds the findings about them. Where a run drives scenarios with standard faults, it also drives
+   * them with the latency of the chain at its bound.
+   */
+  List<BoundedLatency> report(RunContext run, List<Scenario> scenarios, List<Diagnostic> found) {
+    found.addAll(findings(run.chain()::locate));
+    List<BoundedLatency> report = new ArrayList<>();
+    for (Bounded each : all) {
+      List<DelayedScenario> delayed = List.of();
+      if (each.constraint().isEmpty() && RequirementStrength.budget(run).isPresent()) {
+        delayed = LatencyMargins.of(run, scenarios, result, each.estimate().known());
+        found.addAll(LatencyMargins.findings(delayed, scenarios, result));
+      }
+      report.add(BoundReport.of(each, delayed));
+    }
+    return report;
   }
 
   /**
    * Returns findings about measured times above their bounds, and about what only the bench adds to
    * those of the model.
    */
-  List<Diagnostic> findings(Function<EObject, SourceLocation> locator) {
+  private List<Diagnostic> findings(Function<EObject, SourceLocation> locator) {
     return all.stream()
         .flatMap(
             each -> {

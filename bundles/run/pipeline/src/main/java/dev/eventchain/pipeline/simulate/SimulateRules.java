@@ -13,6 +13,7 @@ final class SimulateRules {
   static final Rule PROJECT_SCENARIO_UNKNOWN = Rule.error("project.scenario.unknown");
   static final Rule SIMULATION_INTERRUPTED = Rule.error("simulation.interrupted");
   static final Rule SIMULATION_LATENCY_ABOVE_BOUND = Rule.warning("simulation.latency.above-bound");
+  static final Rule SIMULATION_LATENCY_AT_BOUND = Rule.warning("simulation.latency.at-bound");
   static final Rule SIMULATION_LATENCY_LOWER_BOUND =
       Rule.error("simulation.latency.lower-bound", CommonTrait.UNTESTED);
   static final Rule SIMULATION_LATENCY_UNMEASURED =

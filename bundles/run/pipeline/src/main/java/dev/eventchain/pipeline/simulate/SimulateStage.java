@@ -118,7 +118,7 @@ public final class SimulateStage implements StageWork {
     OclResult validation = ProjectChecks.constraints(run).check(measured, locator);
     RuleEvidence evidence = RuleEvidence.of(run, measured, validation);
     found.addAll(evidence.findings());
-    List<BoundedLatency> latencies = latencies(run, result, found);
+    List<BoundedLatency> latencies = latencies(run, scenarios, result, found);
     List<RequirementOutcome> outcomes = outcomes(run, chain, scenarios, result, evidence);
     if (!run.options().isPartial()) {
       addUntested(run, chain, scenarios, result, outcomes, found);
@@ -141,10 +141,8 @@ public final class SimulateStage implements StageWork {
 
   /** Returns latencies with their bounds, writes them, and adds what is wrong with them. */
   private static List<BoundedLatency> latencies(
-      RunContext run, SimulationResult result, List<Diagnostic> found) {
-    LatencyBounds bounds = LatencyBounds.of(run, result);
-    found.addAll(bounds.findings(run.chain()::locate));
-    List<BoundedLatency> latencies = bounds.report();
+      RunContext run, List<Scenario> scenarios, SimulationResult result, List<Diagnostic> found) {
+    List<BoundedLatency> latencies = LatencyBounds.of(run, result).report(run, scenarios, found);
     if (!run.options().isPartial()) {
       run.writeResult(LATENCY_BOUNDS, SimulationReport.pretty(latencies));
     }

@@ -76,6 +76,31 @@ function boundFigure(latency) {
     html("p", { class: "small muted" }, text(latency.assumes)));
 }
 
+/** What is left of each scenario with the latency at its bound, beside what the measured one left. */
+function delayedTable(latency) {
+  const columns = [{ name: "Scenario", row: true }, { name: "Later by", number: true }, { name: "Way at its speed", number: true }, { name: "Result" },
+    { name: "Margins, as measured and at the bound" }];
+  const margin = (one) => html("div", { class: "small" }, `${text(one.criterion)}: ${figure(one.before, 2, text(one.unit))} \u2192 `,
+    number(one.after) === null ? "none" : figure(one.after, 2, text(one.unit)));
+  const rows = records(latency.delayed).map((one) => {
+    const known = scenarios.find((scenario) => text(scenario.name) === text(one.scenario));
+    const changed = records(one.margins).filter((each) => each.before !== each.after);
+    const failed = text(one.outcome) !== "passed";
+    return { cells: [known ? titleOf(known) : text(one.scenario), `${milliseconds(one.delay)} ms`,
+      figure(one.metres, 2, "m"), failed ? html("strong", { class: "bad" }, `${text(one.outcome)}: ${text(one.reason)}`) : "passed",
+      changed.length > 0 ? changed.map(margin) : "unchanged"] };
+  });
+  return table(`Scenarios with a latency of ${milliseconds(latency.known)} ms`, columns, rows);
+}
+
+function completeDelays(latency) {
+  return records(latency.delayed).length === 0 ? []
+    : [html("h3", null, `Scenarios with a latency of ${milliseconds(latency.known)} ms`),
+      html("p", { class: "lead" }, "Each scenario was driven again with messages from the world that come later, by what the bound of the whole chain is above the longest latency that was measured in it. "
+        + "The way is that of the vehicle at its highest speed in that time."),
+      delayedTable(latency)];
+}
+
 /** Adds the bounds, which are no part of the model. */
 function completeBounds() {
   const place = document.getElementById("measurements");
@@ -84,6 +109,6 @@ function completeBounds() {
     place.append(html("h3", null, "Bounds on latencies, in ms"),
       html("p", { class: "lead" }, "What the periods and worst-case execution times of the model make possible, for all phases of the timers. The second bar is what the longest measured time consists of; "
         + "a simulation has some phases, and may stay below. The largest period that holds is that of one component while the others keep theirs."),
-      ...all.map(boundFigure));
+      ...all.map(boundFigure), ...all.flatMap(completeDelays));
   }
 }

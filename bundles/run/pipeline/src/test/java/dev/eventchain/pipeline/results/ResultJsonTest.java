@@ -69,7 +69,8 @@ class ResultJsonTest {
           "measured of latencies",
           "period of parts",
           "saved of parts",
-          "largest of parts");
+          "largest of parts",
+          "after of margins");
 
   private static final Set<Stage> SAMPLES =
       Set.of(Stage.IMPLEMENT, Stage.VALIDATE, Stage.GENERATE, Stage.SIMULATE);
