@@ -73,6 +73,11 @@ record CampaignPoints(String source, List<Score> scores) {
     return of(index) + " of " + number(scores.get(index).most());
   }
 
+  /** Returns the points of a case with their protocol, such as "points: 0.5 of 2 (Protocol 1)". */
+  String words(int index) {
+    return "points: " + ofMost(index) + " (" + source + ")";
+  }
+
   /** Adds the columns of points. */
   CampaignTable in(CampaignTable table) {
     List<String> points = new ArrayList<>();

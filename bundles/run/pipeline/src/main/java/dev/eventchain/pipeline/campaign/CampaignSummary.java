@@ -19,6 +19,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Results of the cases of a campaign, as findings and as text. */
 final class CampaignSummary {
@@ -105,12 +107,18 @@ final class CampaignSummary {
     if (plan.boundary().isPresent()) {
       return trials;
     }
-    for (CampaignRow row : rows) {
+    Optional<CampaignPoints> points = CampaignPoints.of(plan, rows);
+    for (int i = 0; i < rows.size(); i++) {
+      CampaignRow row = rows.get(i);
+      int index = i;
       Trial.Outcome outcome = row.is(Label.PASSED) ? Trial.Outcome.PASSED : Trial.Outcome.FAILED;
       String name = plan.name() + ": " + row.id().words(plan);
       CaseResult result = row.result();
-      trials.add(
-          new Trial(Trial.Kind.CASE, name, outcome, result.reason(), result.end(), List.of()));
+      String text =
+          Stream.of(result.reason(), points.map(it -> it.words(index)).orElse(""))
+              .filter(words -> !words.isEmpty())
+              .collect(Collectors.joining("; "));
+      trials.add(new Trial(Trial.Kind.CASE, name, outcome, text, result.end(), List.of()));
     }
     return trials;
   }

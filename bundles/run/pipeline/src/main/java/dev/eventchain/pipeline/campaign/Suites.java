@@ -31,7 +31,9 @@ public final class Suites {
       new TreeMap<>(
           Map.of(
               "euro-ncap-2023-c2c",
-              List.of("ccrb", "ccrm", "ccrs"),
+              List.of("ccrb", "ccrm", "ccrs", "next-lane"),
+              "euro-ncap-2026-ccr",
+              List.of("ccrb", "next-lane"),
               "un-r152",
               List.of(
                   "bend-ahead",

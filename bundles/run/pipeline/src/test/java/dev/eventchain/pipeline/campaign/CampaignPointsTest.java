@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Trial;
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
@@ -51,7 +52,7 @@ class CampaignPointsTest {
   }
 
   @Test
-  void pointsAreInTerminalTableAndJson() throws IOException {
+  void pointsAreInTerminalTableJsonAndTests() throws IOException {
     CampaignPlan plan =
         plan(
             "{source: Protocol 1, most: if speed < 45 then 2 else 1,"
@@ -70,6 +71,14 @@ class CampaignPointsTest {
     assertTrue(text.contains("20 FAILED 1.5\n"), text);
     assertTrue(text.contains("30 FAILED 0\n"), text);
     assertTrue(text.contains("50 untested -\n"), text);
+    assertEquals(
+        List.of(
+            "points: 2 of 2 (Protocol 1)",
+            "points: 1.5 of 2 (Protocol 1)",
+            "points: 0 of 2 (Protocol 1)",
+            "points: 0 of 2 (Protocol 1)",
+            "points: - of 1 (Protocol 1)"),
+        new CampaignSummary(plan, rows).trials().stream().map(Trial::text).toList());
     CampaignPoints points = CampaignPoints.of(plan, rows).orElseThrow();
     String table =
         new String(points.in(new CampaignTable(plan.names(), rows)).csv(), StandardCharsets.UTF_8);

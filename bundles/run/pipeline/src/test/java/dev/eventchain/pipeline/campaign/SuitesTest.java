@@ -8,6 +8,8 @@ import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
 import dev.eventchain.pipeline.campaign.plan.CaseList;
 import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.scenario.Criterion;
+import dev.eventchain.simulation.scenario.CriterionKind;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.nio.file.Path;
 import java.util.List;
@@ -22,7 +24,12 @@ class SuitesTest {
   @Test
   void eachSuiteHasItsScenarios() {
     assertEquals(
-        List.of("euro-ncap-2023-c2c", "un-r152", "un-r152-pedestrian", "un-r157-alks"),
+        List.of(
+            "euro-ncap-2023-c2c",
+            "euro-ncap-2026-ccr",
+            "un-r152",
+            "un-r152-pedestrian",
+            "un-r157-alks"),
         Suites.names());
     for (String name : Suites.names()) {
       List<CampaignPlan> plans = CampaignReader.read(Suites.file(name, folder));
@@ -35,6 +42,22 @@ class SuitesTest {
             scenario.criteria().stream().anyMatch(each -> !each.isOfEveryScenario()),
             scenario.name());
       }
+    }
+  }
+
+  /** A function that always brakes would pass without them. */
+  @Test
+  void eachSuiteHasCasesInWhichNothingShallBrake() {
+    for (String name : Suites.names()) {
+      assertTrue(
+          CampaignReader.read(Suites.file(name, folder)).stream()
+              .map(plan -> Scenario.read(plan.scenarioFile().orElseThrow(), Bench.carla()))
+              .flatMap(scenario -> scenario.criteria().stream())
+              .anyMatch(
+                  each ->
+                      each instanceof Criterion known
+                          && known.kind() == CriterionKind.NEVER_BRAKES),
+          name);
     }
   }
 }
