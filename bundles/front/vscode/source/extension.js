@@ -11,6 +11,9 @@ const { ReportView } = require("./report");
 const { COMMANDS, registerTasks, runTask } = require("./tasks");
 const { Tests } = require("./tests");
 
+/** The settings that say how the program is started. */
+const STARTING = ["program", "java", "memory"];
+
 /** @param {vscode.ExtensionContext} context */
 async function activate(context) {
   const log = vscode.window.createOutputChannel("Eventchain");
@@ -42,10 +45,12 @@ async function activate(context) {
   command("doctor", () => runTask(find, false, "doctor", undefined));
   command("restartServer", () => client.restart());
   command("showLog", () => log.show());
-  command("explain", (id) => explain(find, id));
+  command("explain", (id) => explain(client, find, id));
   context.subscriptions.push(log, client, chains, reports, registerTasks(find), new Tests(find));
   context.subscriptions.push(
-    vscode.workspace.onDidChangeConfiguration((event) => event.affectsConfiguration("eventchain") && client.restart()),
+    vscode.workspace.onDidChangeConfiguration(
+      (event) => STARTING.some((name) => event.affectsConfiguration(`eventchain.${name}`)) && client.restart(),
+    ),
   );
   await client.start();
 }
@@ -82,12 +87,13 @@ async function program(extension) {
 }
 
 /**
- * Explains a finding: the one under the cursor, unless one is given or asked for.
+ * Explains a finding: the one under the cursor, unless one is given or asked for. Shows the page of its rule, or prints it.
  *
+ * @param {Client} client
  * @param {import("./tasks").Program} find
  * @param {string} [given]
  */
-async function explain(find, given) {
+async function explain(client, find, given) {
   const editor = vscode.window.activeTextEditor;
   const here =
     editor &&
@@ -96,7 +102,7 @@ async function explain(find, given) {
       .find((each) => each.source === "eventchain" && each.range.contains(editor.selection.active));
   const code = here && (typeof here.code === "object" ? here.code.value : here.code);
   const id = given || code || (await vscode.window.showInputBox({ prompt: "The id of a finding, such as ocl.violated" }));
-  if (id) {
+  if (id && !(await client.execute("eventchain.explain", String(id)))) {
     await runTask(find, true, "explain", undefined, String(id));
   }
 }

@@ -73,6 +73,7 @@ test("findings follow the text, and are gone with the server", async () => {
   const methods = heard().map(({ method }) => method);
   assert.deepStrictEqual(methods.slice(-2), ["shutdown", "exit"]);
   assert.strictEqual(methods.filter((method) => method === "textDocument/didOpen").length, 1);
+  assert.deepStrictEqual(heard()[0].params.initializationOptions, { metamodels: ["m.ecore"], timeLimit: 30 });
 });
 
 test("what the server declares is asked of it, and nothing else", async () => {

@@ -126,6 +126,8 @@ const api = {
     textDocuments: [],
     workspaceFolders: undefined,
     createFileSystemWatcher: () => ({ onDidCreate: nothing, onDidChange: nothing, onDidDelete: nothing, dispose: () => undefined }),
+    getConfiguration: () => ({ get: (name) => ({ metamodels: ["m.ecore"], timeLimit: 30 })[name] }),
+    onDidChangeConfiguration: nothing,
     onDidChangeWorkspaceFolders: nothing,
     ...Object.fromEntries(events.map(([kind, emitter]) => [`onDid${kind}TextDocument`, emitter.event])),
   },

@@ -25,6 +25,8 @@ class Client {
     this.log = log;
     this.version = version;
     this.diagnostics = vscode.languages.createDiagnosticCollection("eventchain");
+    /** @type {string[]} */
+    this.executable = [];
     /** @type {number[]} */
     this.starts = [];
     /** @type {vscode.Disposable[]} */
@@ -101,6 +103,7 @@ class Client {
       locale: vscode.env.language,
       rootUri: folders.length > 0 ? folders[0].uri.toString() : null,
       workspaceFolders: folders.map(asFolder),
+      initializationOptions: this.settings(),
       capabilities: {
         general: { positionEncodings: ["utf-16"] },
         textDocument: {
@@ -130,6 +133,11 @@ class Client {
     this.disposables.push(
       this.features.register(),
       documents.register(),
+      vscode.workspace.onDidChangeConfiguration(
+        (event) =>
+          event.affectsConfiguration("eventchain") &&
+          wire.notify("workspace/didChangeConfiguration", { settings: { eventchain: this.settings() } }),
+      ),
       vscode.workspace.onDidChangeWorkspaceFolders(({ added, removed }) =>
         wire.notify("workspace/didChangeWorkspaceFolders", {
           event: { added: added.map(asFolder), removed: removed.map(asFolder) },
@@ -141,6 +149,27 @@ class Client {
     this.say("running");
   }
 
+  /** What the server has to know of the settings. */
+  settings() {
+    const settings = vscode.workspace.getConfiguration("eventchain");
+    return { metamodels: settings.get("metamodels"), timeLimit: settings.get("timeLimit") };
+  }
+
+  /**
+   * Lets the server carry out a command, if it has this one.
+   *
+   * @param {string} command
+   * @param {any[]} values
+   * @returns {Promise<boolean>} whether it has
+   */
+  async execute(command, ...values) {
+    const has = this.isRunning && this.executable.includes(command);
+    if (has) {
+      await this.ask("workspace/executeCommand", { command, arguments: values });
+    }
+    return Boolean(has);
+  }
+
   /**
    * Commands that the server carries out, unless the extension has one of this name.
    *
@@ -148,7 +177,8 @@ class Client {
    */
   commands(provider) {
     const registered = [];
-    for (const command of (provider && provider.commands) || []) {
+    this.executable = (provider && provider.commands) || [];
+    for (const command of this.executable) {
       try {
         registered.push(
           vscode.commands.registerCommand(command, (...values) =>
@@ -156,7 +186,7 @@ class Client {
           ),
         );
       } catch (error) {
-        this.log.appendLine(`The command ${command} is the extension's own.`);
+        this.log.appendLine(`The command ${command} begins with the extension's own.`);
       }
     }
     return registered;
@@ -266,7 +296,11 @@ class Client {
     if (external || target.scheme !== "file") {
       return vscode.env.openExternal(target);
     }
-    await vscode.window.showTextDocument(target, { selection: selection && convert.range(selection) });
+    if (target.path.endsWith(".md") && !selection) {
+      await vscode.commands.executeCommand("markdown.showPreview", target); // such as the page of a rule
+    } else {
+      await vscode.window.showTextDocument(target, { selection: selection && convert.range(selection) });
+    }
     return true;
   }
 
