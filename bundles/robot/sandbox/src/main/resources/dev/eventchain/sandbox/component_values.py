@@ -83,7 +83,7 @@ class Codec:
     def __init__(self, objects: Objects = NO_OBJECTS) -> None:
         self._objects = objects
         self._encode = _encoder(self._leaf)
-        self._scan = json.JSONDecoder(object_hook=self._object).scan_once
+        self._scan = json.JSONDecoder(object_hook=self._object).raw_decode
         self._parts: list[Any] = []  # of the value that is written
         self._rest = memoryview(b"")  # parts of the value that is read
 
@@ -96,7 +96,8 @@ class Codec:
             TypeError: a part of it cannot be sent; the text names its type.
 
         """
-        self._parts = parts = []
+        parts: list[Any] = []
+        self._parts = parts
         try:
             head = self._encode(value if _is_usual((value,)) else self._plain(value)).encode("ascii")
         except RecursionError:
@@ -159,7 +160,7 @@ class Codec:
             (length,) = _LENGTH.unpack_from(view)
             text = str(view[_LENGTH.size : _LENGTH.size + length], "ascii")
             self._rest = view[_LENGTH.size + length :]
-            value, end = self._scan(text, 0)
+            value, end = self._scan(text)
             if end != len(text):
                 raise MalformedError("there is text left over")
         except _MALFORMED as problem:
@@ -220,7 +221,6 @@ _MALFORMED = (
     AttributeError,
     RecursionError,
     OverflowError,
-    StopIteration,  # of text that is no JSON
 )
 
 
