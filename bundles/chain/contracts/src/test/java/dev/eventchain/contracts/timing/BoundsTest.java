@@ -98,7 +98,7 @@ class BoundsTest {
   }
 
   private static int length(Random random) {
-    return 1L + random.nextInt(5);
+    return 1 + random.nextInt(5);
   }
 
   private static long period(Random random) {
