@@ -174,9 +174,8 @@ class Process:
         self.paused = False  # while an executor of other nodes runs
         self.inbox: list[tuple[Subscription, Sample]] = []
         self.latest: dict[str, int] = {}
-        self.held: tuple[Sample, int | None] | None = (
-            None  # what the running callback is given, and what was read before
-        )
+        # The sample that the running callback is given, and the one of its topic that was read before.
+        self.held: tuple[Sample, int | None] | None = None
         self.writes: list[tuple[str, int]] | None = None  # of the running callback
         self.activations: list[Activation] = []
 

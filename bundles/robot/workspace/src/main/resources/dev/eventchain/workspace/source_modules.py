@@ -61,12 +61,12 @@ class Module:
 
     @property
     def run(self) -> Iterator[ast.AST]:
-        """The statements that are run when it is started as a program."""
+        """Return the statements that are run when it is started as a program."""
         return (node for node in self.tree.body if not isinstance(node, (*FUNCTIONS, ast.ClassDef)))
 
     @property
     def starts(self) -> bool:
-        """Whether it has a part for being started as a program."""
+        """Return whether it has a part for being started as a program."""
         return any(
             isinstance(node, ast.If)
             and any(isinstance(each, ast.Name) and each.id == "__name__" for each in ast.walk(node.test))
