@@ -261,25 +261,28 @@ final class TopicContracts {
       if (sameType && types.fieldType(data).isPresent()) {
         findings.checked(ContractRule.FIELD_UNSET);
         if (flow.producers(data).isEmpty()) {
-          Endpoint publisher = topic.publishers().get(0);
-          Set<String> set = fieldsThatAreSet(topic, data.getMessageType());
-          // A node as it is may know what to do without it.
-          boolean asItIs = subscriber.node().getImplementation() == ComponentImplementation.NODE;
-          findings.add(
-              asItIs ? Severity.WARNING : Severity.ERROR,
-              ContractRule.FIELD_UNSET,
-              findings.at(data, Literals.DATA__FIELD_NAME),
-              "%s reads the field '%s' of %s, which %s does not set."
-                  .formatted(
-                      subscriber.name(), data.getFieldName(), topic.name(), publisher.name()),
-              set.isEmpty()
-                  ? "Set it, or do not read it."
-                  : "The fields that are set are %s: read one of them, or set this one too."
-                      .formatted(String.join(", ", set)),
-              findings.at(publisher.first(), Literals.DATA__TOPIC_NAME));
+          unset(topic, subscriber, data);
         }
       }
     }
+  }
+
+  private void unset(Topic topic, Endpoint subscriber, Data data) {
+    Endpoint publisher = topic.publishers().get(0);
+    Set<String> set = fieldsThatAreSet(topic, data.getMessageType());
+    // A node as it is may know what to do without it.
+    boolean asItIs = subscriber.node().getImplementation() == ComponentImplementation.NODE;
+    findings.add(
+        asItIs ? Severity.WARNING : Severity.ERROR,
+        ContractRule.FIELD_UNSET,
+        findings.at(data, Literals.DATA__FIELD_NAME),
+        "%s reads the field '%s' of %s, which %s does not set."
+            .formatted(subscriber.name(), data.getFieldName(), topic.name(), publisher.name()),
+        set.isEmpty()
+            ? "Set it, or do not read it."
+            : "The fields that are set are %s: read one of them, or set this one too."
+                .formatted(String.join(", ", set)),
+        findings.at(publisher.first(), Literals.DATA__TOPIC_NAME));
   }
 
   private static Set<String> fieldsThatAreSet(Topic topic, String messageType) {

@@ -131,30 +131,40 @@ final class SqliteFile implements AutoCloseable {
       if (!seen.add(number)) {
         throw new MalformedFileException("its pages form a circle");
       }
-      ByteBuffer page = page(number);
-      int start = number == 1 ? FILE_HEADER : 0;
-      int kind = page.get(start);
-      int cells = Short.toUnsignedInt(page.getShort(start + 3));
-      if (kind != INTERIOR && kind != LEAF) {
-        throw new MalformedFileException("a page of it is none of a table");
-      }
-      int pointers = start + (kind == INTERIOR ? 12 : 8);
-      for (int i = 0; i < cells; i++) {
-        page.position(Short.toUnsignedInt(page.getShort(pointers + 2 * i)));
-        if (kind == INTERIOR) {
-          pending.add(page.getInt());
-        } else {
-          records.add(record(payload(page)));
-        }
-      }
-      if (kind == INTERIOR) {
-        pending.add(page.getInt(start + 8));
-      }
+      add(page(number), number == 1 ? FILE_HEADER : 0, records, pending);
       if (records.size() > MOST_ROWS) {
         throw new MalformedFileException("a table of it has too many rows");
       }
     }
     return records;
+  }
+
+  /**
+   * Reads the cells of a page.
+   *
+   * @param start where its header begins
+   * @param records receives those of a leaf
+   * @param pending receives the numbers of the pages below an interior one
+   */
+  private void add(ByteBuffer page, int start, List<List<Object>> records, List<Integer> pending)
+      throws IOException, MalformedFileException {
+    int kind = page.get(start);
+    if (kind != INTERIOR && kind != LEAF) {
+      throw new MalformedFileException("a page of it is none of a table");
+    }
+    int cells = Short.toUnsignedInt(page.getShort(start + 3));
+    int pointers = start + (kind == INTERIOR ? 12 : 8);
+    for (int i = 0; i < cells; i++) {
+      page.position(Short.toUnsignedInt(page.getShort(pointers + 2 * i)));
+      if (kind == INTERIOR) {
+        pending.add(page.getInt());
+      } else {
+        records.add(record(payload(page)));
+      }
+    }
+    if (kind == INTERIOR) {
+      pending.add(page.getInt(start + 8));
+    }
   }
 
   /** Reads the payload of a leaf's cell, with what overflows into other pages (section 1.6). */
@@ -179,7 +189,9 @@ final class SqliteFile implements AutoCloseable {
     return all.flip();
   }
 
-  /** Reads the values of a record (section 2.1); what is neither text nor integer is null. */
+  /**
+   * Reads the values of a record (section 2.1); what is neither text nor integer is an empty text.
+   */
   private List<Object> record(ByteBuffer record) {
     long headerEnd = varint(record);
     List<Long> types = new ArrayList<>();

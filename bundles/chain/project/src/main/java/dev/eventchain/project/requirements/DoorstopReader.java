@@ -90,14 +90,23 @@ final class DoorstopReader {
           "Move the file out of the folder, of which Doorstop takes every such file for an item.");
       return Optional.empty();
     }
+    Item item = described(id, source, end.get(), document, read);
+    reading.items.add(item);
+    return Optional.of(item);
+  }
+
+  /** Returns an item with what its attributes and, in Markdown, the text behind them say. */
+  private Item described(
+      String id, SourceText source, int end, Document document, Optional<ObjectReader> read) {
     RequirementSource.Fields names = reading.fields;
+    int start = textStart(source, end);
     Item item =
         new Item(
             names.id().flatMap(name -> read.flatMap(it -> plain(it, name))).orElse(id),
             read.flatMap(it -> plain(it, names.text().orElse("text")))
-                .orElse(source.text().substring(textStart(source, end.get()))),
+                .orElse(source.text().substring(start)),
             markdown && names.text().isEmpty()
-                ? source.at(textStart(source, end.get()))
+                ? source.at(start)
                 : document.atKey("/" + names.text().orElse("text")).withElement(""));
     item.type = Optional.of(prefix);
     item.status = read.flatMap(it -> plain(it, names.status().orElse("status")));
@@ -106,8 +115,7 @@ final class DoorstopReader {
     for (String links : names.parents().isEmpty() ? List.of("links") : names.parents()) {
       read.flatMap(it -> it.value(links)).ifPresent(it -> link(item, it, links, document));
     }
-    reading.items.add(item);
-    return Optional.of(item);
+    return item;
   }
 
   /** Returns where the attributes above a Markdown text end; without them, it is a finding. */

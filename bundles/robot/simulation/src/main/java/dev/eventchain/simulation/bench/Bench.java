@@ -279,10 +279,8 @@ public final class Bench {
   }
 
   /**
-   * Returns a {@code bench.yaml} for a project that has none. Fields recognised by name and unit
-   * are connected; the rest is in comments.
-   *
-   * @param rates the known rates of topics in Hz, by their full names
+   * Returns a {@code bench.yaml} for a project that has none, with the known rates of topics in Hz.
+   * Fields recognised by name and unit are connected; the rest is in comments.
    */
   public static String proposal(
       List<dev.eventchain.model.Signal> declared,
