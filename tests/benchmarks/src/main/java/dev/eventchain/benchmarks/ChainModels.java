@@ -37,7 +37,7 @@ final class ChainModels {
       constraint.setName("latency" + i);
       constraint.setFirst(chain.getSoftware().get(i));
       constraint.setLast(chain.getSoftware().get(i + LINE - 1));
-      constraint.setMaximum(100.0);
+      constraint.setMaximum(600.0);
       chain.getLatencyConstraints().add(constraint);
     }
     return chain;

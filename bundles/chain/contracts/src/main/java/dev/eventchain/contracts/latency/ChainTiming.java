@@ -37,6 +37,9 @@ public final class ChainTiming {
   private static final double SECOND = 1e9;
   private static final double MILLISECOND = 1e6;
 
+  /** Times that are longer, some days, are as good as unknown, and sums of shorter ones exact. */
+  private static final double LONGEST = 1e15;
+
   private final EventChain chain;
   private final DataFlowIndex flow;
   private final TopicIndex topics;
@@ -85,7 +88,7 @@ public final class ChainTiming {
 
   private static OptionalLong period(SoftwareNode node) {
     double period = SECOND / node.getFrequency();
-    return node.isSetFrequency() && period > 0 && period < Long.MAX_VALUE / 1e3
+    return node.isSetFrequency() && period > 0 && period < LONGEST
         ? OptionalLong.of((long) Math.ceil(period))
         : OptionalLong.empty();
   }
@@ -94,7 +97,7 @@ public final class ChainTiming {
   private static OptionalLong response(SoftwareNode node) {
     double time = node.getWorstCaseExecutionTime() * MILLISECOND;
     boolean stated = node.isSetWorstCaseExecutionTime() && time > 0;
-    return stated && !isOverloaded(node) && time < Long.MAX_VALUE / 1e3
+    return stated && !isOverloaded(node) && time < LONGEST
         ? OptionalLong.of((long) Math.ceil(time))
         : OptionalLong.empty();
   }
@@ -145,7 +148,7 @@ public final class ChainTiming {
       for (SoftwareNode last : lasts) {
         Optional<List<PathLatency>> found = graph.between(type, names.get(first), names.get(last));
         if (found.isEmpty()) {
-          unknown.add("data take more than 1,000 paths");
+          unknown.add("data take more than 1,000 paths, or pass more than 1,000 components");
         }
         paths.addAll(found.orElse(List.of()));
       }

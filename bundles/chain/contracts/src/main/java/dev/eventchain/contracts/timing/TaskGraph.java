@@ -2,14 +2,13 @@ package dev.eventchain.contracts.timing;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
 import java.util.Deque;
 import java.util.HashMap;
-import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 
 /**
  * Tasks with forks and joins. A latency between two tasks is that of the slowest path: an output
@@ -18,121 +17,154 @@ import java.util.Set;
  */
 public final class TaskGraph {
 
-  /** The most paths between two tasks that are looked at. */
-  private static final int MOST_PATHS = 1_000;
+  /** The most paths between two tasks that are looked at, and the most tasks on them. */
+  private static final int MOST = 1_000;
 
-  private final Map<String, Task> tasks = new LinkedHashMap<>();
-  private final Map<String, List<String>> readers = new HashMap<>();
+  private static final int NOT_REACHED = -1;
 
-  /** Adds a task, or replaces the one of the same name. */
+  private final List<Task> tasks = new ArrayList<>();
+  private final Map<String, Integer> numbers = new HashMap<>();
+  private final List<List<Integer>> readers = new ArrayList<>();
+  private final List<List<Integer>> writers = new ArrayList<>();
+
+  /**
+   * Adds a task.
+   *
+   * @throws IllegalArgumentException if there is one of that name
+   */
   public void add(Task task) {
-    tasks.put(task.name(), task);
+    if (numbers.putIfAbsent(task.name(), tasks.size()) != null) {
+      throw new IllegalArgumentException("two tasks '" + task.name() + "'");
+    }
+    tasks.add(task);
+    readers.add(new ArrayList<>());
+    writers.add(new ArrayList<>());
   }
 
   /** Lets a task read the output of another one; both have to be there. */
   public void connect(String writer, String reader) {
-    if (!tasks.containsKey(writer) || !tasks.containsKey(reader)) {
-      throw new IllegalArgumentException(writer + " -> " + reader);
-    }
-    List<String> known = readers.computeIfAbsent(writer, none -> new ArrayList<>());
-    if (!known.contains(reader)) {
-      known.add(reader);
+    int from = number(writer);
+    int to = number(reader);
+    if (!readers.get(from).contains(to)) {
+      readers.get(from).add(to);
+      writers.get(to).add(from);
     }
   }
 
+  private int number(String name) {
+    Integer number = numbers.get(name);
+    if (number == null) {
+      throw new IllegalArgumentException("no task '" + name + "'");
+    }
+    return number;
+  }
+
   /**
-   * Returns the latencies along all paths between two tasks; empty if there are more than 1,000. A
-   * task is connected with itself.
+   * Returns the latencies along all paths between two tasks; empty if there are more than 1,000, or
+   * more than 1,000 tasks on them. A task is connected with itself.
    */
   public Optional<List<PathLatency>> between(LatencyType type, String first, String last) {
-    Map<String, List<String>> forward = forward(first);
-    Set<String> reaching = reaching(forward, last);
-    forward.values().forEach(each -> each.retainAll(reaching));
-    List<List<Task>> paths = new ArrayList<>();
-    return addPaths(forward, first, last, new ArrayDeque<>(), paths)
-        ? Optional.of(paths.stream().map(path -> PathLatency.of(type, path)).toList())
+    int start = number(first);
+    int end = number(last);
+    int[] distances = distances(readers, start, start);
+    BitSet between = reached(distances);
+    between.and(reached(distances(writers, end, NOT_REACHED)));
+    if (between.cardinality() > MOST) {
+      return Optional.empty();
+    }
+    Paths paths = new Paths(end, forward(start, distances, between));
+    return paths.addFrom(start, new ArrayDeque<>())
+        ? Optional.of(paths.found.stream().map(path -> PathLatency.of(type, path)).toList())
         : Optional.empty();
   }
 
-  /** Adds the paths from a task on; returns false if there are too many. */
-  private boolean addPaths(
-      Map<String, List<String>> forward,
-      String task,
-      String last,
-      Deque<Task> path,
-      List<List<Task>> paths) {
-    path.addLast(tasks.get(task));
-    boolean few = true;
-    if (task.equals(last)) {
-      paths.add(List.copyOf(path));
-      few = paths.size() <= MOST_PATHS;
-    } else {
-      for (String next : forward.getOrDefault(task, List.of())) {
-        few = few && addPaths(forward, next, last, path, paths);
-      }
-    }
-    path.removeLast();
-    return few;
-  }
-
   /**
-   * Returns the readers of each task that the first one reaches, without feedback: within a loop,
-   * only those that are more steps away from the first one.
+   * Returns the number of steps to each task that is reached.
+   *
+   * @param excluded a task to which no step leads
    */
-  private Map<String, List<String>> forward(String first) {
-    Map<String, Integer> distances = distances(first, first);
-    Map<String, Set<String>> behind = new HashMap<>();
-    Map<String, List<String>> forward = new HashMap<>();
-    for (String writer : distances.keySet()) {
-      List<String> next = new ArrayList<>(readersOf(writer, first));
-      next.removeIf(
-          reader ->
-              distances.get(writer) >= distances.get(reader)
-                  && behind
-                      .computeIfAbsent(reader, it -> distances(it, first).keySet())
-                      .contains(writer));
-      forward.put(writer, next);
-    }
-    return forward;
-  }
-
-  /** Returns the readers of a task other than the start of the paths. */
-  private List<String> readersOf(String task, String start) {
-    List<String> all = readers.getOrDefault(task, List.of());
-    return all.stream().filter(reader -> !reader.equals(start)).toList();
-  }
-
-  /** Returns the number of steps from a task to each that its outputs reach. */
-  private Map<String, Integer> distances(String from, String start) {
-    Map<String, Integer> distances = new HashMap<>(Map.of(from, 0));
-    Deque<String> open = new ArrayDeque<>(List.of(from));
+  private int[] distances(List<List<Integer>> next, int from, int excluded) {
+    int[] distances = new int[tasks.size()];
+    Arrays.fill(distances, NOT_REACHED);
+    distances[from] = 0;
+    Deque<Integer> open = new ArrayDeque<>(List.of(from));
     while (!open.isEmpty()) {
-      String task = open.remove();
-      for (String next : readersOf(task, start)) {
-        if (distances.putIfAbsent(next, distances.get(task) + 1) == null) {
-          open.add(next);
+      int task = open.remove();
+      for (int each : next.get(task)) {
+        if (distances[each] == NOT_REACHED && each != excluded) {
+          distances[each] = distances[task] + 1;
+          open.add(each);
         }
       }
     }
     return distances;
   }
 
-  /** Returns the tasks from which the last one is reached, and itself. */
-  private static Set<String> reaching(Map<String, List<String>> forward, String last) {
-    Map<String, List<String>> writers = new HashMap<>();
-    forward.forEach(
-        (writer, all) ->
-            all.forEach(
-                reader -> writers.computeIfAbsent(reader, none -> new ArrayList<>()).add(writer)));
-    Set<String> found = new HashSet<>(Set.of(last));
-    Deque<String> open = new ArrayDeque<>(found);
-    while (!open.isEmpty()) {
-      for (String writer : writers.getOrDefault(open.remove(), List.of())) {
-        if (found.add(writer)) {
-          open.add(writer);
+  private static BitSet reached(int[] distances) {
+    BitSet reached = new BitSet(distances.length);
+    for (int i = 0; i < distances.length; i++) {
+      reached.set(i, distances[i] != NOT_REACHED);
+    }
+    return reached;
+  }
+
+  /**
+   * Returns the readers of each task on the way without feedback: within a loop, only those that
+   * are more steps away from the first task.
+   */
+  private Map<Integer, List<Integer>> forward(int start, int[] distances, BitSet between) {
+    Map<Integer, BitSet> behind = new HashMap<>();
+    Map<Integer, List<Integer>> forward = new HashMap<>();
+    between.stream()
+        .forEach(
+            writer -> {
+              List<Integer> next = new ArrayList<>(readers.get(writer));
+              next.removeIf(reader -> reader == start || !between.get(reader));
+              next.removeIf(
+                  reader ->
+                      distances[writer] >= distances[reader]
+                          && behind
+                              .computeIfAbsent(reader, it -> reached(distances(readers, it, start)))
+                              .get(writer));
+              forward.put(writer, next);
+            });
+    return forward;
+  }
+
+  /** All paths to a task. */
+  private final class Paths {
+
+    private final int end;
+    private final Map<Integer, List<Integer>> forward;
+    private final List<List<Task>> found = new ArrayList<>();
+
+    /** Tasks from which no path leads to the end. */
+    private final BitSet dead = new BitSet();
+
+    Paths(int end, Map<Integer, List<Integer>> forward) {
+      this.end = end;
+      this.forward = forward;
+    }
+
+    /** Adds the paths from a task on; returns false if there are too many. */
+    private boolean addFrom(int task, Deque<Task> path) {
+      if (dead.get(task)) {
+        return true;
+      }
+      int before = found.size();
+      boolean few = true;
+      path.addLast(tasks.get(task));
+      if (task == end) {
+        found.add(List.copyOf(path));
+        few = found.size() <= MOST;
+      } else {
+        for (int next : forward.getOrDefault(task, List.of())) {
+          few = few && addFrom(next, path);
         }
       }
+      path.removeLast();
+      dead.set(task, few && found.size() == before);
+      return few;
     }
-    return found;
   }
 }

@@ -310,4 +310,18 @@ class BoundsTest {
     assertEquals(512, graph.between(LatencyType.REACTION, "0", "9").orElseThrow().size());
     assertTrue(graph.between(LatencyType.REACTION, "0", "11").isEmpty());
   }
+
+  @Test
+  void aLongChainIsNotSearchedInDepth() {
+    TaskGraph graph = new TaskGraph();
+    for (int i = 0; i <= 100_000; i++) {
+      graph.add(Task.periodic("" + i, 10, 1));
+      if (i > 0) {
+        graph.connect("" + (i - 1), "" + i);
+      }
+    }
+    assertEquals(
+        11, graph.between(LatencyType.REACTION, "500", "510").orElseThrow().get(0).path().size());
+    assertTrue(graph.between(LatencyType.REACTION, "0", "100000").isEmpty());
+  }
 }

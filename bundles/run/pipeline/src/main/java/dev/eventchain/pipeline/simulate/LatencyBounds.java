@@ -57,7 +57,7 @@ final class LatencyBounds {
     /** Returns whether the bound passes the maximum of the constraint. */
     private boolean passes(LatencyEstimate it) {
       double maximum = constraint.map(LatencyConstraint::getMaximum).orElse(0.0) * MILLISECOND;
-      return maximum > 0 && Math.max(it.known(), it.bound().orElse(0)) > maximum;
+      return maximum > 0 && it.bound().orElse(it.known()) > maximum;
     }
 
     private String name() {
@@ -211,7 +211,7 @@ final class LatencyBounds {
     }
     LatencyEstimate estimate = bounded.estimate();
     LatencyConstraint constraint = bounded.constraint().orElseThrow();
-    long possible = Math.max(estimate.known(), estimate.bound().orElse(0));
+    long possible = estimate.bound().orElse(estimate.known());
     String message =
         "'%s' allows %s ms, but with what passes before '%s' starts up to %s ms are possible (waiting + execution: %s)."
             .formatted(

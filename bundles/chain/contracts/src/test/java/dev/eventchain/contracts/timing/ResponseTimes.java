@@ -7,7 +7,7 @@ import java.util.OptionalLong;
  * Worst-case response times of periodic tasks on one processor, each task with a priority of its
  * own. A task that may not end within its period has none.
  */
-public final class ResponseTimes {
+final class ResponseTimes {
 
   /**
    * What a task asks of its processor.
@@ -16,7 +16,7 @@ public final class ResponseTimes {
    * @param execution the worst-case execution time, in ns
    * @param priority larger numbers go first
    */
-  public record Demand(long period, long execution, int priority) {}
+  record Demand(long period, long execution, int priority) {}
 
   private final List<Demand> all;
 
@@ -25,7 +25,7 @@ public final class ResponseTimes {
   }
 
   /** Returns the response times of the tasks of one processor. */
-  public static ResponseTimes of(List<Demand> all) {
+  static ResponseTimes of(List<Demand> all) {
     return new ResponseTimes(all);
   }
 
@@ -33,7 +33,7 @@ public final class ResponseTimes {
    * Returns the response time of a task that others of higher priority interrupt, by the analysis
    * of M. Joseph and P. Pandya, 1986.
    */
-  public OptionalLong preemptive(Demand task) {
+  OptionalLong preemptive(Demand task) {
     long response = task.execution();
     while (response <= task.period()) {
       long next = task.execution();
