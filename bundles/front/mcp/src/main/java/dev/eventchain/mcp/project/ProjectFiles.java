@@ -14,6 +14,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 
@@ -35,7 +36,7 @@ public final class ProjectFiles {
 
   /** Returns the files with their sizes in bytes, as JSON; no hidden ones, and no links. */
   public String list() {
-    TreeMap<String, Long> found = new TreeMap<>();
+    Map<String, Long> found = new TreeMap<>();
     try {
       Files.walkFileTree(boundary.root(), Set.<FileVisitOption>of(), DEEPEST, new Collector(found));
     } catch (IOException e) {
@@ -51,9 +52,9 @@ public final class ProjectFiles {
 
   private final class Collector extends SimpleFileVisitor<Path> {
 
-    private final TreeMap<String, Long> found;
+    private final Map<String, Long> found;
 
-    Collector(TreeMap<String, Long> found) {
+    Collector(Map<String, Long> found) {
       this.found = found;
     }
 

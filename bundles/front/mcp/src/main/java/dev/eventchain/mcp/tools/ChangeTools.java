@@ -6,7 +6,7 @@ import dev.eventchain.mcp.project.McpRules;
 import dev.eventchain.mcp.project.ProjectFiles;
 import dev.eventchain.mcp.project.Proposal;
 import dev.eventchain.mcp.project.TrialCopy;
-import dev.eventchain.mcp.tools.Parameter.Type;
+import dev.eventchain.mcp.tools.Parameter.ArgumentType;
 import dev.eventchain.mcp.tools.Tool.Call;
 import dev.eventchain.mcp.tools.Tool.Effect;
 import dev.eventchain.mcp.tools.Tool.Result;
@@ -54,7 +54,7 @@ final class ChangeTools {
             CommandTools.PROJECT,
             Parameter.required(
                 "edits",
-                Type.OBJECTS,
+                ArgumentType.OBJECTS,
                 "The changes, one after the other: {\"file\": relative to the project, \"old\": text"
                     + " that occurs once in it, \"new\": what takes its place}. Without \"old\","
                     + " \"new\" is the whole file."),
@@ -124,7 +124,9 @@ final class ChangeTools {
         "Writes the files of a proposal as its diff says, if they are still as they were. Then use"
             + " 'run': no verdict is about the changed project yet.",
         Effect.CHANGES,
-        List.of(Parameter.required("proposal", Type.TEXT, "The name that 'propose' has given.")),
+        List.of(
+            Parameter.required(
+                "proposal", ArgumentType.TEXT, "The name that 'propose' has given.")),
         Map.of("files", FILES),
         (arguments, call) -> applied(arguments.text("proposal", "")));
   }

@@ -1,7 +1,7 @@
 package dev.eventchain.mcp.tools;
 
 import dev.eventchain.mcp.project.Boundary;
-import dev.eventchain.mcp.tools.Parameter.Type;
+import dev.eventchain.mcp.tools.Parameter.ArgumentType;
 import dev.eventchain.mcp.tools.Tool.Call;
 import dev.eventchain.mcp.tools.Tool.Effect;
 import dev.eventchain.mcp.tools.Tool.Result;
@@ -16,13 +16,13 @@ final class CommandTools {
   static final Parameter PROJECT =
       Parameter.of(
           "project",
-          Type.TEXT,
+          ArgumentType.TEXT,
           "The project's folder, relative to the server's. Default: the server's folder itself.");
 
   private static final Parameter SCENARIOS =
       Parameter.of(
           "scenarios",
-          Type.TEXTS,
+          ArgumentType.TEXTS,
           "Names of the scenarios to be simulated, without .yaml. Default: all. With a choice the"
               + " verdict is about less, and INCOMPLETE at best.");
 
@@ -49,7 +49,8 @@ final class CommandTools {
         Effect.ADDS,
         List.of(
             PROJECT,
-            Parameter.of("workspace", Type.TEXT, "A colcon workspace inside the server's folder.")),
+            Parameter.of(
+                "workspace", ArgumentType.TEXT, "A colcon workspace inside the server's folder.")),
         Commands.plainOutput(),
         (arguments, call) -> {
           List<String> command = command("init", arguments);
@@ -70,9 +71,9 @@ final class CommandTools {
         Effect.ADDS,
         List.of(
             PROJECT,
-            Parameter.of("models", Type.TEXTS, "Model files, instead of a project."),
-            Parameter.of("metamodels", Type.TEXTS, "The .ecore files of the models."),
-            Parameter.of("ocl", Type.TEXTS, "Complete OCL documents for the models.")),
+            Parameter.of("models", ArgumentType.TEXTS, "Model files, instead of a project."),
+            Parameter.of("metamodels", ArgumentType.TEXTS, "The .ecore files of the models."),
+            Parameter.of("ocl", ArgumentType.TEXTS, "Complete OCL documents for the models.")),
         Commands.OUTPUT,
         this::validated);
   }
@@ -99,7 +100,7 @@ final class CommandTools {
         "Explains a finding by the id in brackets behind it, such as ocl.violated, or a standard"
             + " constraint. Without an id, lists all.",
         Effect.READS,
-        List.of(Parameter.of("id", Type.TEXT, "The id. Default: all ids are listed.")),
+        List.of(Parameter.of("id", ArgumentType.TEXT, "The id. Default: all ids are listed.")),
         Commands.plainOutput(),
         (arguments, call) -> {
           List<String> command = new ArrayList<>(List.of("explain"));
@@ -117,10 +118,10 @@ final class CommandTools {
         Effect.ADDS,
         List.of(
             PROJECT,
-            Parameter.of("template", Type.TEXT, "The main module of a template (.mtl)."),
-            Parameter.of("models", Type.TEXTS, "The models for the template."),
-            Parameter.of("metamodels", Type.TEXTS, "The .ecore files of the models."),
-            Parameter.of("output", Type.TEXT, "The folder to write into, for a template.")),
+            Parameter.of("template", ArgumentType.TEXT, "The main module of a template (.mtl)."),
+            Parameter.of("models", ArgumentType.TEXTS, "The models for the template."),
+            Parameter.of("metamodels", ArgumentType.TEXTS, "The .ecore files of the models."),
+            Parameter.of("output", ArgumentType.TEXT, "The folder to write into, for a template.")),
         Commands.OUTPUT,
         this::generated);
   }
@@ -181,9 +182,11 @@ final class CommandTools {
         List.of(
             PROJECT,
             Parameter.required(
-                "file", Type.TEXT, "The campaign file, relative to the server's folder."),
-            Parameter.of("dryRun", Type.FLAG, "Only count the cases, and say how long they take."),
-            Parameter.of("case", Type.WHOLE, "Simulate and record this case of the table again.")),
+                "file", ArgumentType.TEXT, "The campaign file, relative to the server's folder."),
+            Parameter.of(
+                "dryRun", ArgumentType.FLAG, "Only count the cases, and say how long they take."),
+            Parameter.of(
+                "case", ArgumentType.WHOLE, "Simulate and record this case of the table again.")),
         Commands.OUTPUT,
         (arguments, call) -> {
           List<String> command = command("campaign", arguments);
@@ -203,7 +206,9 @@ final class CommandTools {
         "Tries which small defects of components no test and no scenario notices. Takes minutes to"
             + " hours. Results are the table mutants.",
         Effect.ADDS,
-        List.of(PROJECT, Parameter.of("components", Type.TEXTS, "Mutate these components only.")),
+        List.of(
+            PROJECT,
+            Parameter.of("components", ArgumentType.TEXTS, "Mutate these components only.")),
         Commands.OUTPUT,
         (arguments, call) -> {
           List<String> command = command("mutate", arguments);

@@ -38,7 +38,7 @@ record Condition(String column, String relation, Object value) {
   boolean holds(Object cell) {
     return switch (relation) {
       case "equals" ->
-          cell instanceof Number left && value instanceof Number right
+          (cell instanceof Number left && value instanceof Number right)
               ? Double.compare(left.doubleValue(), right.doubleValue()) == 0
               : value.equals(cell);
       case "contains" -> cell != null && cell.toString().contains(value.toString());

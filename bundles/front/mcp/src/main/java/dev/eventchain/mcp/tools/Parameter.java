@@ -10,43 +10,32 @@ import java.util.function.Predicate;
  *
  * @param words the values that it may have; empty if it may have any of its type
  */
-record Parameter(String name, Type type, String description, boolean required, List<String> words) {
+record Parameter(
+    String name, ArgumentType type, String description, boolean required, List<String> words) {
 
   private static final int LONGEST = 10_000;
   private static final int MOST = 1000;
 
   /** Types of arguments. */
-  enum Type {
-    TEXT(Map.of("type", "string"), Parameter::isText),
-    WHOLE(Map.of("type", "integer", "minimum", 0), Parameter::isWhole),
-    NUMBER(Map.of("type", "number"), Number.class::isInstance),
-    FLAG(Map.of("type", "boolean"), Boolean.class::isInstance),
-    TEXTS(
-        Map.of("type", "array", "items", Map.of("type", "string")),
-        value -> isListOf(value, Parameter::isText)),
-    OBJECTS(
-        Map.of("type", "array", "items", Map.of("type", "object")),
-        value -> isListOf(value, Map.class::isInstance));
-
-    private final Map<String, Object> schema;
-    private final Predicate<Object> check;
-
-    Type(Map<String, Object> schema, Predicate<Object> check) {
-      this.schema = schema;
-      this.check = check;
-    }
+  enum ArgumentType {
+    TEXT,
+    WHOLE,
+    NUMBER,
+    FLAG,
+    TEXTS,
+    OBJECTS
   }
 
-  static Parameter of(String name, Type type, String description) {
+  static Parameter of(String name, ArgumentType type, String description) {
     return new Parameter(name, type, description, false, List.of());
   }
 
-  static Parameter required(String name, Type type, String description) {
+  static Parameter required(String name, ArgumentType type, String description) {
     return new Parameter(name, type, description, true, List.of());
   }
 
   static Parameter oneOf(String name, String description, List<String> words) {
-    return new Parameter(name, Type.TEXT, description, false, words);
+    return new Parameter(name, ArgumentType.TEXT, description, false, words);
   }
 
   private static boolean isText(Object value) {
@@ -63,7 +52,16 @@ record Parameter(String name, Type type, String description, boolean required, L
 
   /** Returns whether a value may be given. */
   boolean accepts(Object value) {
-    return type.check.test(value) && (words.isEmpty() || words.contains(value));
+    boolean typed =
+        switch (type) {
+          case TEXT -> isText(value);
+          case WHOLE -> isWhole(value);
+          case NUMBER -> value instanceof Number;
+          case FLAG -> value instanceof Boolean;
+          case TEXTS -> isListOf(value, Parameter::isText);
+          case OBJECTS -> isListOf(value, Map.class::isInstance);
+        };
+    return typed && (words.isEmpty() || words.contains(value));
   }
 
   /** Returns what may be given, in words. */
@@ -83,7 +81,16 @@ record Parameter(String name, Type type, String description, boolean required, L
 
   /** Returns the JSON schema. */
   Map<String, Object> schema() {
-    Map<String, Object> schema = new LinkedHashMap<>(type.schema);
+    Map<String, Object> schema =
+        new LinkedHashMap<>(
+            switch (type) {
+              case TEXT -> Map.of("type", "string");
+              case WHOLE -> Map.of("type", "integer", "minimum", 0);
+              case NUMBER -> Map.of("type", "number");
+              case FLAG -> Map.of("type", "boolean");
+              case TEXTS -> Map.of("type", "array", "items", Map.of("type", "string"));
+              case OBJECTS -> Map.of("type", "array", "items", Map.of("type", "object"));
+            });
     schema.put("description", description);
     if (!words.isEmpty()) {
       schema.put("enum", words);

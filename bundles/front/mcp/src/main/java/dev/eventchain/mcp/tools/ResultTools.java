@@ -4,7 +4,7 @@ import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.mcp.project.Boundary;
 import dev.eventchain.mcp.project.ResultTables;
 import dev.eventchain.mcp.project.Table;
-import dev.eventchain.mcp.tools.Parameter.Type;
+import dev.eventchain.mcp.tools.Parameter.ArgumentType;
 import dev.eventchain.mcp.tools.Tool.Call;
 import dev.eventchain.mcp.tools.Tool.Effect;
 import dev.eventchain.mcp.tools.Tool.Result;
@@ -104,19 +104,19 @@ final class ResultTools {
         Effect.READS,
         List.of(
             CommandTools.PROJECT,
-            Parameter.required("table", Type.TEXT, "The table's name."),
-            Parameter.of("columns", Type.TEXTS, "These columns only."),
+            Parameter.required("table", ArgumentType.TEXT, "The table's name."),
+            Parameter.of("columns", ArgumentType.TEXTS, "These columns only."),
             Parameter.of(
                 "where",
-                Type.OBJECTS,
+                ArgumentType.OBJECTS,
                 "Conditions that all hold: {\"column\": NAME} with \"equals\": VALUE, \"contains\":"
                     + " TEXT, \"least\": NUMBER or \"most\": NUMBER."),
-            Parameter.of("orderBy", Type.TEXT, "Sort by this column, the smallest first."),
-            Parameter.of("descending", Type.FLAG, "Sort with the largest first."),
-            Parameter.of("offset", Type.WHOLE, "The first row, from 0."),
+            Parameter.of("orderBy", ArgumentType.TEXT, "Sort by this column, the smallest first."),
+            Parameter.of("descending", ArgumentType.FLAG, "Sort with the largest first."),
+            Parameter.of("offset", ArgumentType.WHOLE, "The first row, from 0."),
             Parameter.of(
                 "limit",
-                Type.WHOLE,
+                ArgumentType.WHOLE,
                 "How many rows (default " + PAGE + ", at most " + Page.MOST + ").")),
         output,
         this::queried);
@@ -184,10 +184,12 @@ final class ResultTools {
         Effect.READS,
         List.of(
             CommandTools.PROJECT,
-            Parameter.required("scenario", Type.TEXT, "The scenario's name."),
-            Parameter.required("time", Type.NUMBER, "The time in s since the scenario's start."),
-            Parameter.of("around", Type.NUMBER, "Seconds before and after (default 0.5)."),
-            Parameter.of("signals", Type.TEXTS, "Signals whose names contain one of these.")),
+            Parameter.required("scenario", ArgumentType.TEXT, "The scenario's name."),
+            Parameter.required(
+                "time", ArgumentType.NUMBER, "The time in s since the scenario's start."),
+            Parameter.of("around", ArgumentType.NUMBER, "Seconds before and after (default 0.5)."),
+            Parameter.of(
+                "signals", ArgumentType.TEXTS, "Signals whose names contain one of these.")),
         output,
         this::around);
   }
