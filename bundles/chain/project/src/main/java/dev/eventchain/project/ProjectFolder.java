@@ -101,7 +101,12 @@ public class ProjectFolder {
 
   /** Returns the file of suppressions, if there is one. */
   public final Optional<Path> suppressions() {
-    return existing("eventchain-suppressions.yaml");
+    return Optional.of(suppressionsFile()).filter(file -> !isAbsent(file));
+  }
+
+  /** Returns the file of suppressions, which may be absent. */
+  public final Path suppressionsFile() {
+    return folder.resolve("eventchain-suppressions.yaml");
   }
 
   /** Returns the file of accepted texts of requirements, which may be absent. */

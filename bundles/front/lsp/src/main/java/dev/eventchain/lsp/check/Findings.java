@@ -5,8 +5,10 @@ import dev.eventchain.check.EditorRules;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.editing.TextRange;
 import dev.eventchain.lsp.text.OpenText;
 import dev.eventchain.lsp.text.OpenTexts;
+import dev.eventchain.lsp.text.Positions;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -24,6 +26,7 @@ import org.eclipse.lsp4j.DiagnosticRelatedInformation;
 import org.eclipse.lsp4j.DiagnosticSeverity;
 import org.eclipse.lsp4j.Location;
 import org.eclipse.lsp4j.PublishDiagnosticsParams;
+import org.eclipse.lsp4j.Range;
 
 /**
  * The findings of all units, and those that the editor shows of each file. A file is published when
@@ -90,7 +93,7 @@ public final class Findings {
       publisher.accept(new PublishDiagnosticsParams(before, List.of()));
     }
     if (before != null) {
-      publisher.accept(params(file, of(file)));
+      publisher.accept(params(file, shown.getOrDefault(file, List.of())));
     }
   }
 
@@ -98,9 +101,25 @@ public final class Findings {
     return texts.of(file).map(OpenText::uri).orElseGet(() -> file.toUri().toString());
   }
 
-  /** Returns the findings that are shown of a file, for what can be done about them. */
-  public synchronized List<Diagnostic> of(Path file) {
-    return shown.getOrDefault(file, List.of());
+  /**
+   * A finding that the editor shows.
+   *
+   * @param asSent as the editor has been told
+   */
+  public record Shown(Diagnostic finding, org.eclipse.lsp4j.Diagnostic asSent) {}
+
+  /** Returns the findings that are shown of a file and touch a range. */
+  public synchronized List<Shown> in(Path file, Range range) {
+    boolean marked = texts.of(file).map(OpenText::hasMark).orElse(false);
+    TextRange wanted = Positions.of(range);
+    return shown.getOrDefault(file, List.of()).stream()
+        .map(each -> new Shown(each, converted(each, file, marked)))
+        .filter(
+            each -> {
+              TextRange place = Positions.of(each.asSent().getRange());
+              return place.touches(wanted.start()) || wanted.touches(place.start());
+            })
+        .toList();
   }
 
   private void publish(Path file) {

@@ -1,8 +1,12 @@
 package dev.eventchain.lsp.session;
 
+import dev.eventchain.lsp.action.FindingActions;
 import dev.eventchain.lsp.language.Protocol;
 import java.util.List;
+import org.eclipse.lsp4j.CodeActionKind;
+import org.eclipse.lsp4j.CodeActionOptions;
 import org.eclipse.lsp4j.CompletionOptions;
+import org.eclipse.lsp4j.ExecuteCommandOptions;
 import org.eclipse.lsp4j.RenameOptions;
 import org.eclipse.lsp4j.SemanticTokensWithRegistrationOptions;
 import org.eclipse.lsp4j.ServerCapabilities;
@@ -27,6 +31,9 @@ final class Capabilities {
     folders.setSupported(true);
     folders.setChangeNotifications(true);
     capabilities.setWorkspace(new WorkspaceServerCapabilities(folders));
+    capabilities.setCodeActionProvider(new CodeActionOptions(List.of(CodeActionKind.QuickFix)));
+    capabilities.setExecuteCommandProvider(
+        new ExecuteCommandOptions(List.of(FindingActions.EXPLAIN)));
     languages(capabilities);
     return capabilities;
   }

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -18,10 +19,11 @@ import java.util.Map;
 final class DiskWatch implements AutoCloseable {
 
   private static final Duration INTERVAL = Duration.ofSeconds(2);
+  private static final Duration LONGEST_CHECK = Duration.ofMinutes(1);
 
   private final Checks checks;
   private final Thread thread = new Thread(this::work, "disk");
-  private final Map<Path, String> states = new HashMap<>();
+  private final Map<Path, State> states = new HashMap<>();
 
   DiskWatch(Checks checks) {
     this.checks = checks;
@@ -62,20 +64,31 @@ final class DiskWatch implements AutoCloseable {
   }
 
   private void note(Path file, List<Path> changed, List<Path> others) {
-    String now = state(file);
-    String before = states.put(file, now);
-    if (before != null && !before.equals(now)) {
-      (before.isEmpty() || now.isEmpty() ? others : changed).add(file);
+    State now = State.of(file);
+    State before = states.put(file, now);
+    if (before == null ? now.isNew() : !before.equals(now)) {
+      boolean came = before == null || before.equals(State.MISSING) || now.equals(State.MISSING);
+      (came ? others : changed).add(file);
     }
   }
 
-  /** Returns what tells versions of a file apart; empty if it is not there. */
-  private static String state(Path file) {
-    try {
-      BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
-      return attributes.lastModifiedTime() + " " + attributes.size();
-    } catch (IOException e) {
-      return "";
+  /** What tells versions of a file apart. */
+  private record State(Instant modified, long size) {
+
+    static final State MISSING = new State(Instant.EPOCH, -1);
+
+    static State of(Path file) {
+      try {
+        BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
+        return new State(attributes.lastModifiedTime().toInstant(), attributes.size());
+      } catch (IOException e) {
+        return MISSING;
+      }
+    }
+
+    /** Returns whether it may have changed between the check that read it and the first look. */
+    boolean isNew() {
+      return modified.isAfter(Instant.now().minus(LONGEST_CHECK));
     }
   }
 

@@ -6,6 +6,7 @@ import dev.eventchain.editing.Rename;
 import dev.eventchain.editing.RenameTarget;
 import dev.eventchain.editing.TextPosition;
 import dev.eventchain.editing.TextRange;
+import dev.eventchain.lsp.action.FindingActions;
 import dev.eventchain.lsp.check.Checks;
 import dev.eventchain.lsp.check.Findings;
 import dev.eventchain.lsp.language.CallItems;
@@ -15,7 +16,10 @@ import dev.eventchain.lsp.text.Edits;
 import dev.eventchain.lsp.text.OpenText;
 import dev.eventchain.lsp.text.OpenTexts;
 import dev.eventchain.lsp.text.Positions;
+import dev.eventchain.pipeline.Today;
 import java.nio.file.Path;
+import java.time.Clock;
+import java.time.LocalDate;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -27,6 +31,9 @@ import org.eclipse.lsp4j.CallHierarchyItem;
 import org.eclipse.lsp4j.CallHierarchyOutgoingCall;
 import org.eclipse.lsp4j.CallHierarchyOutgoingCallsParams;
 import org.eclipse.lsp4j.CallHierarchyPrepareParams;
+import org.eclipse.lsp4j.CodeAction;
+import org.eclipse.lsp4j.CodeActionParams;
+import org.eclipse.lsp4j.Command;
 import org.eclipse.lsp4j.CompletionItem;
 import org.eclipse.lsp4j.CompletionList;
 import org.eclipse.lsp4j.CompletionParams;
@@ -83,14 +90,21 @@ final class DocumentRequests implements TextDocumentService {
   private final Findings findings;
   private final Languages languages;
   private final Edits edits;
+  private final FindingActions actions;
 
   DocumentRequests(
-      OpenTexts texts, Checks checks, Findings findings, Languages languages, Edits edits) {
+      OpenTexts texts,
+      Checks checks,
+      Findings findings,
+      Languages languages,
+      Edits edits,
+      FindingActions actions) {
     this.texts = texts;
     this.checks = checks;
     this.findings = findings;
     this.languages = languages;
     this.edits = edits;
+    this.actions = actions;
   }
 
   @Override
@@ -304,6 +318,19 @@ final class DocumentRequests implements TextDocumentService {
                 .map(
                     each ->
                         new InlayHint(Positions.of(each.position()), Either.forLeft(each.text())))
+                .toList());
+  }
+
+  @Override
+  public CompletableFuture<List<Either<Command, CodeAction>>> codeAction(CodeActionParams params) {
+    LocalDate today = Today.of(System.getenv(), Clock.systemUTC()).date();
+    return languages.later(
+        () ->
+            Positions.path(params.getTextDocument().getUri())
+                .map(file -> actions.of(file, params.getRange(), today))
+                .orElse(List.of())
+                .stream()
+                .map(Either::<Command, CodeAction>forRight)
                 .toList());
   }
 

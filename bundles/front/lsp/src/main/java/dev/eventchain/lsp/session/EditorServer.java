@@ -1,6 +1,8 @@
 package dev.eventchain.lsp.session;
 
 import dev.eventchain.constraints.editing.RuleLanguageService;
+import dev.eventchain.diagnostics.RulePage;
+import dev.eventchain.lsp.action.FindingActions;
 import dev.eventchain.lsp.check.Checks;
 import dev.eventchain.lsp.check.Findings;
 import dev.eventchain.lsp.check.RulePageFiles;
@@ -24,6 +26,8 @@ import org.eclipse.lsp4j.InitializedParams;
 import org.eclipse.lsp4j.Registration;
 import org.eclipse.lsp4j.RegistrationParams;
 import org.eclipse.lsp4j.ServerInfo;
+import org.eclipse.lsp4j.ShowDocumentParams;
+import org.eclipse.lsp4j.ShowDocumentResult;
 import org.eclipse.lsp4j.WorkspaceFolder;
 import org.eclipse.lsp4j.jsonrpc.messages.Either;
 import org.eclipse.lsp4j.services.LanguageClient;
@@ -50,6 +54,7 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
   private final WorkspaceRequests workspace;
   private LanguageClient client;
   private boolean watches;
+  private boolean showsDocuments;
   private boolean isShutDown;
 
   /**
@@ -65,8 +70,10 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
     this.checks = new Checks(texts, findings);
     EditorWorkspace files = new EditorWorkspace(texts, checks);
     this.languages = new Languages(List.of(new RuleLanguageService(files)));
-    this.documents = new DocumentRequests(texts, checks, findings, languages, edits);
-    this.workspace = new WorkspaceRequests(texts, checks, languages, files, edits);
+    this.documents =
+        new DocumentRequests(
+            texts, checks, findings, languages, edits, new FindingActions(files, findings, edits));
+    this.workspace = new WorkspaceRequests(texts, checks, languages, files, edits, this::explain);
   }
 
   @Override
@@ -80,6 +87,12 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
         .ifPresent(parent -> ParentWatch.start(parent, () -> end.accept(NOT_ASKED)));
     watches = watches(params);
     edits.setVersioned(takesVersions(params));
+    showsDocuments =
+        Optional.ofNullable(params.getCapabilities())
+            .map(all -> all.getWindow())
+            .map(all -> all.getShowDocument())
+            .map(all -> all.isSupport())
+            .orElse(false);
     workspace.begin(folders(params), Settings.of(params.getInitializationOptions()));
     ServerInfo info = new ServerInfo("eventchain", version);
     return CompletableFuture.completedFuture(new InitializeResult(Capabilities.all(), info));
@@ -154,6 +167,20 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
   @Override
   public WorkspaceService getWorkspaceService() {
     return workspace;
+  }
+
+  /** Shows the page of a rule, if the editor can, and returns its text. */
+  private CompletableFuture<Object> explain(String id) {
+    if (showsDocuments) {
+      pages
+          .of(id)
+          .ifPresent(
+              page ->
+                  client
+                      .showDocument(new ShowDocumentParams(page.toUri().toString()))
+                      .exceptionally(refused -> new ShowDocumentResult(false)));
+    }
+    return CompletableFuture.completedFuture(RulePage.of(id).map(RulePage::text).orElse(""));
   }
 
   /** Ends the work in the background. */

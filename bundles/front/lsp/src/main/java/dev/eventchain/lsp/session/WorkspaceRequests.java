@@ -1,7 +1,9 @@
 package dev.eventchain.lsp.session;
 
+import com.google.gson.JsonPrimitive;
 import dev.eventchain.editing.Symbol;
 import dev.eventchain.editing.Workspace;
+import dev.eventchain.lsp.action.FindingActions;
 import dev.eventchain.lsp.check.Checks;
 import dev.eventchain.lsp.check.Settings;
 import dev.eventchain.lsp.language.Languages;
@@ -13,11 +15,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import org.eclipse.lsp4j.DidChangeConfigurationParams;
 import org.eclipse.lsp4j.DidChangeWatchedFilesParams;
 import org.eclipse.lsp4j.DidChangeWorkspaceFoldersParams;
+import org.eclipse.lsp4j.ExecuteCommandParams;
 import org.eclipse.lsp4j.FileChangeType;
 import org.eclipse.lsp4j.FileEvent;
 import org.eclipse.lsp4j.Location;
@@ -38,12 +43,19 @@ final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
   private final Languages languages;
   private final Workspace files;
   private final Edits edits;
+  private final Function<String, CompletableFuture<Object>> explain;
   private final DiskWatch disk;
   private List<Path> folders = List.of();
   private Settings settings = Settings.USUAL;
 
   WorkspaceRequests(
-      OpenTexts texts, Checks checks, Languages languages, Workspace files, Edits edits) {
+      OpenTexts texts,
+      Checks checks,
+      Languages languages,
+      Workspace files,
+      Edits edits,
+      Function<String, CompletableFuture<Object>> explain) {
+    this.explain = explain;
     this.texts = texts;
     this.checks = checks;
     this.languages = languages;
@@ -136,6 +148,18 @@ final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
         symbol.name(),
         Protocol.symbolKind(symbol.kind()),
         Either.forLeft(new Location(edits.uri(file), Positions.of(symbol.nameRange()))));
+  }
+
+  @Override
+  public CompletableFuture<Object> executeCommand(ExecuteCommandParams params) {
+    boolean known = params.getCommand().equals(FindingActions.EXPLAIN);
+    Optional<String> id =
+        params.getArguments().stream()
+            .findFirst()
+            .map(each -> each instanceof JsonPrimitive text ? text.getAsString() : each.toString());
+    return known && id.isPresent()
+        ? explain.apply(id.get())
+        : CompletableFuture.completedFuture(null);
   }
 
   @Override

@@ -2,11 +2,15 @@ package dev.eventchain.lsp.text;
 
 import dev.eventchain.editing.FileEdit;
 import dev.eventchain.editing.FileRange;
+import dev.eventchain.editing.TextLines;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import org.eclipse.lsp4j.CreateFile;
+import org.eclipse.lsp4j.CreateFileOptions;
 import org.eclipse.lsp4j.Location;
 import org.eclipse.lsp4j.ResourceOperation;
 import org.eclipse.lsp4j.SnippetTextEdit;
@@ -65,6 +69,26 @@ public final class Edits {
                     Either.<TextDocumentEdit, ResourceOperation>forLeft(
                         new TextDocumentEdit(identifier(each.getKey()), edits(each.getValue()))))
             .toList());
+    return edit;
+  }
+
+  /**
+   * Returns the edit that adds lines at the end of a file.
+   *
+   * @param text the text of the file; empty if there is none yet
+   */
+  public WorkspaceEdit appended(Path file, Optional<String> text, String lines) {
+    String before = text.orElse("");
+    String added = before.isEmpty() || before.endsWith("\n") ? lines : "\n" + lines;
+    TextLines all = new TextLines(before);
+    WorkspaceEdit edit =
+        of(List.of(new FileEdit(file, all.range(before.length(), before.length()), added)));
+    if (text.isEmpty() && versioned) {
+      List<Either<TextDocumentEdit, ResourceOperation>> changes = new ArrayList<>();
+      changes.add(Either.forRight(new CreateFile(uri(file), new CreateFileOptions(false, true))));
+      changes.addAll(edit.getDocumentChanges());
+      edit.setDocumentChanges(changes);
+    }
     return edit;
   }
 

@@ -1,0 +1,2 @@
+/** What can be done about findings. */
+package dev.eventchain.lsp.action;
