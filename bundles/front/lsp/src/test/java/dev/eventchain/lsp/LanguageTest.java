@@ -179,6 +179,32 @@ class LanguageTest {
   }
 
   @Test
+  void knowsTemplates() throws IOException {
+    String text =
+        """
+        [module m('http://eventchain.dev/eventchain/1.0')/]
+        [query public twice(s : String) : String = s + s/]
+        [template public t(c : EventChain)]
+        [twice(c.)/]
+        [twice(c.name)/]
+        [/template]
+        """;
+    Path template = folder.resolve("m.mtl");
+    session.client.open(template, text);
+    TextDocumentIdentifier opened = new TextDocumentIdentifier(EditorClient.uri(template));
+    List<CompletionItem> items =
+        EditorClient.get(server().completion(new CompletionParams(opened, new Position(3, 9))))
+            .getLeft();
+    assertTrue(items.stream().anyMatch(each -> each.getLabel().startsWith("software")));
+    Location declared =
+        EditorClient.get(server().definition(new DefinitionParams(opened, new Position(4, 3))))
+            .getLeft()
+            .get(0);
+    assertEquals(1, declared.getRange().getStart().getLine());
+    session.client.close(template);
+  }
+
+  @Test
   void knowsNothingOfOtherFiles() {
     TextDocumentIdentifier other = new TextDocumentIdentifier("untitled:1");
     assertTrue(

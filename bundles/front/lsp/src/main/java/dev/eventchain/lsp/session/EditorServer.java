@@ -12,6 +12,7 @@ import dev.eventchain.lsp.language.Languages;
 import dev.eventchain.lsp.text.Edits;
 import dev.eventchain.lsp.text.OpenTexts;
 import dev.eventchain.lsp.text.Positions;
+import dev.eventchain.m2t.editing.TemplateLanguageService;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -69,7 +70,8 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
     this.findings = new Findings(texts, pages, found -> client.publishDiagnostics(found));
     this.checks = new Checks(texts, findings);
     EditorWorkspace files = new EditorWorkspace(texts, checks);
-    this.languages = new Languages(List.of(new RuleLanguageService(files)));
+    this.languages =
+        new Languages(List.of(new RuleLanguageService(files), new TemplateLanguageService(files)));
     this.documents =
         new DocumentRequests(
             texts, checks, findings, languages, edits, new FindingActions(files, findings, edits));
