@@ -107,7 +107,9 @@ public final class ExpressionAssistant {
     OpenExpression open = open(range, scope, start);
     ExpressionProposals proposals =
         new ExpressionProposals(language, open, lines.range(start, end), isCalled(range, end));
-    return proposals.all();
+    synchronized (language) { // Types are looked up where the parser adds others.
+      return proposals.all();
+    }
   }
 
   /** Returns the types that can be named at an offset, after {@code package::} only those in it. */
@@ -124,14 +126,18 @@ public final class ExpressionAssistant {
     if (owner instanceof EClass type) {
       classes.addAll(language.packages().classesBelow(type));
     }
-    return classes.stream()
-        .flatMap(each -> Members.afterDot(language.environment(), each).stream())
-        .anyMatch(each -> each.name().equals(name));
+    synchronized (language) {
+      return classes.stream()
+          .flatMap(each -> Members.afterDot(language.environment(), each).stream())
+          .anyMatch(each -> each.name().equals(name));
+    }
   }
 
   /** Returns the type of a feature, an operation or a parameter. */
   public EClassifier typeOf(ETypedElement element) {
-    return language.typeOf(element);
+    synchronized (language) {
+      return language.typeOf(element);
+    }
   }
 
   /** Returns the signatures of the call whose parentheses are around an offset. */
@@ -140,7 +146,9 @@ public final class ExpressionAssistant {
       return Optional.empty();
     }
     OpenExpression open = open(range, scope, offset);
-    return open.call().flatMap(call -> help(call, open));
+    synchronized (language) {
+      return open.call().flatMap(call -> help(call, open));
+    }
   }
 
   private Optional<SignatureHelp> help(OpenExpression.Call call, OpenExpression open) {
@@ -253,9 +261,9 @@ public final class ExpressionAssistant {
       int end = Lexer.end(text, i, range.end());
       char c = text.charAt(i);
       boolean line = text.startsWith("--", i);
-      boolean apart = line || text.startsWith("/*", i) || c == '\'' || c == '"';
-      boolean open =
-          line || end == range.end() && (c == '\'' || c == '"') && !isClosed(text, i, end);
+      boolean string = c == '\'' || c == '"';
+      boolean apart = line || string || text.startsWith("/*", i);
+      boolean open = line || (string && !isClosed(text, i, end));
       if (offset < end || (offset == end && (open || Character.isDigit(c)))) {
         return apart || Character.isDigit(c);
       }

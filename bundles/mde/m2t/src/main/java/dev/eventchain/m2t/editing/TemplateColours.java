@@ -7,18 +7,19 @@ import dev.eventchain.m2t.syntax.Token;
 import dev.eventchain.m2t.syntax.Words;
 import dev.eventchain.ocl.assist.ExpressionTokens;
 import dev.eventchain.ocl.metamodel.PackageIndex;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
 import java.util.Set;
+import java.util.TreeMap;
 
 /** The meaning of the words of a template file; text that is copied has none. */
 final class TemplateColours {
 
   private final TemplateText text;
   private final ExpressionTokens tokens;
-  private final Map<Integer, Integer> names = new HashMap<>();
+  private final NavigableMap<Integer, Integer> names = new TreeMap<>();
 
   private TemplateColours(TemplateText text, List<TemplateUnit> units, PackageIndex packages) {
     this.text = text;
@@ -62,8 +63,8 @@ final class TemplateColours {
   /** Adds the content of a tag, in which the name of a template or query may be. */
   private void addContent(int start, int end) {
     int from = start;
-    for (Map.Entry<Integer, Integer> name : names.entrySet()) {
-      if (start <= name.getKey() && name.getValue() <= end) {
+    for (Map.Entry<Integer, Integer> name : names.subMap(start, end).entrySet()) {
+      if (name.getValue() <= end) {
         tokens.addAll(text.written().range(from, name.getKey()));
         tokens.add(text.written().text(), name.getKey(), name.getValue(), Kind.FUNCTION, true);
         from = name.getValue();

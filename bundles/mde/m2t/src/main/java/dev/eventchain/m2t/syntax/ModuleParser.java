@@ -34,7 +34,10 @@ final class ModuleParser {
   private ModuleParser(Problems problems, List<Token> tokens, boolean halfTyped) {
     this.problems = problems;
     this.tokens = tokens;
-    List<Syntax.Text> texts = WhiteSpace.normalise(problems.source().text(), tokens);
+    List<Syntax.Text> texts =
+        halfTyped
+            ? tokens.stream().map(each -> new Syntax.Text(each.start(), "")).toList()
+            : WhiteSpace.normalise(problems.source().text(), tokens);
     this.blocks = new BlockParser(problems, tokens, texts, halfTyped);
   }
 
@@ -50,7 +53,10 @@ final class ModuleParser {
     return new ModuleParser(problems, tokens, false).module();
   }
 
-  /** As {@link #parse}, with the bodies of blocks whose tags cannot be read, and no findings. */
+  /**
+   * As {@link #parse}, with the bodies of blocks whose tags cannot be read; without texts and
+   * findings.
+   */
   static Syntax.Module understand(SourceText source) {
     Problems lost = Problems.ignored(source);
     List<Token> tokens = Blocks.balanced(TemplateLexer.tokens(lost), lost);

@@ -300,14 +300,20 @@ public abstract class AssistedText implements Analysis {
     String reason =
         isVariable(mention)
             ? Renaming.collision(mention, newName, places(), outerMentions())
-            : together(targets(mention), family()).stream()
-                .map(each -> collision(each, newName))
-                .filter(each -> !each.isEmpty())
-                .findFirst()
-                .orElse("");
+            : collision(mention, newName);
     return reason.isEmpty()
         ? Rename.of(Renaming.edits(uses(mention, true), newName))
         : Rename.refused(reason);
+  }
+
+  private String collision(Mention mention, String newName) {
+    List<? extends AssistedText> texts = family();
+    Set<Object> targets = together(targets(mention), texts);
+    return targets.stream()
+        .map(each -> collision(each, newName))
+        .filter(each -> !each.isEmpty())
+        .findFirst()
+        .orElseGet(() -> Renaming.capture(targets, newName, texts));
   }
 
   @Override

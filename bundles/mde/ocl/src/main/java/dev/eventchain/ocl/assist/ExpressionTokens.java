@@ -9,7 +9,9 @@ import dev.eventchain.ocl.metamodel.PackageIndex;
 import dev.eventchain.ocl.text.Keywords;
 import dev.eventchain.ocl.text.Lexer;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 
 /**
@@ -22,6 +24,7 @@ public final class ExpressionTokens {
   private final TextLines lines;
   private final PackageIndex packages;
   private final Set<String> words;
+  private final Map<String, Boolean> types = new HashMap<>();
   private final List<SemanticToken> found = new ArrayList<>();
 
   /**
@@ -85,6 +88,10 @@ public final class ExpressionTokens {
     }
   }
 
+  private boolean isType(String word) {
+    return types.computeIfAbsent(word, each -> !packages.classifiers(List.of(each)).isEmpty());
+  }
+
   private Found kindOf(String text, String word, String last, int end, int limit) {
     char c = word.charAt(0);
     if (c == '\'' || c == '"') {
@@ -103,9 +110,9 @@ public final class ExpressionTokens {
       return new Found(called ? Kind.OPERATION : Kind.PROPERTY);
     } else if (Keywords.ALL.contains(word) || words.contains(word)) {
       return new Found(Kind.KEYWORD);
-    } else if (text.startsWith("::", next) && packages.classifiers(List.of(word)).isEmpty()) {
+    } else if (text.startsWith("::", next) && !isType(word)) {
       return new Found(Kind.NAMESPACE);
-    } else if (Keywords.TYPES.contains(word) || !packages.classifiers(List.of(word)).isEmpty()) {
+    } else if (Keywords.TYPES.contains(word) || isType(word)) {
       return new Found(Kind.TYPE);
     } else if (last.equals("::")) {
       return new Found(called ? Kind.OPERATION : Kind.ENUMERATION_LITERAL);

@@ -8,6 +8,7 @@ import dev.eventchain.ocl.text.Keywords;
 import dev.eventchain.ocl.text.Tokens;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 
 /** What renaming needs to know: which names are possible, and what a new one would hide. */
@@ -53,6 +54,28 @@ public final class Renaming {
         outer.stream()
             .anyMatch(each -> isVariable(each) && isNear(each, variable, places, newName));
     return beside ? already(newName) : "";
+  }
+
+  /** Returns why a feature that is named without its object cannot get a name; empty if it can. */
+  static String capture(Set<Object> targets, String newName, List<? extends AssistedText> texts) {
+    for (AssistedText text : texts) {
+      for (ExpressionPlace place : text.places()) {
+        List<Mention> mentions = place.mentions();
+        boolean named =
+            mentions.stream()
+                .filter(each -> each.kind() == Kind.FEATURE && targets.contains(each.target()))
+                .anyMatch(each -> !isAfterNavigation(text.source().text(), each.start()));
+        boolean hidden =
+            place.scope().typeOf(newName) != null
+                || mentions.stream()
+                    .anyMatch(each -> isVariable(each) && each.name().equals(newName));
+        if (named && hidden) {
+          return "A variable '%s' would be meant instead, at %s."
+              .formatted(newName, place.range().location());
+        }
+      }
+    }
+    return "";
   }
 
   /** Returns whether both variables are visible in an expression. */

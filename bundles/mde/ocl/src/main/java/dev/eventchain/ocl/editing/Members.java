@@ -126,7 +126,7 @@ public final class Members {
   private EClassifier resultOf(EOperation operation, EClassifier type) {
     try {
       return operation.getEParameters().isEmpty() || !(type instanceof CollectionType<?, ?>)
-          ? TypeUtil.getResultType(null, environment, type, operation)
+          ? TypeUtil.getResultType(null, environment, type, operation, List.of())
           : operation.getEType();
     } catch (RuntimeException e) { // Some results depend on arguments, which are not there.
       return operation.getEType();

@@ -53,6 +53,11 @@ public final class OclAnnotations {
 
   private OclAnnotations() {}
 
+  /** Returns whether annotations of a source hold OCL. */
+  public static boolean isSource(String source) {
+    return SOURCES.contains(source);
+  }
+
   /** Returns the invariants of a class or a data type by name. */
   public static Map<String, Text> invariants(EClassifier type) {
     Map<String, Text> invariants = details(type);
