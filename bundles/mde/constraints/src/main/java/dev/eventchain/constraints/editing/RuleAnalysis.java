@@ -5,7 +5,6 @@ import dev.eventchain.constraints.document.RuleDocument;
 import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.editing.Call;
 import dev.eventchain.editing.Completion;
-import dev.eventchain.editing.EcorePlaces;
 import dev.eventchain.editing.ElementKind;
 import dev.eventchain.editing.FileRange;
 import dev.eventchain.editing.Folding;
@@ -21,46 +20,35 @@ import dev.eventchain.ocl.editing.Mention;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EClass;
-import org.eclipse.emf.ecore.EObject;
 
 /** What editors can know about one version of a rule document. */
 final class RuleAnalysis extends AssistedText {
 
   private final RuleText text;
-  private final List<RuleText> together;
-  private final RuleWorld world;
-  private final EcorePlaces ecore;
+  private final RuleDeclarations declarations;
   private final RuleLanguageService service;
   private final RuleScopes scopes;
   private volatile List<ExpressionPlace> places;
   private volatile List<Mention> outer;
 
-  RuleAnalysis(
-      RuleText text,
-      List<RuleText> together,
-      RuleWorld world,
-      EcorePlaces ecore,
-      RuleLanguageService service) {
+  RuleAnalysis(RuleText text, RuleDeclarations declarations, RuleLanguageService service) {
     super(text.file(), text.source(), text.lines());
     this.text = text;
-    this.together = together;
-    this.world = world;
-    this.ecore = ecore;
+    this.declarations = declarations;
     this.service = service;
-    this.scopes = new RuleScopes(text, world.language());
+    this.scopes = new RuleScopes(text, declarations.world().language());
   }
 
   /** Returns whether nothing has changed that it depends on. */
-  boolean isOf(RuleWorld present, List<RuleText> texts) {
-    return world == present && together.equals(texts);
+  boolean isOf(RuleDeclarations present) {
+    return declarations.equals(present);
   }
 
   private ExpressionLanguage language() {
-    return world.language();
+    return declarations.world().language();
   }
 
   @Override
@@ -125,57 +113,35 @@ final class RuleAnalysis extends AssistedText {
   protected List<Mention> outerMentions() {
     List<Mention> found = outer;
     if (found == null) {
-      found = new RuleMentions(text, world, scopes).all();
+      found = new RuleMentions(text, declarations.world(), scopes).all();
       outer = found;
     }
     return found;
   }
 
   @Override
-  protected List<RuleAnalysis> family() {
-    return together.stream()
-        .map(each -> each == text ? this : service.find(each.file()).orElse(null))
-        .filter(Objects::nonNull)
-        .toList();
+  protected List<AssistedText> family() {
+    return service.family(this);
   }
 
   @Override
   protected boolean isOwn(Object target) {
-    return world.definition(target) != null;
+    return declarations.isOwn(target);
   }
 
   @Override
   protected Optional<FileRange> declaration(Object target) {
-    RuleWorld.Definition definition = world.definition(target);
-    if (definition == null) {
-      return target instanceof EObject element ? ecore.of(element) : Optional.empty();
-    }
-    return clauseOf(definition)
-        .map(
-            found -> {
-              DefinitionText parts = DefinitionText.of(found.clause().text());
-              int end = parts.nameStart() + parts.name().length();
-              return new FileRange(
-                  definition.file(), found.text().lines().range(parts.nameStart(), end));
-            });
+    return declarations.of(target);
   }
 
-  private record Found(RuleText text, RuleDocument.Clause clause) {}
-
-  private Optional<Found> clauseOf(RuleWorld.Definition definition) {
-    return together.stream()
-        .filter(each -> each.file().equals(definition.file()))
-        .findFirst()
-        .map(each -> new Found(each, each.definitions().get(definition.number())));
+  @Override
+  protected String describe(Mention mention) {
+    return declarations.describe(mention);
   }
 
   @Override
   protected String collision(Object target, String newName) {
-    RuleWorld.Definition definition = world.definition(target);
-    return language().assistant().hasMember(definition.owner(), newName)
-        ? "%s or a class below it already has '%s'."
-            .formatted(definition.owner().getName(), newName)
-        : "";
+    return declarations.collision(target, newName);
   }
 
   @Override
@@ -193,15 +159,19 @@ final class RuleAnalysis extends AssistedText {
       return declaration(target).stream().toList();
     }
     return family().stream()
-        .flatMap(
-            each ->
-                each.text.document().members().isEmpty()
-                    ? Stream.empty()
-                    : each.outerMentions().stream()
-                        .filter(other -> target != null && other.target() == target)
-                        .filter(other -> other.kind() != Mention.Kind.TYPE)
-                        .map(other -> new FileRange(each.file(), each.range(other))))
+        .filter(RuleAnalysis.class::isInstance)
+        .map(RuleAnalysis.class::cast)
+        .filter(each -> !each.text.document().members().isEmpty())
+        .flatMap(each -> each.bodiesOf(target))
         .toList();
+  }
+
+  /** Returns where the document computes a feature or an operation of a metamodel. */
+  private Stream<FileRange> bodiesOf(Object target) {
+    return outerMentions().stream()
+        .filter(each -> target != null && each.target() == target)
+        .filter(each -> each.kind() != Mention.Kind.TYPE)
+        .map(each -> new FileRange(file(), range(each)));
   }
 
   @Override
@@ -212,30 +182,14 @@ final class RuleAnalysis extends AssistedText {
     }
     Section section = text.sections().get(index);
     return switch (section.keyword()) {
-      case "inv", "def", "body", "derive" -> Optional.of(item(text, section));
+      case "inv", "def", "body", "derive" -> Optional.of(RuleDeclarations.item(text, section));
       default -> Optional.empty();
     };
   }
 
-  private static Call.Item item(RuleText text, Section section) {
-    Symbol symbol = RuleOutline.symbol(text, section);
-    return new Call.Item(
-        symbol.name(),
-        symbol.detail(),
-        symbol.kind(),
-        new FileRange(text.file(), symbol.range()),
-        symbol.nameRange());
-  }
-
   @Override
   protected Optional<Call.Item> itemOf(Object target) {
-    return Optional.ofNullable(world.definition(target))
-        .flatMap(this::clauseOf)
-        .map(
-            found -> {
-              int section = found.text().sectionAt(found.clause().text().start());
-              return item(found.text(), found.text().sections().get(section));
-            });
+    return declarations.item(target);
   }
 
   @Override

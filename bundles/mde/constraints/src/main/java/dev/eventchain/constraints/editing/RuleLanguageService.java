@@ -6,28 +6,34 @@ import dev.eventchain.editing.Call;
 import dev.eventchain.editing.EcorePlaces;
 import dev.eventchain.editing.LanguageService;
 import dev.eventchain.editing.Workspace;
+import dev.eventchain.ocl.assist.AssistedText;
 import dev.eventchain.ocl.assist.Calls;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.eclipse.emf.ecore.EPackage;
 
 /**
- * What editors can know about rule documents: Complete OCL in files named {@code *.ocl}. All
- * documents of a workspace that have the same metamodels see each other's definitions.
+ * What editors can know about rules: Complete OCL in files named {@code *.ocl}, and the OCL in
+ * annotations of {@code *.ecore}. All files of a workspace that have the same metamodels see the
+ * same definitions.
  */
 public final class RuleLanguageService implements LanguageService {
 
-  private static final String EXTENSION = ".ocl";
+  private static final String DOCUMENT = ".ocl";
+  private static final String METAMODEL = ".ecore";
 
   private final Workspace workspace;
   private final EcorePlaces places;
   private final Map<Path, RuleText> texts = new HashMap<>();
   private final Map<List<EPackage>, RuleWorld> worlds = new HashMap<>();
-  private final Map<Path, RuleAnalysis> analyses = new HashMap<>();
+  private final Map<Path, MetamodelText> metamodels = new HashMap<>();
+  private final Map<Path, AssistedText> analyses = new HashMap<>();
 
   /** The service for the documents of a workspace. */
   public RuleLanguageService(Workspace workspace) {
@@ -37,7 +43,11 @@ public final class RuleLanguageService implements LanguageService {
 
   @Override
   public boolean handles(Path file) {
-    return file.toString().endsWith(EXTENSION);
+    return isDocument(file) || file.toString().endsWith(METAMODEL);
+  }
+
+  private static boolean isDocument(Path file) {
+    return file.toString().endsWith(DOCUMENT);
   }
 
   @Override
@@ -46,40 +56,79 @@ public final class RuleLanguageService implements LanguageService {
   }
 
   /** Returns the analysis of the present text; the same one until something changes. */
-  synchronized Optional<RuleAnalysis> find(Path file) {
-    Optional<RuleText> text = text(file);
-    if (text.isEmpty()) {
+  synchronized Optional<AssistedText> find(Path file) {
+    Optional<AssistedText> found =
+        isDocument(file)
+            ? text(file).map(text -> document(text, declarations(file)))
+            : workspace.text(file).map(text -> metamodel(file, text, declarations(file)));
+    if (found.isEmpty()) {
       texts.remove(file);
       analyses.remove(file);
-      return Optional.empty();
     }
-    List<EPackage> metamodels = workspace.metamodels(file);
-    List<RuleText> together = together(file, text.get(), metamodels);
-    RuleWorld world = worlds.get(metamodels);
+    return found;
+  }
+
+  private AssistedText document(RuleText text, RuleDeclarations declarations) {
+    if (analyses.get(text.file()) instanceof RuleAnalysis known && known.isOf(declarations)) {
+      return known;
+    }
+    RuleAnalysis analysis = new RuleAnalysis(text, declarations, this);
+    analyses.put(text.file(), analysis);
+    return analysis;
+  }
+
+  private AssistedText metamodel(Path file, SourceText source, RuleDeclarations declarations) {
+    MetamodelText text = metamodels.get(file);
+    if (text == null || text.written() != source) {
+      text = MetamodelText.of(file, source);
+      metamodels.put(file, text);
+    }
+    if (analyses.get(file) instanceof MetamodelAnalysis known && known.isOf(text, declarations)) {
+      return known;
+    }
+    MetamodelAnalysis analysis = new MetamodelAnalysis(text, declarations, this);
+    analyses.put(file, analysis);
+    return analysis;
+  }
+
+  /** Returns what the expressions of a file can name. */
+  private RuleDeclarations declarations(Path file) {
+    List<EPackage> present = workspace.metamodels(file);
+    List<RuleText> together = together(file, present);
+    RuleWorld world = worlds.get(present);
     if (world == null || !world.isOf(together)) {
-      world = new RuleWorld(metamodels, together);
-      worlds.put(metamodels, world);
+      world = new RuleWorld(present, together);
+      worlds.put(present, world);
     }
-    RuleAnalysis known = analyses.get(file);
-    if (known == null || !known.isOf(world, together)) {
-      known = new RuleAnalysis(text.get(), together, world, places, this);
-      analyses.put(file, known);
+    return new RuleDeclarations(world, together, places);
+  }
+
+  /** Returns the analyses of all files that can name the same as one of them. */
+  synchronized List<AssistedText> family(AssistedText one) {
+    List<EPackage> present = workspace.metamodels(one.file());
+    List<AssistedText> family = new ArrayList<>();
+    for (Path each : workspace.files()) {
+      if (each.equals(one.file())) {
+        family.add(one);
+      } else if (handles(each) && workspace.metamodels(each).equals(present)) {
+        find(each).ifPresent(family::add);
+      }
     }
-    return Optional.of(known);
+    if (!family.contains(one)) {
+      family.add(one);
+    }
+    return family;
   }
 
   /** Returns the texts of all documents that have the same metamodels. */
-  private List<RuleText> together(Path file, RuleText own, List<EPackage> metamodels) {
+  private List<RuleText> together(Path file, List<EPackage> present) {
+    Set<Path> files = new LinkedHashSet<>(workspace.files());
+    files.add(file);
     List<RuleText> together = new ArrayList<>();
-    for (Path each : workspace.files()) {
-      if (each.equals(file)) {
-        together.add(own);
-      } else if (handles(each) && workspace.metamodels(each).equals(metamodels)) {
+    for (Path each : files) {
+      if (isDocument(each) && workspace.metamodels(each).equals(present)) {
         text(each).ifPresent(together::add);
       }
-    }
-    if (!together.contains(own)) {
-      together.add(own);
     }
     return together;
   }

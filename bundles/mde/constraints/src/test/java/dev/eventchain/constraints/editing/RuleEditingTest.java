@@ -10,10 +10,18 @@ import dev.eventchain.editing.TextLines;
 import dev.eventchain.editing.TextPosition;
 import dev.eventchain.fixtures.MarkedCase;
 import dev.eventchain.fixtures.TestModels;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
+import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.resource.Resource;
+import org.eclipse.emf.ecore.xmi.impl.EcoreResourceFactoryImpl;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -31,7 +39,13 @@ class RuleEditingTest {
   @ParameterizedTest
   @MethodSource("cases")
   void answers(MarkedCase marked) {
-    MemoryWorkspace workspace = new MemoryWorkspace(List.of(LIBRARY));
+    EPackage metamodel =
+        marked.files().entrySet().stream()
+            .filter(each -> each.getKey().endsWith(".ecore"))
+            .findFirst()
+            .map(each -> metamodel(each.getKey(), each.getValue()))
+            .orElse(LIBRARY);
+    MemoryWorkspace workspace = new MemoryWorkspace(List.of(metamodel));
     marked.files().forEach((name, text) -> workspace.put(Path.of(name), text));
     TextPosition position =
         new TextLines(marked.files().get(marked.file())).position(marked.offset());
@@ -42,6 +56,18 @@ class RuleEditingTest {
             Path.of(marked.file()),
             position);
     assertEquals(List.of(), marked.faults(answer));
+  }
+
+  private static EPackage metamodel(String file, String text) {
+    Resource resource =
+        new EcoreResourceFactoryImpl()
+            .createResource(URI.createFileURI(Path.of(file).toAbsolutePath().toString()));
+    try {
+      resource.load(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), Map.of());
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return (EPackage) resource.getContents().get(0);
   }
 
   /** An analysis is kept until a text changes, and a closed file has none. */
