@@ -17,6 +17,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Random;
 import java.util.stream.Stream;
 import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EPackage;
@@ -30,6 +31,30 @@ import org.junit.jupiter.params.provider.MethodSource;
 class RuleEditingTest {
 
   private static final Path RULES = Path.of("rules.ocl");
+  private static final int EDITS = 40;
+
+  /** Texts that begin or end something; one of its ends is typed. */
+  private static final String TYPED = "[for (x | y.->'::|)";
+
+  private static final List<String> QUESTIONS =
+      List.of(
+          "symbols",
+          "foldings",
+          "tokens",
+          "completions",
+          "hover",
+          "signatureHelp",
+          "definitions",
+          "typeDefinitions",
+          "implementations",
+          "references",
+          "renameTarget",
+          "rename other",
+          "selectionRanges",
+          "inlayHints",
+          "incomingCalls",
+          "outgoingCalls");
+
   private static final EPackage LIBRARY = new TestModels("library").metamodel();
 
   static Stream<MarkedCase> cases() {
@@ -82,5 +107,34 @@ class RuleEditingTest {
         "huge", service.analysis(RULES).orElseThrow().symbols().get(0).children().get(0).name());
     workspace.remove(RULES);
     assertTrue(service.analysis(RULES).isEmpty());
+  }
+
+  /** Whatever is typed or deleted, each question has an answer. */
+  @Test
+  void answersAboutAnyText() {
+    String text =
+        """
+          context Library
+            -- All of them. @hint none
+            inv A: let many : Integer = books->size(), few = 2 in
+              books->forAll(b, c | b.title <> c.title implies many > few) and members->isEmpty()
+          context Book
+            def: isLong(limit : Integer) : Boolean = self.pages > limit and genre = Genre::NOVEL
+            inv B: if isLong(3) then title.substring(1, 2) = 'x' else true endif
+          """;
+    MemoryWorkspace workspace = new MemoryWorkspace(List.of(LIBRARY));
+    RuleLanguageService service = new RuleLanguageService(workspace);
+    Random random = new Random(1);
+    for (int i = 0; i < EDITS; i++) {
+      int start = random.nextInt(text.length());
+      int end = Math.min(text.length(), start + random.nextInt(12));
+      String typed = TYPED.substring(random.nextInt(TYPED.length()));
+      String edited = text.substring(0, start) + typed + text.substring(end);
+      workspace.put(RULES, edited);
+      TextPosition position = new TextLines(edited).position(start + typed.length());
+      QUESTIONS.forEach(each -> Answers.to(each, service, RULES, position));
+    }
+    workspace.put(RULES, text);
+    assertTrue(service.analysis(RULES).orElseThrow().symbols().size() > 1);
   }
 }
