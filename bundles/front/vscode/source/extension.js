@@ -15,7 +15,7 @@ const { Tests } = require("./tests");
 const STARTING = ["program", "java", "memory"];
 
 /** @param {vscode.ExtensionContext} context */
-async function activate(context) {
+function activate(context) {
   const log = vscode.window.createOutputChannel("Eventchain");
   const find = () => program(context.extensionPath);
   const client = new Client(
@@ -52,7 +52,8 @@ async function activate(context) {
       (event) => STARTING.some((name) => event.affectsConfiguration(`eventchain.${name}`)) && client.restart(),
     ),
   );
-  await client.start();
+  // Not awaited: commands and tests need no server.
+  client.restart().catch((error) => log.appendLine(String(error)));
 }
 
 /**

@@ -111,6 +111,17 @@ function verdict(suite, attributes, content) {
 }
 
 /**
+ * Puts the verdicts about one test together, of which a scenario may have several, such as with and without a fault:
+ * passed only if all are, and if there is one.
+ *
+ * @param {Verdict[]} all
+ * @returns {Verdict | undefined}
+ */
+function together(all) {
+  return all.find((each) => each.outcome === "failed") || all.find((each) => each.outcome === "untested") || all[0];
+}
+
+/**
  * Reads the findings of the program's report in JSON.
  *
  * @param {string} json
@@ -136,4 +147,4 @@ function reason(found, printed) {
   return last ? `The run says nothing about this test: ${last}` : "The run says nothing about this test.";
 }
 
-module.exports = { componentTests, findings, reason, scenario, verdicts };
+module.exports = { componentTests, findings, reason, scenario, together, verdicts };

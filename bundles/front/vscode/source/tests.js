@@ -7,11 +7,14 @@ const os = require("os");
 const path = require("path");
 const vscode = require("vscode");
 const { nameOf, projects } = require("./projects");
-const { componentTests, findings, reason, scenario, verdicts } = require("./results");
+const { componentTests, findings, reason, scenario, together, verdicts } = require("./results");
 
-const FILES = "**/{scenarios,tests}/*.{yaml,yml}";
+const FILES = "**/{scenarios,tests}/**/*.{yaml,yml}";
 const SCENARIOS = "scenarios";
 const COMPONENTS = "tests";
+
+/** Scenarios may be in folders of their own, tests of components may not. */
+const WHERE = { [SCENARIOS]: "scenarios/**/*.{yaml,yml}", [COMPONENTS]: "tests/*.yaml" };
 const MOST_OUTPUT = 64 * 1024 * 1024;
 
 class Tests {
@@ -66,11 +69,11 @@ class Tests {
 
   /**
    * @param {string} folder
-   * @param {string} kind
+   * @param {"scenarios" | "tests"} kind
    * @param {(file: vscode.Uri, text: string) => vscode.TestItem | undefined} read
    */
   async files(folder, kind, read) {
-    const pattern = new vscode.RelativePattern(vscode.Uri.file(folder), `${kind}/*.{yaml,yml}`);
+    const pattern = new vscode.RelativePattern(vscode.Uri.file(folder), WHERE[kind]);
     const files = await vscode.workspace.findFiles(pattern);
     const items = [];
     for (const file of files.sort((a, b) => (a.path < b.path ? -1 : 1))) {
@@ -129,10 +132,7 @@ class Tests {
         item.children.forEach(choose);
         return;
       }
-      let project = item;
-      while (project.parent) {
-        project = project.parent;
-      }
+      const project = projectOf(item);
       const entry = chosen.get(project.id) || { project, tests: [] };
       entry.tests.push(item);
       chosen.set(project.id, entry);
@@ -209,13 +209,13 @@ class Tests {
     const found = json ? findings(json) : [];
     const judged = verdicts(await read("junit.xml"));
     for (const test of tests) {
-      const file = /** @type {vscode.Uri} */ (test.uri).fsPath;
-      const isScenario = path.basename(path.dirname(file)) === SCENARIOS;
       const line = /** @type {vscode.Range} */ (test.range).start.line + 1;
-      const verdict = judged.find(
-        (each) =>
-          sameFile(each.file, file) &&
-          (isScenario ? each.suite === "scenarios" : each.suite === "component tests" && each.line === line),
+      const verdict = together(
+        judged.filter(
+          (each) =>
+            isAbout(each, test) &&
+            (isScenario(test) ? each.suite === "scenarios" : each.suite === "component tests" && each.line === line),
+        ),
       );
       if (verdict && verdict.outcome === "passed") {
         run.passed(test);
@@ -233,14 +233,29 @@ class Tests {
   }
 }
 
+/** @param {vscode.TestItem} test */
+function projectOf(test) {
+  let project = test;
+  while (project.parent) {
+    project = project.parent;
+  }
+  return project;
+}
+
+/** @param {vscode.TestItem} test */
+function isScenario(test) {
+  return Boolean(test.parent) && /** @type {vscode.TestItem} */ (test.parent).id === path.join(projectOf(test).id, SCENARIOS);
+}
+
 /**
- * Whether a file of a report, which is relative to the project, is this one.
+ * Whether a part of a report is about the file of a test; files in it are relative to the project.
  *
- * @param {string | undefined} reported
- * @param {string} file
+ * @param {{file?: string}} reported
+ * @param {vscode.TestItem} test
  */
-function sameFile(reported, file) {
-  return Boolean(reported) && path.resolve(path.dirname(path.dirname(file)), /** @type {string} */ (reported)) === file;
+function isAbout({ file }, test) {
+  const { fsPath } = /** @type {vscode.Uri} */ (test.uri);
+  return Boolean(file) && path.resolve(projectOf(test).id, /** @type {string} */ (file)) === fsPath;
 }
 
 /**
@@ -263,11 +278,8 @@ function message(test, text, line) {
  * @param {import("./results").Finding[]} found
  */
 function messages(test, verdict, found) {
-  const file = /** @type {vscode.Uri} */ (test.uri).fsPath;
-  const isScenario = verdict.suite === "scenarios";
   const about = found.filter(
-    (each) =>
-      each.severity === "error" && sameFile(each.file, file) && (isScenario || each.line === verdict.line),
+    (each) => each.severity === "error" && isAbout(each, test) && (isScenario(test) || each.line === verdict.line),
   );
   return about.length > 0
     ? about.map((each) => message(test, each.message, each.line))

@@ -1,7 +1,7 @@
 "use strict";
 const assert = require("node:assert");
 const test = require("node:test");
-const { componentTests, findings, reason, scenario, verdicts } = require("../source/results");
+const { componentTests, findings, reason, scenario, together, verdicts } = require("../source/results");
 
 const REPORT = `<?xml version="1.0" encoding="UTF-8"?>
 <testsuites name="eventchain" tests="4" failures="1" errors="0" time="56.000">
@@ -30,6 +30,14 @@ test("verdicts are read with their places", () => {
       ["component tests", "Brake: near", "tests/Brake.yaml", 2, "passed", ""],
     ],
   );
+});
+
+test("a test has passed if all verdicts about it say so", () => {
+  const [failed, passed, untested] = verdicts(REPORT);
+  assert.strictEqual(together([passed, untested, failed]), failed);
+  assert.strictEqual(together([passed, untested]), untested);
+  assert.strictEqual(together([passed, passed]), passed);
+  assert.strictEqual(together([]), undefined);
 });
 
 test("no report holds no verdict", () => {

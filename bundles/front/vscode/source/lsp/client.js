@@ -25,6 +25,8 @@ class Client {
     this.log = log;
     this.version = version;
     this.diagnostics = vscode.languages.createDiagnosticCollection("eventchain");
+    /** The last start that was asked for. */
+    this.last = Promise.resolve();
     /** @type {string[]} */
     this.executable = [];
     /** @type {number[]} */
@@ -391,10 +393,14 @@ class Client {
     this.diagnostics.clear();
   }
 
-  async restart() {
-    await this.stop();
-    this.starts = [];
-    await this.start();
+  /** Starts the server, once what was asked before is done, so that there is never more than one. */
+  restart() {
+    this.last = this.last.catch(() => undefined).then(async () => {
+      await this.stop();
+      this.starts = [];
+      await this.start();
+    });
+    return this.last;
   }
 
   async stop() {
