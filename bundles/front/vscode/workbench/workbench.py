@@ -262,6 +262,33 @@ def chain(workbench: Workbench) -> None:
     workbench.picture("chain-element")
 
 
+def server(workbench: Workbench) -> None:
+    """The language server finds, completes and explains."""
+    workbench.edit("rules.ocl")
+    workbench.press(Keys.CONTROL, Keys.END)
+    workbench.type("  inv Named: self.nam <> null")
+    workbench.wait("finding", lambda: workbench.all(".squiggly-error"))
+    workbench.run("View: Focus Problems")
+    workbench.wait("problems", lambda: "'nam'" in workbench.text(".markers-panel"))
+    workbench.picture("server-finding")
+    workbench.run("View: Focus Active Editor Group")
+    workbench.press(Keys.CONTROL, Keys.END)
+    for _ in "() <> null":
+        workbench.press(Keys.ARROW_LEFT)
+    workbench.press(Keys.ARROW_RIGHT)
+    workbench.press(Keys.ARROW_RIGHT)
+    workbench.press(Keys.CONTROL, " ")
+    workbench.wait("completion", lambda: "name" in workbench.text(".suggest-widget"))
+    workbench.picture("server-completion")
+    workbench.press(Keys.ENTER)
+    workbench.wait("no finding", lambda: not workbench.all(".squiggly-error"))
+    workbench.run("Show or Focus Hover")
+    workbench.wait("hover", lambda: "String" in workbench.text(".monaco-hover"))
+    workbench.picture("server-hover")
+    workbench.press(Keys.ESCAPE)
+    workbench.run("File: Revert File")
+
+
 def tests(workbench: Workbench) -> None:
     """The test explorer runs scenarios and component tests; the one that fails says where."""
     workbench.run("Testing: Focus on Test Explorer View")
@@ -317,7 +344,7 @@ def main() -> None:
     workbench.install(vsix)
     try:
         workbench.open()
-        for check in (colours, snippets, chain, tests, report):
+        for check in (colours, snippets, server, chain, tests, report):
             if not named or check.__name__ in named:
                 check(workbench)
     finally:
