@@ -1,5 +1,6 @@
 package dev.eventchain.catalogue;
 
+import dev.eventchain.catalogue.ddsidl.DdsIdlFormat;
 import dev.eventchain.catalogue.signal.CatalogueFormat;
 import dev.eventchain.catalogue.signal.CatalogueRules;
 import dev.eventchain.catalogue.signal.CatalogueSignal;
@@ -18,7 +19,7 @@ import java.util.stream.Collectors;
 /** The signals of a whole vehicle, of which a chain uses a few. Immutable. */
 public final class SignalCatalogue {
 
-  private static final List<CatalogueFormat> FORMATS = List.of(new VssFormat());
+  private static final List<CatalogueFormat> FORMATS = List.of(new VssFormat(), new DdsIdlFormat());
 
   private final Map<String, CatalogueSignal> byPath = new LinkedHashMap<>();
   private final CatalogueTopics topics;

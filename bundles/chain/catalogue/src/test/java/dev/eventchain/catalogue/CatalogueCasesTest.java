@@ -47,7 +47,7 @@ class CatalogueCasesTest {
 
   /** What vss-tools export of the files of {@code good-vspec}. */
   @ParameterizedTest
-  @ValueSource(strings = {"good-json", "good-yaml"})
+  @ValueSource(strings = {"good-json", "good-yaml", "good-ddsidl"})
   void readsFilesAndTheirExportsAlike(String exported) throws IOException {
     assertEquals(sorted("good-vspec"), sorted(exported));
   }

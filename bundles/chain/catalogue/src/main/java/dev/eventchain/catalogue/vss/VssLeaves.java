@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.catalogue.signal.CatalogueRules;
 import dev.eventchain.catalogue.signal.CatalogueSignal;
 import dev.eventchain.catalogue.signal.CatalogueSignal.Role;
+import dev.eventchain.catalogue.signal.CatalogueUnits;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -48,20 +49,6 @@ final class VssLeaves {
           Map.entry("uint64", "uint64"));
 
   private static final Set<String> NO_NUMBERS = Set.of("boolean", "string");
-
-  /** Units that are written otherwise elsewhere; a time in words has none. */
-  private static final Map<String, String> UNITS =
-      Map.of(
-          "percent", "%",
-          "degrees", "deg",
-          "degrees/s", "deg/s",
-          "Celsius", "degC",
-          "celsius", "degC",
-          "iso8601", "",
-          "cpm", "1/min",
-          "bpm", "1/min",
-          "l/100km", "l/(100.km)",
-          "kWh/100km", "kWh/(100.km)");
 
   /** Attributes of the standard; others are extensions, unless they resemble one of these. */
   private static final List<String> ATTRIBUTES =
@@ -171,7 +158,7 @@ final class VssLeaves {
             path,
             role,
             type(datatype, element),
-            UNITS.getOrDefault(node.text("unit"), node.text("unit")),
+            CatalogueUnits.of(node.text("unit")),
             least,
             most,
             allowed(node),

@@ -1,0 +1,48 @@
+package dev.eventchain.catalogue.ddsidl;
+
+import dev.eventchain.catalogue.signal.CatalogueFormat;
+import dev.eventchain.catalogue.signal.CatalogueRules;
+import dev.eventchain.catalogue.signal.CatalogueSignal;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Consumer;
+
+/**
+ * VSS in DDS IDL, as {@code vspec export ddsidl} writes it: a structure for each signal, in modules
+ * for the branches. What the export leaves out is not known: meanings of branches, and whether an
+ * octet has a sign.
+ */
+public final class DdsIdlFormat implements CatalogueFormat {
+
+  @Override
+  public String prefix() {
+    return "vss";
+  }
+
+  @Override
+  public List<String> suffixes() {
+    return List.of(".idl");
+  }
+
+  @Override
+  public List<CatalogueSignal> read(Path file, List<Path> overlays, Consumer<Diagnostic> findings) {
+    for (Path overlay : overlays) {
+      findings.accept(
+          Diagnostic.of(
+                  CatalogueRules.OVERLAY,
+                  "A catalogue in DDS IDL takes no overlays.",
+                  SourceLocation.of(overlay))
+              .withHint("Give them to vspec, or name the catalogue in JSON or YAML."));
+    }
+    try {
+      return new IdlModules(SourceText.read(file), findings).read();
+    } catch (DiagnosticException e) {
+      e.diagnostics().forEach(findings);
+      return List.of();
+    }
+  }
+}

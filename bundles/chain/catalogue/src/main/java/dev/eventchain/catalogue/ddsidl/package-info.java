@@ -1,0 +1,2 @@
+/** Reader of catalogues in DDS IDL. */
+package dev.eventchain.catalogue.ddsidl;
