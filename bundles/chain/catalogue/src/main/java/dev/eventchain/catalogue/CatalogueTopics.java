@@ -67,8 +67,10 @@ final class CatalogueTopics {
 
   private static Signal topic(
       CatalogueSignal signal, String first, String message, Signal.Direction direction) {
-    Signal.Field field =
-        new Signal.Field(FIELD, signal.type().orElseThrow(), signal.unit(), signal.location());
+    String type = signal.type().orElseThrow();
+    List<String> texts = type.equals("string") ? signal.allowed() : List.of();
+    Signal.Values values = new Signal.Values(signal.least(), signal.most(), texts);
+    Signal.Field field = new Signal.Field(FIELD, type, signal.unit(), values, signal.location());
     return new Signal(
         "/" + first + "/" + signal.path().replace('.', '/'),
         message,

@@ -5,6 +5,7 @@ import dev.eventchain.messages.QosSettings;
 import dev.eventchain.model.eventchain.QosProfile;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * A topic of the vehicle or its software, independent of any chain.
@@ -40,9 +41,45 @@ public record Signal(
    * @param path its path
    * @param type its type as message definitions write it; empty if not stated
    * @param unit its unit; empty if not stated
+   * @param values the values that it may have
    * @param location the location of its description
    */
-  public record Field(String path, String type, String unit, SourceLocation location) {}
+  public record Field(
+      String path, String type, String unit, Values values, SourceLocation location) {
+
+    /** Creates a field that may have any value. */
+    public Field(String path, String type, String unit, SourceLocation location) {
+      this(path, type, unit, Values.ANY, location);
+    }
+  }
+
+  /**
+   * The values that a field may have.
+   *
+   * @param least the least number
+   * @param most the greatest number
+   * @param texts the only texts; empty if all
+   */
+  public record Values(OptionalDouble least, OptionalDouble most, List<String> texts) {
+
+    /** All values that the type has. */
+    public static final Values ANY =
+        new Values(OptionalDouble.empty(), OptionalDouble.empty(), List.of());
+
+    /** Copies the list. */
+    public Values {
+      texts = List.copyOf(texts);
+    }
+
+    /** Returns whether a number or a text is one of them; other values are not judged. */
+    public boolean hold(Object value) {
+      if (value instanceof Number number) {
+        return number.doubleValue() >= least.orElse(Double.NEGATIVE_INFINITY)
+            && number.doubleValue() <= most.orElse(Double.POSITIVE_INFINITY);
+      }
+      return !(value instanceof String) || texts.isEmpty() || texts.contains(value);
+    }
+  }
 
   /** Copies the list. */
   public Signal {

@@ -95,6 +95,7 @@ final class BenchFields {
     } else {
       found = Optional.of(constant(value));
     }
+    found.ifPresent(it -> declared.check(part, topic, path, it));
     found = found.filter(it -> fits(part, path, it, message));
     return found.map(it -> new Field(path, it, part.atKey(path)));
   }

@@ -1,8 +1,12 @@
 package dev.eventchain.simulation.bench;
 
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.messages.QosSettings;
 import dev.eventchain.messages.RosNames;
 import dev.eventchain.model.Signal.Direction;
+import dev.eventchain.model.Signal.Values;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -48,6 +52,30 @@ final class DeclaredSignals {
   /** Returns the full names of all topics. */
   List<String> names() {
     return List.copyOf(topics.keySet());
+  }
+
+  /** Reports texts and constants of a field that it never has, as its signal is declared. */
+  void check(ObjectReader part, String topic, String path, Bench.Source found) {
+    List<?> sent =
+        found instanceof ChosenText chosen
+            ? chosen.texts()
+            : found instanceof Bench.Constant constant ? List.of(constant.value()) : List.of();
+    Values values =
+        find(topic)
+            .flatMap(signal -> signal.field(path))
+            .map(dev.eventchain.model.Signal.Field::values)
+            .orElse(Values.ANY);
+    for (Object value : sent) {
+      if (!values.hold(value)) {
+        String message = "'%s' of %s is never '%s'.".formatted(path, topic, value);
+        String hint =
+            value instanceof String text
+                ? NearestName.hint(text, values.texts())
+                : "Its signal has a range, outside of which no vehicle sends it.";
+        part.find(
+            Diagnostic.of(BenchRules.BENCH_VALUE_RANGE, message, part.at(path)).withHint(hint));
+      }
+    }
   }
 
   /** Returns the unit of a field, as written; empty if none is declared. */

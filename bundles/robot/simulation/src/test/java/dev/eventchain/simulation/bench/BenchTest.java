@@ -20,6 +20,7 @@ import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.Signal.Direction;
 import dev.eventchain.model.Signal.Field;
+import dev.eventchain.model.Signal.Values;
 import dev.eventchain.simulation.world.Actuator;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -27,6 +28,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -65,6 +67,16 @@ class BenchTest {
           signal("/scan", "sensor_msgs/msg/LaserScan", Direction.PROVIDED),
           signal("/lamp", "std_msgs/msg/Bool", Direction.CONSUMED),
           signal(
+              "/seat",
+              "std_msgs/msg/String",
+              Direction.PROVIDED,
+              limited("string", OptionalDouble.empty(), List.of("EMPTY", "OCCUPIED"))),
+          signal(
+              "/share",
+              "std_msgs/msg/Float32",
+              Direction.PROVIDED,
+              limited("float32", OptionalDouble.of(100), List.of())),
+          signal(
               "/brake/request",
               "demo_msgs/msg/BrakeRequest",
               Direction.CONSUMED,
@@ -80,6 +92,11 @@ class BenchTest {
 
   private static Field field(String path, String unit) {
     return new Field(path, "float32", unit, SourceLocation.NONE);
+  }
+
+  private static Field limited(String type, OptionalDouble most, List<String> texts) {
+    Values values = new Values(OptionalDouble.empty(), most, texts);
+    return new Field("data", type, "", values, SourceLocation.NONE);
   }
 
   private static Bench read(Path file) {
