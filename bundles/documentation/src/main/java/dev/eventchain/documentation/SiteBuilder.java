@@ -27,6 +27,7 @@ public final class SiteBuilder {
           Map.entry("projects", "Projects"),
           Map.entry("ros2-workspaces", "ROS 2 workspaces"),
           Map.entry("requirements", "Requirements"),
+          Map.entry("signal-catalogues", "Signal catalogues"),
           Map.entry("simulation", "Simulation"),
           Map.entry("scenarios", "Bench, scenarios, formulas"),
           Map.entry("campaigns", "Campaigns"),

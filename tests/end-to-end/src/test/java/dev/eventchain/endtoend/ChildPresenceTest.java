@@ -79,6 +79,16 @@ class ChildPresenceTest {
         .says("[catalogue.nothing-retrieved]");
   }
 
+  @Test
+  void benchListsNoSignalThatTheChainDoesNotUse() {
+    new Program()
+        .run("bench", project.path())
+        .expect(0)
+        .says("seat.middle: EMPTY, OCCUPIED, UNKNOWN")
+        .says("not connected: 1334 topics that the vehicle provides and the chain does not use")
+        .says("not connected: 640 topics that the vehicle takes and the chain does not use");
+  }
+
   @InTurn
   @Test
   void textThatNoNumberStandsForEndsTheRun() throws IOException {

@@ -20,6 +20,9 @@ final class BenchListing {
   private static final int NAME = 22;
   private static final int UNIT = 6;
 
+  /** Most topics without a connection that are listed although the chain does not use them. */
+  private static final int MOST_UNCONNECTED = 30;
+
   private final Bench bench;
   private final Optional<TopicIndex> topics;
   private final StringBuilder text = new StringBuilder();
@@ -55,7 +58,11 @@ final class BenchListing {
   }
 
   private boolean isUsed(String topic) {
-    return bench.isOwn(topic) || topics.flatMap(all -> all.find(topic)).isPresent();
+    return bench.isOwn(topic) || isOfChain(topic);
+  }
+
+  private boolean isOfChain(String topic) {
+    return topics.flatMap(all -> all.find(topic)).isPresent();
   }
 
   private void provided(Provided topic) {
@@ -104,8 +111,17 @@ final class BenchListing {
   private void unconnected(Direction direction, java.util.Set<String> connected) {
     List<String> missing =
         bench.declared().names(direction).stream().filter(it -> !connected.contains(it)).toList();
-    for (String topic : missing) {
-      boolean provided = direction == Direction.PROVIDED;
+    boolean provided = direction == Direction.PROVIDED;
+    List<String> shown =
+        missing.size() > MOST_UNCONNECTED
+            ? missing.stream().filter(this::isOfChain).toList()
+            : missing;
+    if (shown.size() < missing.size()) {
+      int more = missing.size() - shown.size();
+      String what = provided ? "that the vehicle provides" : "that the vehicle takes";
+      line("not connected: %d topics %s and the chain does not use".formatted(more, what));
+    }
+    for (String topic : shown) {
       line(
           "not connected: %s, %s%s"
               .formatted(
