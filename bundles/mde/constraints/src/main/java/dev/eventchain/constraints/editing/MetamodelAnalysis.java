@@ -47,7 +47,7 @@ final class MetamodelAnalysis extends AssistedText {
 
   /** Returns whether nothing has changed that it depends on. */
   boolean isOf(MetamodelText version, RuleDeclarations present) {
-    return text == version && declarations.equals(present);
+    return text.equals(version) && declarations.equals(present);
   }
 
   private ExpressionLanguage language() {

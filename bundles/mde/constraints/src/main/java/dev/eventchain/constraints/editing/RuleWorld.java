@@ -30,14 +30,14 @@ final class RuleWorld {
 
   private final ExpressionLanguage language;
   private final List<String> signatures;
-  private final Map<Object, Definition> definitions = new IdentityHashMap<>();
+  private final IdentityHashMap<Object, Definition> definitions = new IdentityHashMap<>();
   private final Map<String, Object> features = new HashMap<>();
 
   RuleWorld(List<EPackage> metamodels, List<RuleText> texts) {
     this.language = ExpressionLanguage.of(metamodels);
     this.signatures = signatures(texts);
     Contexts contexts = new Contexts(language.packages(), new ArrayList<>());
-    Map<Definitions.Definition, Definition> places = new IdentityHashMap<>();
+    IdentityHashMap<Definitions.Definition, Definition> places = new IdentityHashMap<>();
     List<Definitions.Definition> all = new ArrayList<>();
     for (RuleText text : texts) {
       List<RuleDocument.Clause> clauses = text.definitions();

@@ -30,7 +30,7 @@ public final class LinkedModules {
   private final Linker.Unit main;
   private final List<Template> templates = new ArrayList<>();
   private final List<Query> queries = new ArrayList<>();
-  private final Map<Callable, Declaration> declarations = new IdentityHashMap<>();
+  private final IdentityHashMap<Callable, Declaration> declarations = new IdentityHashMap<>();
 
   private LinkedModules(Collection<EPackage> packages, Map<String, ModuleLoader.Loaded> modules) {
     this.packages = packages;

@@ -60,7 +60,7 @@ final class TemplateAnalysis extends AssistedText {
   }
 
   boolean isOf(TemplateWorld present, TemplateText version) {
-    return world == present && text == version;
+    return world == present && text.equals(version);
   }
 
   ExpressionLanguage language() {

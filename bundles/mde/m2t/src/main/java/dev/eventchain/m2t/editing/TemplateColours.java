@@ -1,5 +1,6 @@
 package dev.eventchain.m2t.editing;
 
+import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.editing.SemanticToken;
 import dev.eventchain.editing.SemanticToken.Kind;
 import dev.eventchain.m2t.syntax.TemplateLexer;
@@ -52,8 +53,8 @@ final class TemplateColours {
           start += word.length();
         }
         if (!word.isEmpty()) {
-          int at = all.indexOf(word, token.start());
-          tokens.add(all, at, at + word.length(), Kind.KEYWORD, false);
+          SourceRange written = text.wordIn(token);
+          tokens.add(all, written.start(), written.end(), Kind.KEYWORD, false);
         }
         addContent(start, token.kind() == Token.Kind.BROKEN ? token.end() : token.contentEnd());
       }

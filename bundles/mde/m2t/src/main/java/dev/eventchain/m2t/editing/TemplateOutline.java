@@ -35,7 +35,7 @@ final class TemplateOutline {
   static List<Symbol> symbols(TemplateText text, List<TemplateUnit> units) {
     List<Symbol> symbols = new ArrayList<>();
     for (TagBlock block : text.blocks()) {
-      Optional<TemplateUnit> unit = units.stream().filter(u -> u.block() == block).findFirst();
+      Optional<TemplateUnit> unit = units.stream().filter(u -> u.block().equals(block)).findFirst();
       if (unit.isPresent()) {
         Symbol head = symbol(text, unit.get());
         symbols.add(
@@ -61,7 +61,7 @@ final class TemplateOutline {
     List<Symbol> symbols = new ArrayList<>();
     for (TagBlock each : blocks) {
       Token open = each.open();
-      int name = text.source().text().indexOf(open.keyword(), open.start());
+      SourceRange word = text.wordIn(open);
       String content = text.source().range(open.contentStart(), open.contentEnd()).text();
       String line = content.strip().replaceAll("\\s+", " ");
       symbols.add(
@@ -70,7 +70,7 @@ final class TemplateOutline {
               line.length() > SHORT ? line.substring(0, SHORT) + "..." : line,
               ElementKind.BLOCK,
               text.lines().range(each.start(), each.end()),
-              text.lines().range(name, name + open.keyword().length()),
+              text.lines().range(word.start(), word.end()),
               blocks(text, each.children())));
     }
     return List.copyOf(symbols);
@@ -147,7 +147,8 @@ final class TemplateOutline {
   private static void addBlocks(TemplateText text, List<TagBlock> blocks, List<Folding> into) {
     for (TagBlock each : blocks) {
       // The line with the last tag stays visible, as it tells what ends.
-      boolean closed = each.close().end() > each.close().start() && each.close() != each.open();
+      boolean closed =
+          each.close().end() > each.close().start() && !each.close().equals(each.open());
       int last = text.lines().position(each.close().start()).line() - (closed ? 1 : 0);
       int first = text.lines().position(each.start()).line();
       if (last > first) {

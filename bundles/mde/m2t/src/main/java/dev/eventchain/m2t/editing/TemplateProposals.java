@@ -205,7 +205,7 @@ final class TemplateProposals {
   }
 
   private List<Completion> head(String before) {
-    if (before.endsWith(":") || before.endsWith("(") && before.contains(":")) {
+    if (before.endsWith(":") || (before.endsWith("(") && before.contains(":"))) {
       SourceRange range = text.written().range(tag.start() + 1, offset);
       return language.assistant().types(range, offset, text.lines());
     }

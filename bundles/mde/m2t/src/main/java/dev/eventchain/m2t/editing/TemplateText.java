@@ -1,5 +1,6 @@
 package dev.eventchain.m2t.editing;
 
+import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.editing.TextLines;
 import dev.eventchain.m2t.syntax.ModuleLoader;
@@ -89,6 +90,20 @@ record TemplateText(
       }
     }
     return null;
+  }
+
+  /** Returns where the first word of a tag stands, which may be misspelt. */
+  SourceRange wordIn(Token tag) {
+    String all = written.text();
+    int start = tag.start() + 1;
+    while (start < tag.end() && !Character.isJavaIdentifierPart(all.charAt(start))) {
+      start++;
+    }
+    int end = start;
+    while (end < tag.end() && Character.isJavaIdentifierPart(all.charAt(end))) {
+      end++;
+    }
+    return written.range(start, end);
   }
 
   /** Returns the first word of a tag. */
