@@ -64,7 +64,7 @@ public final class Metamodels {
       try {
         sound.accept(ecore, store.loadMetamodel(ecore));
       } catch (DiagnosticException e) {
-        continue; // its own check loads it separately and reports the reason
+        // Its own check loads it separately and reports the reason.
       }
     }
     return store;

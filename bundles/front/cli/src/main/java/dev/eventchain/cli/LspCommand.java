@@ -23,6 +23,7 @@ import picocli.CommandLine.Option;
     })
 final class LspCommand implements Callable<Integer> {
 
+  @SuppressWarnings("unused") // there is nothing to choose
   @Option(
       names = "--stdio",
       description = "Accepted, since many editors add it: there is no other way to connect.")

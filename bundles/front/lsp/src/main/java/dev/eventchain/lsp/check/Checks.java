@@ -217,9 +217,10 @@ public final class Checks implements AutoCloseable {
 
   private boolean readsAny(CheckUnit unit, Set<Path> open) {
     Set<Path> read = reads.getOrDefault(unit, Set.of());
-    return unit instanceof ProjectUnit project && read.isEmpty()
-        ? open.stream().anyMatch(file -> file.startsWith(project.folder()))
-        : open.stream().anyMatch(read::contains);
+    if (read.isEmpty() && unit instanceof ProjectUnit project) {
+      return open.stream().anyMatch(file -> file.startsWith(project.folder()));
+    }
+    return open.stream().anyMatch(read::contains);
   }
 
   private void check(CheckUnit unit) {

@@ -60,7 +60,7 @@ public record Settings(List<String> metamodels, Duration timeLimit) {
         Path file = folders.isEmpty() ? Path.of(each) : folders.get(0).resolve(each);
         found.add(file.toAbsolutePath().normalize());
       } catch (InvalidPathException e) {
-        continue; // no path on this system, so it names no file
+        // No path on this system, so it names no file.
       }
     }
     return found;

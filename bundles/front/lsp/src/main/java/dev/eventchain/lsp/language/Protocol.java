@@ -9,7 +9,6 @@ import dev.eventchain.editing.Symbol;
 import dev.eventchain.editing.TextRange;
 import dev.eventchain.lsp.text.Positions;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import org.eclipse.lsp4j.CompletionItem;
 import org.eclipse.lsp4j.CompletionItemKind;
@@ -29,6 +28,8 @@ import org.eclipse.lsp4j.jsonrpc.messages.Either;
 
 /** Values of the analyses in the words of the protocol. */
 public final class Protocol {
+
+  private static final List<SemanticToken.Kind> KINDS = List.of(SemanticToken.Kind.values());
 
   private Protocol() {}
 
@@ -150,8 +151,7 @@ public final class Protocol {
 
   /** Returns the names of what tokens mean, in the order of the kinds. */
   public static SemanticTokensLegend legend() {
-    List<String> types =
-        Arrays.stream(SemanticToken.Kind.values()).map(Protocol::tokenType).toList();
+    List<String> types = KINDS.stream().map(Protocol::tokenType).toList();
     return new SemanticTokensLegend(types, List.of("declaration"));
   }
 
@@ -183,7 +183,7 @@ public final class Protocol {
       data.add(each.line() - line);
       data.add(each.line() == line ? each.column() - column : each.column());
       data.add(each.length());
-      data.add(each.kind().ordinal());
+      data.add(KINDS.indexOf(each.kind()));
       data.add(each.declaration() ? 1 : 0);
       line = each.line();
       column = each.column();

@@ -9,6 +9,7 @@ import dev.eventchain.lsp.check.RulePageFiles;
 import dev.eventchain.lsp.check.Settings;
 import dev.eventchain.lsp.language.EditorWorkspace;
 import dev.eventchain.lsp.language.Languages;
+import dev.eventchain.lsp.project.ProjectLanguageService;
 import dev.eventchain.lsp.text.Edits;
 import dev.eventchain.lsp.text.OpenTexts;
 import dev.eventchain.lsp.text.Positions;
@@ -54,6 +55,7 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
   private final DocumentRequests documents;
   private final WorkspaceRequests workspace;
   private LanguageClient client;
+  private CompletableFuture<Void> registered = CompletableFuture.completedFuture(null);
   private boolean watches;
   private boolean showsDocuments;
   private boolean isShutDown;
@@ -71,7 +73,11 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
     this.checks = new Checks(texts, findings);
     EditorWorkspace files = new EditorWorkspace(texts, checks);
     this.languages =
-        new Languages(List.of(new RuleLanguageService(files), new TemplateLanguageService(files)));
+        new Languages(
+            List.of(
+                new RuleLanguageService(files),
+                new TemplateLanguageService(files),
+                new ProjectLanguageService(files, texts)));
     this.documents =
         new DocumentRequests(
             texts, checks, findings, languages, edits, new FindingActions(files, findings, edits));
@@ -137,14 +143,14 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
           new DidChangeWatchedFilesRegistrationOptions(List.of(all));
       Registration registration =
           new Registration("files", "workspace/didChangeWatchedFiles", options);
-      client
-          .registerCapability(new RegistrationParams(List.of(registration)))
-          .whenComplete(
-              (done, refused) -> {
-                if (refused != null) {
-                  workspace.watch();
-                }
-              });
+      registered =
+          client
+              .registerCapability(new RegistrationParams(List.of(registration)))
+              .exceptionally(
+                  refused -> {
+                    workspace.watch();
+                    return null;
+                  });
     } else {
       workspace.watch();
     }
@@ -188,6 +194,7 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
   /** Ends the work in the background. */
   @Override
   public void close() {
+    registered.cancel(true);
     checks.close();
     workspace.close();
     languages.close();
