@@ -1,11 +1,11 @@
 package dev.eventchain.check;
 
 import dev.eventchain.constraints.ConstraintProof;
-import dev.eventchain.constraints.ConstraintRules;
 import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.constraints.OclResult;
 import dev.eventchain.constraints.OclRules;
 import dev.eventchain.constraints.OclValidator;
+import dev.eventchain.constraints.document.ConstraintRules;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;

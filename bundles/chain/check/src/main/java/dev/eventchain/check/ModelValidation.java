@@ -1,9 +1,9 @@
 package dev.eventchain.check;
 
-import dev.eventchain.constraints.ConstraintRules;
 import dev.eventchain.constraints.OclResult;
 import dev.eventchain.constraints.OclRules;
 import dev.eventchain.constraints.OclValidator;
+import dev.eventchain.constraints.document.ConstraintRules;
 import dev.eventchain.contracts.AnalysisResult;
 import dev.eventchain.contracts.ChainAnalysis;
 import dev.eventchain.diagnostics.Coverage;

@@ -1,6 +1,6 @@
 package dev.eventchain.check;
 
-import dev.eventchain.constraints.ConstraintRules;
+import dev.eventchain.constraints.document.ConstraintRules;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;

@@ -1,7 +1,7 @@
 package dev.eventchain.eclipse;
 
 import dev.eventchain.check.ChainChecks;
-import dev.eventchain.constraints.ConstraintRules;
+import dev.eventchain.constraints.document.ConstraintRules;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.eventchain.EventChain;
