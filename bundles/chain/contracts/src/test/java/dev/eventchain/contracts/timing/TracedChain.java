@@ -3,6 +3,7 @@ package dev.eventchain.contracts.timing;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 
 /**
@@ -118,15 +119,14 @@ final class TracedChain {
   }
 
   private static void step(List<Job> pending, long now) {
-    for (Job job : pending) {
-      if (job.release <= now) {
-        job.read = job.read < 0 ? now : job.read;
-        job.left--;
-        if (job.left == 0) {
-          job.write = now + 1;
-          pending.remove(job);
-        }
-        return;
+    Optional<Job> next = pending.stream().filter(job -> job.release <= now).findFirst();
+    if (next.isPresent()) {
+      Job job = next.get();
+      job.read = job.read < 0 ? now : job.read;
+      job.left--;
+      if (job.left == 0) {
+        job.write = now + 1;
+        pending.remove(job);
       }
     }
   }

@@ -48,7 +48,8 @@ final class LatencyMargins {
   static List<DelayedScenario> of(
       RunContext run, List<Scenario> scenarios, SimulationResult result, long bound) {
     Map<String, Scenario> byName =
-        scenarios.stream().collect(Collectors.toMap(Scenario::name, Function.identity()));
+        scenarios.stream()
+            .collect(Collectors.toMap(Scenario::name, Function.identity(), (one, other) -> one));
     List<Reserve> reserves = new ArrayList<>();
     for (ScenarioVerdict verdict : result.verdicts()) {
       long measured =
