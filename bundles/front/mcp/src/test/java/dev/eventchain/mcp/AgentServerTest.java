@@ -111,7 +111,6 @@ class AgentServerTest {
     JsonNode result = client.begun().call("validate", Map.of("project", "p"));
     assertEquals(
         "done\nPASSED: validate p\n", result.at("/content/0/text").asText(), result.toString());
-    assertEquals("PASSED", result.at("/structuredContent/verdict").asText());
     assertEquals(0, result.at("/structuredContent/report/exitCode").asInt());
     assertFalse(result.path("isError").asBoolean());
     assertTrue(result.at("/_meta").toString().contains("no instructions"), result.toString());
@@ -196,6 +195,29 @@ class AgentServerTest {
     client.begun().send("tools/call", Map.of("name", "mutate", "arguments", project()));
     awaitSleeper();
     assertFalse(client.call("validate", project()).path("isError").asBoolean());
+  }
+
+  @Test
+  void callsThatAreTooManyAreRefused() throws Exception {
+    client.begun();
+    for (int i = 0; i < 4; i++) {
+      client.send("tools/call", Map.of("name", "mutate", "arguments", project()));
+      awaitSleeper();
+      Files.delete(folder.resolve("sleeper"));
+    }
+    String text = client.text("validate", project());
+    assertTrue(text.contains("[mcp.busy]"), text);
+  }
+
+  @Test
+  void onlyCommandsThatJudgeHaveAVerdict() throws Exception {
+    client.begun();
+    assertFalse(client.call("validate", project()).path("structuredContent").has("verdict"));
+    assertEquals("PASSED", client.call("run", project()).at("/structuredContent/verdict").asText());
+    Map<String, Object> chosen = Map.of("project", "p", "scenarios", List.of("failing"));
+    JsonNode failed = client.call("run", chosen).path("structuredContent");
+    assertEquals(1, failed.path("exitCode").asInt());
+    assertFalse(failed.has("verdict"), "the exit code contradicts what is printed");
   }
 
   @Test

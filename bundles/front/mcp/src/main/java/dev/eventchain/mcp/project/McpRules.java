@@ -26,6 +26,9 @@ public final class McpRules {
   /** A change of a file in which a person decides. */
   public static final Rule PROTECTED = Rule.error("mcp.protected");
 
+  /** More calls at a time than are worked on. */
+  public static final Rule BUSY = Rule.error("mcp.busy");
+
   private McpRules() {}
 
   /** Returns a refusal about a file, or about none if its name is empty. */

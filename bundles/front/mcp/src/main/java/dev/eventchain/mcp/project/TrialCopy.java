@@ -74,7 +74,7 @@ public record TrialCopy(Path folder) implements AutoCloseable {
   private static boolean isCopied(Path project, Path file) {
     Path relative = project.relativize(file);
     boolean result = relative.startsWith("out") && relative.getNameCount() > 1;
-    return !relative.startsWith(".git")
+    return !relative.getName(0).toString().startsWith(".")
         && !(result && LEFT_OUT.contains(relative.getName(1).toString()));
   }
 

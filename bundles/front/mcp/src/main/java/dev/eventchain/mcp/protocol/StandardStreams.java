@@ -21,6 +21,7 @@ import java.io.OutputStream;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import reactor.core.publisher.Mono;
 
 /**
@@ -108,10 +109,7 @@ public final class StandardStreams implements McpServerTransportProvider {
     boolean known = id.isTextual() || id.isIntegralNumber();
     McpSchema.JSONRPCMessage read;
     try {
-      if (!message.path("jsonrpc").asText().equals("2.0")) {
-        throw new IllegalArgumentException("it is no object with \"jsonrpc\": \"2.0\"");
-      }
-      read = McpSchema.deserializeJsonRpcMessage(mapper, message.toString());
+      read = read(message);
     } catch (IOException | IllegalArgumentException e) {
       String text = "This is no message of JSON-RPC: " + reason(e);
       refuse(known ? id : null, McpSchema.ErrorCodes.INVALID_REQUEST, text);
@@ -121,15 +119,38 @@ public final class StandardStreams implements McpServerTransportProvider {
     begun |= method.equals("initialize");
     if (!begun && known && !method.isEmpty() && !isAnswerable(method)) {
       refuse(id, McpSchema.ErrorCodes.INVALID_REQUEST, "The session begins with 'initialize'.");
-      return;
+    } else if (read instanceof McpSchema.JSONRPCRequest) {
+      handle(read, calls.begin(key(id)), problem -> fail(id, problem));
+    } else {
+      handle(read, new RunningCall(), problem -> {});
     }
-    boolean request = read instanceof McpSchema.JSONRPCRequest;
-    Map<String, Object> context =
-        request ? Map.of(CALL, calls.begin(key(id))) : Map.of(CALL, new RunningCall());
+  }
+
+  private McpSchema.JSONRPCMessage read(JsonNode message) throws IOException {
+    if (!message.path("jsonrpc").asText().equals("2.0")) {
+      throw new IllegalArgumentException("it is no object with \"jsonrpc\": \"2.0\"");
+    }
+    return McpSchema.deserializeJsonRpcMessage(mapper, message.toString());
+  }
+
+  private void handle(
+      McpSchema.JSONRPCMessage message, RunningCall call, Consumer<Throwable> failure) {
+    McpTransportContext context = McpTransportContext.create(Map.of(CALL, call));
     session
-        .handle(read)
-        .contextWrite(it -> it.put(McpTransportContext.KEY, McpTransportContext.create(context)))
-        .subscribe(nothing -> {}, problem -> calls.end(key(id)));
+        .handle(message)
+        .contextWrite(it -> it.put(McpTransportContext.KEY, context))
+        .subscribe(nothing -> {}, failure);
+  }
+
+  /** Answers a request that the session could not handle. */
+  private void fail(JsonNode id, Throwable problem) {
+    try {
+      if (calls.end(key(id))) {
+        refuse(id, McpSchema.ErrorCodes.INTERNAL_ERROR, problem.toString());
+      }
+    } catch (IOException e) {
+      stop(); // Nobody reads any more.
+    }
   }
 
   /** Returns whether the SDK answers a method at once, if only that it does not know it. */

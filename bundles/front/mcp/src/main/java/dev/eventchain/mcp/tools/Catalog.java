@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.mcp.program.Program;
 import dev.eventchain.mcp.project.Boundary;
+import dev.eventchain.mcp.project.McpRules;
 import dev.eventchain.mcp.protocol.StandardStreams;
 import io.modelcontextprotocol.server.McpServerFeatures.SyncToolSpecification;
 import io.modelcontextprotocol.server.McpSyncServerExchange;
@@ -89,7 +90,12 @@ public final class Catalog {
   private McpSchema.CallToolResult answer(
       Tool tool, McpSyncServerExchange exchange, McpSchema.CallToolRequest request) {
     if (!free.tryAcquire()) {
-      return refused("Too many calls at a time: " + MOST_AT_ONCE + " are being worked on.");
+      return refused(
+          McpRules.refusal(
+              McpRules.BUSY,
+              "",
+              MOST_AT_ONCE + " calls are being worked on.",
+              "Wait for an answer, or cancel one."));
     }
     try {
       Arguments arguments = Arguments.of(request.arguments(), tool.parameters());
@@ -104,12 +110,16 @@ public final class Catalog {
           .meta(DATA)
           .build();
     } catch (DiagnosticException e) {
-      return refused(DiagnosticFormat.TEXT.render(e.diagnostics()));
+      return refused(e);
     } catch (RuntimeException e) {
       return refused("eventchain mcp has a defect: " + e);
     } finally {
       free.release();
     }
+  }
+
+  private static McpSchema.CallToolResult refused(DiagnosticException problem) {
+    return refused(DiagnosticFormat.TEXT.render(problem.diagnostics()));
   }
 
   private static McpSchema.CallToolResult refused(String message) {

@@ -21,6 +21,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -35,6 +37,10 @@ final class Commands {
   private static final int MOST_ENTRIES = 200;
   private static final Pattern VERDICT =
       Pattern.compile("^(PASSED|FAILED|INCOMPLETE): ", Pattern.MULTILINE);
+
+  /** The commands that come to a verdict. */
+  private static final Set<String> JUDGING = Set.of("run", "simulate");
+
   private static final ObjectMapper JSON = new ObjectMapper();
 
   private final Program program;
@@ -100,7 +106,12 @@ final class Commands {
         List<String> command = new ArrayList<>(arguments);
         command.add("--report=json=" + file);
         Ended ended = program.run(command, folder, call.running(), call.progress());
-        return result(ended, file, folder);
+        Map<String, Object> structured = ending(ended);
+        if (JUDGING.contains(arguments.get(0))) {
+          verdict(ended).ifPresent(verdict -> structured.put("verdict", verdict));
+        }
+        addReport(structured, ended, file, folder);
+        return new Result(textOf(ended), structured, !ended.worked());
       } finally {
         Files.deleteIfExists(file);
         Files.deleteIfExists(reports);
@@ -110,12 +121,17 @@ final class Commands {
     }
   }
 
-  private static Result result(Ended ended, Path file, Path folder) throws IOException {
-    Map<String, Object> structured = ending(ended);
-    Matcher verdict = VERDICT.matcher(ended.out());
-    while (verdict.find()) {
-      structured.put("verdict", verdict.group(1));
+  /** Returns the verdict that a command has printed, if its exit code says the same. */
+  private static Optional<String> verdict(Ended ended) {
+    String last = null;
+    for (Matcher line = VERDICT.matcher(ended.out()); line.find(); ) {
+      last = line.group(1);
     }
+    return Optional.ofNullable(last).filter(it -> it.equals("PASSED") == (ended.code() == 0));
+  }
+
+  private static void addReport(Map<String, Object> structured, Ended ended, Path file, Path folder)
+      throws IOException {
     if (Files.exists(file)) {
       ObjectNode report = (ObjectNode) JSON.readTree(file.toFile());
       requireInside(report, folder);
@@ -125,7 +141,6 @@ final class Commands {
     } else if (ended.worked()) {
       throw new IllegalStateException("the command wrote no report: " + ended.err());
     }
-    return new Result(textOf(ended), structured, !ended.worked());
   }
 
   private static Map<String, Object> ending(Ended ended) {

@@ -1,5 +1,6 @@
 package dev.eventchain.mcp.tools;
 
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.mcp.project.Boundary;
 import dev.eventchain.mcp.project.ResultTables;
@@ -66,13 +67,18 @@ final class ResultTools {
     List<Map<String, Object>> list = new ArrayList<>();
     StringBuilder text = new StringBuilder();
     for (String name : tables.names()) {
-      Table table = tables.table(name);
       Map<String, Object> entry = new LinkedHashMap<>();
       entry.put("name", name);
-      entry.put("rows", table.rows().size());
-      entry.put("columns", table.columns());
+      text.append(name);
+      try {
+        Table table = tables.table(name);
+        entry.put("rows", table.rows().size());
+        entry.put("columns", table.columns());
+        text.append(": ").append(table.rows().size()).append(" rows\n");
+      } catch (DiagnosticException e) {
+        text.append(" cannot be read: ").append(e.getMessage()).append('\n');
+      }
       list.add(entry);
-      text.append(name).append(": ").append(table.rows().size()).append(" rows\n");
     }
     return result(text, "tables", list, tables);
   }
