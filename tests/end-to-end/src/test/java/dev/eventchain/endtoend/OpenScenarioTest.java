@@ -113,6 +113,27 @@ class OpenScenarioTest {
     simulate("--no-strength", "--scenario-file", replayed).says("FAILED  rear-end");
   }
 
+  /** From each output folder, another path leads to the file. */
+  @InTurn
+  @Test
+  void partsInOtherFoldersArePutTogether() throws IOException {
+    Path file = folder.resolve("parts.yaml");
+    Path played = FILES.resolve("rear-end-cases.xosc").toAbsolutePath();
+    Files.writeString(file, "scenario: " + played + "\naccept: [no_impact]\n");
+    Path deep = folder.resolve("one/two");
+    Path near = folder.resolve("near");
+    campaigns("campaign", file, "--shard", "1/2", "-o", deep).expect(0);
+    campaigns("campaign", file, "--shard", "2/2", "-o", near).expect(0);
+    campaigns(
+            "campaign",
+            file,
+            "--merge",
+            deep.resolve("campaigns/parts-1-of-2"),
+            near.resolve("campaigns/parts-2-of-2"))
+        .expect(1)
+        .says("6 cases: 5 passed, 1 failed");
+  }
+
   private Program.Ended campaign(Path file, Object... more) {
     return campaigns("campaign", file, more);
   }

@@ -24,6 +24,7 @@ import dev.eventchain.simulation.CaseSimulation;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -183,10 +184,24 @@ final class CampaignScene {
     new SimulateStage().fingerprint(run, fingerprint);
     fingerprint.addFile(plan.file());
     plan.part().ifPresent(fingerprint::add);
-    plan.played().ifPresent(played -> fingerprint.addFile(played.file()));
-    file.map(Scenario::filesOf).ifPresent(fingerprint::addFiles);
+    file.map(it -> files(plan, it)).ifPresent(fingerprint::addFiles);
     plan.factors().forEach(factor -> fingerprint.add(factor.levels()));
     return fingerprint;
+  }
+
+  /**
+   * Returns the files that a scenario consists of. One that was made says where its file is from
+   * the output folder, which parts of a campaign have different ones of.
+   */
+  private static List<Path> files(CampaignPlan plan, Path scenario) {
+    List<Path> files = new ArrayList<>(Scenario.filesOf(scenario));
+    plan.played()
+        .ifPresent(
+            played -> {
+              files.remove(scenario);
+              files.add(played.file());
+            });
+    return files;
   }
 
   /**
