@@ -139,7 +139,7 @@ class McpTest {
     faulty("cancelled");
     try (Session session = new Session()) {
       session.call(1, "run", "{\"project\": \"cancelled/radar-aeb\"}");
-      session.awaitProgress("Generate");
+      session.awaitProgress("Implement");
       List<ProcessHandle> started = session.process.descendants().toList();
       assertFalse(started.isEmpty());
       session.send(

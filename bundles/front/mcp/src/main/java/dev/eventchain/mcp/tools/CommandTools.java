@@ -98,7 +98,8 @@ final class CommandTools {
         "explain",
         "Explain a finding",
         "Explains a finding by the id in brackets behind it, such as ocl.violated, or a standard"
-            + " constraint. Without an id, lists all.",
+            + " constraint. Without an id, lists all; the resource eventchain://rules has the whole"
+            + " list.",
         Effect.READS,
         List.of(Parameter.of("id", ArgumentType.TEXT, "The id. Default: all ids are listed.")),
         Commands.plainOutput(),
