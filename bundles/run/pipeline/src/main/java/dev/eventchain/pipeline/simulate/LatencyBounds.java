@@ -175,8 +175,7 @@ final class LatencyBounds {
     return all.stream()
         .flatMap(
             each -> {
-              SourceLocation place =
-                  each.constraint().map(locator::apply).orElse(SourceLocation.NONE);
+              SourceLocation place = each.constraint().map(locator).orElse(SourceLocation.NONE);
               return Stream.of(
                       aboveBound(each, place), aboveMaximum(each, place), unknown(each, place))
                   .flatMap(Optional::stream);
