@@ -145,8 +145,12 @@ class LanguageServerTest {
     FinishedRun.copy(Program.ROOT.resolve("templates"), templates);
     Files.writeString(
         templates.resolve("broken.mtl"),
-        "[module broken('http://eventchain.dev/eventchain/1.0')/]\n"
-            + "[template public t(c : EventChain)]\n[c.nam/]\n[/template]\n");
+        """
+        [module broken('http://eventchain.dev/eventchain/1.0')/]
+        [template public t(c : EventChain)]
+        [c.nam/]
+        [/template]
+        """);
     List<String> expected =
         lines(new Program().run("compile", templates, "--format", "json").out());
     assertFalse(expected.isEmpty());
