@@ -39,8 +39,22 @@ class RulePagesTest {
   /** Suffixes of names that look like identifiers but are files, fields or properties. */
   private static final Set<String> NO_IDS =
       Set.of(
-          "bash", "json", "py", "xmi", "ocl", "ecore", "js", "css", "html", "txt", "yaml", "md",
-          "msgs", "lobster");
+          "bash",
+          "json",
+          "py",
+          "xmi",
+          "ocl",
+          "ecore",
+          "js",
+          "css",
+          "html",
+          "txt",
+          "yaml",
+          "md",
+          "msgs",
+          "lobster",
+          "explain",
+          "simulate");
 
   /**
    * Rules without a test: a disk failure during writing, an interrupt inside the JVM, and a node

@@ -18,6 +18,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** A user's project folder: paths of its files, and of those results that are checked. */
 public class ProjectFolder {
@@ -218,16 +219,14 @@ public class ProjectFolder {
 
   /** Returns the files that describe the software base, which may be absent. */
   public final List<Path> softwareBaseFiles() {
-    List<Path> files = new ArrayList<>(signalFiles());
-    files.add(0, softwareBase().resolve("components.json"));
-    return files;
+    Path components = softwareBase().resolve("components.json");
+    return Stream.concat(Stream.of(components), signalFiles().stream()).toList();
   }
 
   /** Returns the files of the vehicle's signals, without what they include. */
   public final List<Path> signalFiles() {
-    List<Path> files = new ArrayList<>(List.of(softwareBase().resolve("signals.json")));
-    catalogue().map(it -> it.source().files()).ifPresent(files::addAll);
-    return files;
+    Stream<Path> others = catalogue().stream().flatMap(it -> it.source().files().stream());
+    return Stream.concat(Stream.of(softwareBase().resolve("signals.json")), others).toList();
   }
 
   /** Returns the catalogue of signals that the configuration names, which has to be readable. */

@@ -17,13 +17,11 @@ import dev.eventchain.jsonmodels.JsonDocument;
 import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.model.PythonNames;
 import dev.eventchain.model.Signal;
-import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.eventchain.ComponentImplementation;
 import dev.eventchain.model.eventchain.ComponentOrigin;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainFactory;
-import dev.eventchain.model.eventchain.EventchainPackage.Literals;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
@@ -38,7 +36,6 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.BiFunction;
 import java.util.stream.Collectors;
-import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
@@ -65,13 +62,6 @@ public final class SoftwareBase {
 
   private static final String COMPONENTS = "components.json";
   private static final String SIGNALS = "signals.json";
-
-  private static final List<EAttribute> UNASKED =
-      List.of(
-          Literals.SOFTWARE_NODE__BEST_CASE_EXECUTION_TIME,
-          Literals.SOFTWARE_NODE__WORST_CASE_EXECUTION_TIME,
-          Literals.SOFTWARE_NODE__MEMORY,
-          Literals.SOFTWARE_NODE__TOLERANCE);
 
   private final Map<String, Component> components;
   private final String componentsText;
@@ -207,22 +197,8 @@ public final class SoftwareBase {
       described.getSoftware().stream()
           .filter(other -> Objects.equals(other.getName(), node.getName()))
           .findFirst()
-          .ifPresent(other -> addUnasked(node, other));
-      described(String.valueOf(node.getName())).ifPresent(other -> addUnasked(node, other));
-    }
-  }
-
-  private static void addUnasked(SoftwareNode node, SoftwareNode from) {
-    for (EAttribute attribute : UNASKED) {
-      if (!node.eIsSet(attribute) && from.eIsSet(attribute)) {
-        node.eSet(attribute, from.eGet(attribute));
-      }
-    }
-    if (node.getSynchronized().isEmpty()) {
-      List<String> topics = TopicIndex.synchronizedBy(from);
-      node.getInput().stream()
-          .filter(it -> TopicIndex.nameOf(it, node).filter(topics::contains).isPresent())
-          .forEach(node.getSynchronized()::add);
+          .ifPresent(other -> UnaskedFacts.add(node, other));
+      described(String.valueOf(node.getName())).ifPresent(other -> UnaskedFacts.add(node, other));
     }
   }
 

@@ -20,7 +20,7 @@ import java.util.stream.Stream;
  */
 public record Shortlist(List<Entry> entries) {
 
-  /** How many of the best signals of a text count. */
+  /** Number of the best signals of a text that count. */
   private static final int DEPTH = 50;
 
   /** The rank, counted from 0, at which a score is half of that of the first one. */
@@ -115,7 +115,7 @@ public record Shortlist(List<Entry> entries) {
     return entries.stream().flatMap(entry -> entry.group().signals().stream()).toList();
   }
 
-  /** What the texts give a group. */
+  /** Ranks that the texts give a group. */
   private static final class Tally {
     private final SignalGroup group;
     private final boolean pinned;

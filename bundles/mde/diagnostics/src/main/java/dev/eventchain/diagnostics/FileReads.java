@@ -15,7 +15,7 @@ public final class FileReads {
 
   private static final InheritableThreadLocal<FileReads> CURRENT = new InheritableThreadLocal<>();
 
-  /** What the whole work reads, whatever parts of it record or leave out. */
+  /** Files that the whole work reads, whatever parts of it record or leave out. */
   private static final InheritableThreadLocal<SortedSet<Path>> ALL = new InheritableThreadLocal<>();
 
   private final SortedSet<Path> files = Collections.synchronizedSortedSet(new TreeSet<>());

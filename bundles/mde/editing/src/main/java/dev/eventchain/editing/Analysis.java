@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What is known about one version of a text. Each answer covers what can be read of a half-typed
- * text; where nothing is known, it is empty. Positions outside the text count as its nearest ones.
+ * Answers about one version of a text. Each answer covers what can be read of a half-typed text;
+ * where nothing is known, it is empty. Positions outside the text count as its nearest ones.
  * Thread-safe.
  */
 public interface Analysis {

@@ -8,7 +8,7 @@ package dev.eventchain.editing;
  */
 public record Folding(int firstLine, int lastLine, Kind kind) {
 
-  /** What the lines are. */
+  /** Kind of the lines. */
   public enum Kind {
     BLOCK,
     COMMENT,

@@ -1,7 +1,7 @@
 package dev.eventchain.editing;
 
 /**
- * What is known about the word at a position.
+ * Description of the word at a position.
  *
  * @param markdown the text in Markdown
  * @param range the word that it is about

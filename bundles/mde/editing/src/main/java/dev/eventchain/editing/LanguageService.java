@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What editors can know about the files of a language. Keeps what it knows of each version of a
- * text, and is thread-safe.
+ * Answers to what editors ask about the files of a language. Keeps what it knows of each version of
+ * a text, and is thread-safe.
  */
 public interface LanguageService {
 

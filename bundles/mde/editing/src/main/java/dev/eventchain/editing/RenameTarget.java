@@ -1,7 +1,7 @@
 package dev.eventchain.editing;
 
 /**
- * What can be renamed at a position.
+ * Thing that can be renamed at a position, or the reason why nothing can.
  *
  * @param range the name at the position; {@code null} if it cannot be renamed
  * @param name the name; empty if it cannot be renamed

@@ -10,7 +10,7 @@ package dev.eventchain.editing;
  */
 public record SemanticToken(int line, int column, int length, Kind kind, boolean declaration) {
 
-  /** What a word means. */
+  /** Kind of thing that a word means. */
   public enum Kind {
     KEYWORD,
     COMMENT,

@@ -20,7 +20,7 @@ import org.eclipse.emf.ecore.ETypedElement;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.eclipse.ocl.utilities.ASTNode;
 
-/** What editors can know about the expressions of a language, complete or half-typed. */
+/** Assistant for the expressions of a language, complete or half-typed. */
 public final class ExpressionAssistant {
 
   private final ExpressionLanguage language;

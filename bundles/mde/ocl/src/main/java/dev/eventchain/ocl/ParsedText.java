@@ -16,7 +16,7 @@ import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.parser.ValidationVisitor;
 
 /**
- * What the parser made of a text.
+ * Result of parsing a text.
  *
  * @param body the tree, perhaps with placeholders for what was not understood; {@code null} if
  *     there is none

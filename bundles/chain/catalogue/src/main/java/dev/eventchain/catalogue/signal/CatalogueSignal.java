@@ -32,7 +32,7 @@ public record CatalogueSignal(
     List<String> groups,
     SourceLocation location) {
 
-  /** What software does with a signal. */
+  /** Direction of a signal, as software uses it. */
   public enum Role {
     /** A measured value, which software reads. */
     SENSOR,

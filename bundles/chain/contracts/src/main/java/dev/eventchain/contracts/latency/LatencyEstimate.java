@@ -11,7 +11,7 @@ import java.util.OptionalLong;
 import java.util.stream.Collectors;
 
 /**
- * What a chain says about a latency. All times are in ns.
+ * Estimate of a latency by its chain. All times are in ns.
  *
  * @param outside the longest time before the first component that counts: the age of a message when
  *     it is read, as far as the latency is a data age, and what the constraint counts before its

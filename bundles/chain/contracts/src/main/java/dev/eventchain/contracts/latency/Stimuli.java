@@ -3,7 +3,7 @@ package dev.eventchain.contracts.latency;
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import java.util.OptionalLong;
 
-/** What is known of the messages that reach a chain from outside. */
+/** Facts about the messages that reach a chain from outside. */
 public interface Stimuli {
 
   /** Messages that have just arrived, for what components alone make of them. */

@@ -1,2 +1,2 @@
-/** What an event chain says about its end-to-end latencies before anything is simulated. */
+/** Checks and bounds of end-to-end latencies before anything is simulated. */
 package dev.eventchain.contracts.latency;

@@ -7,7 +7,7 @@ package dev.eventchain.contracts.timing;
  */
 public record Gap(String task, Kind kind) {
 
-  /** What is missing. */
+  /** Kind of the missing fact. */
   public enum Kind {
     PERIOD("its period"),
     RESPONSE("its worst-case execution time");

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What is known of the latency along one path.
+ * Latency along one path, as far as it is known.
  *
  * @param bounds all that hold, the smallest first and of equal ones that with the fewest
  *     assumptions; none if a number is missing

@@ -7,13 +7,13 @@ import java.util.Map;
 import java.util.OptionalLong;
 
 /**
- * What the periods of tasks do to a latency, each on its own: the others keep theirs. Counted with
- * the bounds for any phases, which never fall when a period grows.
+ * Effect of the periods of tasks on a latency, each on its own: the others keep theirs. Counted
+ * with the bounds for any phases, which never fall when a period grows.
  */
 public final class Sensitivity {
 
   /**
-   * What the period of a task does.
+   * Effect of the period of a task.
    *
    * @param saved what the bound falls by if the task is executed twice as often, or as often as its
    *     response time allows if that is less, in ns

@@ -20,8 +20,8 @@ import org.eclipse.lsp4j.Range;
 import org.eclipse.lsp4j.WorkspaceEdit;
 
 /**
- * What can be done about findings: the replacement that a hint names, a suppression, and the page
- * of the rule.
+ * Code actions for findings: the replacement that a hint names, a suppression, and the page of the
+ * rule.
  */
 public final class FindingActions {
 

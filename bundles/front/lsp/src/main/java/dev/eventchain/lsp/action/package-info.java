@@ -1,2 +1,2 @@
-/** What can be done about findings. */
+/** Code actions for findings. */
 package dev.eventchain.lsp.action;

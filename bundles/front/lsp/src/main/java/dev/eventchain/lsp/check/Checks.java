@@ -25,7 +25,7 @@ import java.util.Set;
  */
 public final class Checks implements AutoCloseable {
 
-  /** How long nothing has to be typed before something is checked. */
+  /** Pause in typing after which something is checked. */
   public static final Duration QUIET = Duration.ofMillis(250);
 
   /** For the recursion of deep expressions, as on the command line. */

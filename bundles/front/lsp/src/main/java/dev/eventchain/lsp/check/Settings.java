@@ -11,7 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What people set in their editor.
+ * Settings of an editor.
  *
  * @param metamodels Ecore files that count for all templates, rules and models; relative ones are
  *     below the folder of the workspace
@@ -19,7 +19,7 @@ import java.util.List;
  */
 public record Settings(List<String> metamodels, Duration timeLimit) {
 
-  /** What counts where nothing is set. */
+  /** Settings where nothing is set. */
   public static final Settings USUAL = new Settings(List.of(), OclValidator.TIME_LIMIT);
 
   /**

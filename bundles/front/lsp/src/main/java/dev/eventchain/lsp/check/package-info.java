@@ -1,2 +1,2 @@
-/** What is checked in a workspace, when, and which findings the editor shows. */
+/** Checks of a workspace: what is checked, when, and which findings the editor shows. */
 package dev.eventchain.lsp.check;

@@ -14,7 +14,7 @@ import org.eclipse.lsp4j.CallHierarchyItem;
 import org.eclipse.lsp4j.CallHierarchyOutgoingCall;
 import org.eclipse.lsp4j.Range;
 
-/** What calls and is called, in the words of the protocol. */
+/** Call hierarchy in the words of the protocol. */
 public final class CallItems {
 
   private CallItems() {}

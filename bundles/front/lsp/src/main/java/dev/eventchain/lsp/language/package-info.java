@@ -1,2 +1,2 @@
-/** What is known about the languages of texts, and how the protocol says it. */
+/** Knowledge about the languages of texts, and its form in the protocol. */
 package dev.eventchain.lsp.language;

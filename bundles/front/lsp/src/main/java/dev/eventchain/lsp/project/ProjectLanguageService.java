@@ -10,7 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/** What editors can know about the YAML, JSON and Markdown of a project. */
+/** Language service for the YAML, JSON and Markdown of a project. */
 public final class ProjectLanguageService implements LanguageService {
 
   private final Workspace workspace;

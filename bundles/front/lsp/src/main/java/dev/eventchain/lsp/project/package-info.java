@@ -1,2 +1,2 @@
-/** What is known about the YAML and Markdown of projects: requirements, and who names them. */
+/** Language service for the YAML and Markdown of projects: requirements, and who names them. */
 package dev.eventchain.lsp.project;

@@ -16,7 +16,7 @@ import org.eclipse.lsp4j.TextDocumentSyncOptions;
 import org.eclipse.lsp4j.WorkspaceFoldersOptions;
 import org.eclipse.lsp4j.WorkspaceServerCapabilities;
 
-/** What the server can do. */
+/** Capabilities of the server. */
 final class Capabilities {
 
   private Capabilities() {}

@@ -72,7 +72,7 @@ final class DiskWatch implements AutoCloseable {
     }
   }
 
-  /** What tells versions of a file apart. */
+  /** Fingerprint that tells versions of a file apart. */
   private record State(Instant modified, long size) {
 
     static final State MISSING = new State(Instant.EPOCH, -1);

@@ -81,7 +81,8 @@ import org.eclipse.lsp4j.jsonrpc.messages.ResponseErrorCode;
 import org.eclipse.lsp4j.services.TextDocumentService;
 
 /**
- * What an editor says and asks about texts. Texts that are no files on this machine are ignored.
+ * Requests and notifications of an editor about texts. Texts that are no files on this machine are
+ * ignored.
  */
 final class DocumentRequests implements TextDocumentService {
 

@@ -33,7 +33,7 @@ import org.eclipse.lsp4j.WorkspaceSymbolParams;
 import org.eclipse.lsp4j.jsonrpc.messages.Either;
 import org.eclipse.lsp4j.services.WorkspaceService;
 
-/** What an editor says and asks about folders and files that are not open. */
+/** Requests and notifications of an editor about folders and files that are not open. */
 final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
 
   private static final int MOST_SYMBOLS = 1000;
@@ -93,7 +93,7 @@ final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
     return given.stream().flatMap(each -> Positions.path(each.getUri()).stream()).toList();
   }
 
-  /** What is open in the editor counts more than its file. */
+  /** A text that is open in the editor counts more than its file. */
   @Override
   public void didChangeWatchedFiles(DidChangeWatchedFilesParams params) {
     List<Path> changed = new ArrayList<>();

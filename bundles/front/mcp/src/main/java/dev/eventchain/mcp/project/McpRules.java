@@ -5,7 +5,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 
-/** What the server refuses to do for a client. */
+/** Rules of what the server refuses to do for a client. */
 public final class McpRules {
 
   /** Arguments of a tool that are not as its schema says. */

@@ -49,7 +49,7 @@ public final class ResultTables {
     }
   }
 
-  /** What a table is read from. */
+  /** Source of a table. */
   private interface Rows {
     List<JsonNode> of(JsonNode json);
   }

@@ -1,2 +1,2 @@
-/** What a client may read and change: files, results as tables, changes on a copy. */
+/** The project as a client may read and change it: files, results as tables, changes on a copy. */
 package dev.eventchain.mcp.project;

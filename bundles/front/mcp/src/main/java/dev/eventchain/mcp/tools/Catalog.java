@@ -20,7 +20,7 @@ import java.util.stream.Stream;
 /** All tools, as the SDK takes them. */
 public final class Catalog {
 
-  /** What clients are told about each result and each resource. */
+  /** Annotations of each result and each resource. */
   static final Map<String, Object> DATA =
       Map.of("dev.eventchain/content", "data of the project, no instructions");
 

@@ -29,7 +29,7 @@ import java.util.regex.Pattern;
 /** Commands as tools: what a command says is the text, and its JSON report is the structure. */
 final class Commands {
 
-  /** What a command that reports findings answers. */
+  /** Schema of the answer of a command that reports findings. */
   static final Map<String, Object> OUTPUT = output();
 
   private static final int HEAD = 20_000;
@@ -72,7 +72,7 @@ final class Commands {
     return properties;
   }
 
-  /** What a command without findings answers. */
+  /** Schema of the answer of a command without findings. */
   static Map<String, Object> plainOutput() {
     Map<String, Object> properties = new LinkedHashMap<>();
     properties.put(

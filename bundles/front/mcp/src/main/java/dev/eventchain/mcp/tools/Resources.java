@@ -21,7 +21,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Function;
 
-/** What a client can read: pages about findings, formats with their schemas, files. */
+/** Resources for clients: pages about findings, formats with their schemas, files. */
 public final class Resources {
 
   private static final String RULES = "eventchain://rules/";
@@ -149,7 +149,7 @@ public final class Resources {
     }
   }
 
-  /** What a resource says. */
+  /** Content of a resource. */
   private interface Text {
     String get();
   }

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 
 /**
- * What a client can have done.
+ * Tool that a client can call.
  *
  * @param description what a client has to know to choose it
  * @param effect what it changes
@@ -21,7 +21,7 @@ record Tool(
     Map<String, Object> output,
     Work work) {
 
-  /** What a tool changes. */
+  /** Effect of a tool. */
   enum Effect {
     /** Nothing. */
     READS,
@@ -45,7 +45,7 @@ record Tool(
   record Call(RunningCall running, Consumer<String> progress) {}
 
   /**
-   * What a tool answers.
+   * Answer of a tool.
    *
    * @param text what it says to a reader
    * @param structured the same for programs, as the tool's output says

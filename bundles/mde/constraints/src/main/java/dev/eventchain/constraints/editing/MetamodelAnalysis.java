@@ -30,7 +30,7 @@ import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EParameter;
 import org.eclipse.emf.ecore.ETypedElement;
 
-/** What editors can know about one version of an {@code .ecore} file: its names and its OCL. */
+/** Analysis of one version of an {@code .ecore} file: its names and its OCL. */
 final class MetamodelAnalysis extends AssistedText {
 
   private final MetamodelText text;

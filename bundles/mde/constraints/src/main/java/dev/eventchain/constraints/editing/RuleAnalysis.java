@@ -24,7 +24,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EClass;
 
-/** What editors can know about one version of a rule document. */
+/** Analysis of one version of a rule document. */
 final class RuleAnalysis extends AssistedText {
 
   private final RuleText text;

@@ -12,7 +12,7 @@ import java.util.Optional;
 import org.eclipse.emf.ecore.EObject;
 
 /**
- * Where the names are declared that expressions of some metamodels use: in rule documents and in
+ * Declarations of the names that expressions of some metamodels use, in rule documents and in
  * {@code .ecore} files.
  *
  * @param texts the present texts of the documents

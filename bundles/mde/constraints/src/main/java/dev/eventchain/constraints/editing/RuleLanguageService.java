@@ -19,9 +19,9 @@ import java.util.Set;
 import org.eclipse.emf.ecore.EPackage;
 
 /**
- * What editors can know about rules: Complete OCL in files named {@code *.ocl}, and the OCL in
- * annotations of {@code *.ecore}. All files of a workspace that have the same metamodels see the
- * same definitions.
+ * Language service for rules: Complete OCL in files named {@code *.ocl}, and the OCL in annotations
+ * of {@code *.ecore}. All files of a workspace that have the same metamodels see the same
+ * definitions.
  */
 public final class RuleLanguageService implements LanguageService {
 

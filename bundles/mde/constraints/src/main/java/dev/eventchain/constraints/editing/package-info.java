@@ -1,2 +1,2 @@
-/** What editors can know about rule documents, half-typed ones included. */
+/** Language service for rule documents, half-typed ones included. */
 package dev.eventchain.constraints.editing;

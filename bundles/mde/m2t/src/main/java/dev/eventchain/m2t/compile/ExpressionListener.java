@@ -5,7 +5,7 @@ import dev.eventchain.m2t.syntax.Syntax;
 import dev.eventchain.ocl.Scope;
 import org.eclipse.emf.ecore.EClassifier;
 
-/** What hears of the expressions of a template as they are compiled, in the scope of each. */
+/** Listener to the expressions of a template as they are compiled, in the scope of each. */
 public interface ExpressionListener {
 
   /** Hears nothing. */

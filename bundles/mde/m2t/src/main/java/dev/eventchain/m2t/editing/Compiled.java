@@ -15,7 +15,7 @@ import java.util.List;
 import java.util.Map;
 import org.eclipse.emf.ecore.EClassifier;
 
-/** What the compiler found in a template or a query: its expressions, variables and scopes. */
+/** Results of the compiler for a template or a query: its expressions, variables and scopes. */
 final class Compiled implements ExpressionListener {
 
   /** A variable that is declared without its type, and that type. */

@@ -32,7 +32,7 @@ import java.util.Set;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
 
-/** What editors can know about one version of a template file. */
+/** Analysis of one version of a template file. */
 final class TemplateAnalysis extends AssistedText {
 
   private final TemplateText text;

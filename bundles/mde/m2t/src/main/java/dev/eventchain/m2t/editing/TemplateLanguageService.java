@@ -18,7 +18,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.eclipse.emf.ecore.EPackage;
 
-/** What editors can know about templates: MOFM2T in files named {@code *.mtl}. */
+/** Language service for templates: MOFM2T in files named {@code *.mtl}. */
 public final class TemplateLanguageService implements LanguageService {
 
   private static final String EXTENSION = ".mtl";

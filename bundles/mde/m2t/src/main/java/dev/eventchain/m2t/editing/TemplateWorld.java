@@ -13,8 +13,8 @@ import java.util.Optional;
 import org.eclipse.emf.ecore.EPackage;
 
 /**
- * What a module and those that it imports declare. It stays the same until a head changes: what is
- * written in bodies does not count.
+ * Declarations of a module and those that it imports. It stays the same until a head changes: what
+ * is written in bodies does not count.
  */
 final class TemplateWorld {
 

@@ -1,2 +1,2 @@
-/** What editors can know about templates, half-typed ones included. */
+/** Language service for templates, half-typed ones included. */
 package dev.eventchain.m2t.editing;

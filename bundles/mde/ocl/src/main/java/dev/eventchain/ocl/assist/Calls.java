@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** Who calls whom, in the texts of a language. */
+/** Calls in the texts of a language. */
 public final class Calls {
 
   private Calls() {}

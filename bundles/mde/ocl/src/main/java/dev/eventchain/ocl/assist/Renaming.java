@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/** What renaming needs to know: which names are possible, and what a new one would hide. */
+/** Facts that renaming needs: which names are possible, and what a new one would hide. */
 public final class Renaming {
 
   private Renaming() {}

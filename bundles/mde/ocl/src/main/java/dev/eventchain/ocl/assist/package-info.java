@@ -1,2 +1,2 @@
-/** What editors can know about texts with expressions, whatever is around these. */
+/** Language services for texts with expressions, whatever is around these. */
 package dev.eventchain.ocl.assist;

@@ -14,7 +14,7 @@ import org.eclipse.emf.ecore.EParameter;
 import org.eclipse.emf.ecore.ETypedElement;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
-/** What is said about an element of a metamodel or a name, in Markdown. */
+/** Descriptions of elements of a metamodel and of names, in Markdown. */
 public final class Descriptions {
 
   private Descriptions() {}

@@ -5,7 +5,7 @@ import java.util.List;
 import org.eclipse.emf.ecore.EClassifier;
 
 /**
- * What can be written after the dot or the arrow behind a value of a type.
+ * Member that can be written after the dot or the arrow behind a value of a type.
  *
  * @param parameters such as {@code index : Integer}; {@code null} for a feature
  * @param type the text of the type of its value; empty if it depends on the call

@@ -28,7 +28,7 @@ public record Mention(
   /** Stands for the declaration of a variable outside the expression. */
   public static final int ELSEWHERE = -1;
 
-  /** What a name means. */
+  /** Meaning of a name. */
   public enum Kind {
     VARIABLE,
     /** The name of a variable where it is declared. */

@@ -24,8 +24,8 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
- * What is left of the scenarios' margins if the latency of the chain is at its bound: each is
- * driven again with messages that come later by what the bound is above the measured time.
+ * Margins of scenarios that are left if the latency of the chain is at its bound: each is driven
+ * again with messages that come later by what the bound is above the measured time.
  */
 final class LatencyMargins {
 

@@ -1,0 +1,35 @@
+package dev.eventchain.project;
+
+import dev.eventchain.model.TopicIndex;
+import dev.eventchain.model.eventchain.EventchainPackage.Literals;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import java.util.List;
+import org.eclipse.emf.ecore.EAttribute;
+
+/** Facts about components that language models are not asked for. */
+final class UnaskedFacts {
+
+  private static final List<EAttribute> ATTRIBUTES =
+      List.of(
+          Literals.SOFTWARE_NODE__BEST_CASE_EXECUTION_TIME,
+          Literals.SOFTWARE_NODE__WORST_CASE_EXECUTION_TIME,
+          Literals.SOFTWARE_NODE__MEMORY,
+          Literals.SOFTWARE_NODE__TOLERANCE);
+
+  private UnaskedFacts() {}
+
+  /** Adds those that a component lacks from another description of it. */
+  static void add(SoftwareNode node, SoftwareNode from) {
+    for (EAttribute attribute : ATTRIBUTES) {
+      if (!node.eIsSet(attribute) && from.eIsSet(attribute)) {
+        node.eSet(attribute, from.eGet(attribute));
+      }
+    }
+    if (node.getSynchronized().isEmpty()) {
+      List<String> topics = TopicIndex.synchronizedBy(from);
+      node.getInput().stream()
+          .filter(it -> TopicIndex.nameOf(it, node).filter(topics::contains).isPresent())
+          .forEach(node.getSynchronized()::add);
+    }
+  }
+}
