@@ -35,6 +35,12 @@ class Gear(enum.IntEnum):
     FORWARD = 1
 
 
+class Mode(str, enum.Enum):
+    """An enumeration of texts, which becomes its text."""
+
+    COMFORT = "comfort"
+
+
 POINTS = Objects(
     lambda value: ("Point", value.fields) if isinstance(value, Point) else None, lambda _, fields: Point(**fields)
 )
@@ -74,6 +80,7 @@ def test_values_come_back(value: Any) -> None:
         ((1, (2, ())), [1, [2, []]]),
         ({True: 1, None: {2: 3.5}}, {"True": 1, "None": {"2": 3.5}}),
         (OrderedDict(a=Gear.FORWARD), {"a": 1}),
+        ({Mode.COMFORT: [Mode.COMFORT]}, {"comfort": ["comfort"]}),
         ([np.float64(0.1), np.float32(0.5), np.int64(7), np.bool_(True)], [0.1, 0.5, 7, True]),
         (bytearray(b"ab"), b"ab"),
         (memoryview(b"ab"), b"ab"),
@@ -104,6 +111,19 @@ def test_arrays_of_numpy_come_back(dtype: str) -> None:
 def test_what_cannot_be_sent_is_named(value: Any) -> None:
     with pytest.raises(TypeError):
         Codec().write(value)
+
+
+def test_a_long_integer_is_named() -> None:
+    with pytest.raises(TypeError, match="an integer of some thousand digits"):
+        encoded({"value": [10**5000]})
+
+
+def test_what_is_sent_may_grow() -> None:
+    codec = Codec(POINTS)
+    kept = array("f", [1.0])
+    parts = codec.write({"history": kept})
+    kept.append(2.0)
+    assert codec.read(b"".join(map(bytes, parts))) == {"history": array("f", [1.0])}
 
 
 def test_what_contains_itself_cannot_be_sent() -> None:

@@ -37,8 +37,11 @@ final class SignalIndex {
   private static final String MEANING = "meaning";
   private static final String GROUPS = "groups";
 
-  /** Most words of a query; later ones of a longer text are left out. */
-  private static final int LONGEST = 300;
+  /**
+   * Most words of a query; later ones of a longer text are left out. Lucene takes 1,024 clauses,
+   * and a word becomes four.
+   */
+  private static final int LONGEST = 250;
 
   /** Weight of what a branch means: its words are those of many signals. */
   private static final double OF_GROUPS = 0.3;

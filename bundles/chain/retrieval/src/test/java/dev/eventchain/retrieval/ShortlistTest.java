@@ -46,6 +46,17 @@ class ShortlistTest {
   }
 
   @Test
+  void aTextMayBeLong() {
+    StringBuilder text = new StringBuilder("The horn sounds");
+    for (int i = 0; i < 600; i++) {
+      text.append(" word").append((char) ('a' + i % 26)).append((char) ('a' + i / 26));
+    }
+    List<Text> texts = List.of(new Text("CP-1", text.toString(), true));
+    List<Entry> entries = Shortlist.of(WHOLE, texts, 16, List.of(), List.of()).entries();
+    assertEquals("CP-1", entry(HORN, entries).because());
+  }
+
+  @Test
   void givesTheSameListAgain() {
     assertEquals(
         Shortlist.of(WHOLE, TEXTS, 16, List.of(), List.of()),

@@ -102,12 +102,14 @@ class Codec:
             head = self._encode(value if _is_usual((value,)) else self._plain(value)).encode("ascii")
         except RecursionError:
             raise TypeError("something that contains itself, or is nested too deep") from None
+        except ValueError:  # of Python's limit for the text of integers
+            raise TypeError("an integer of some thousand digits") from None
         return [_LENGTH.pack(len(head)), head, *parts]
 
     def _leaf(self, value: Any) -> Any:
         """Return what stands for a value that is a part."""
         if type(value) is array and value.typecode in _TYPE_CODES:
-            return self._part("array", value.typecode, memoryview(value).cast("B") if len(value) else b"")
+            return self._part("array", value.typecode, value.tobytes())  # it may grow before this is sent
         if isinstance(value, (bytes, bytearray, memoryview)):
             return self._part("bytes", bytes(value))
         raise TypeError(type(value).__name__)
@@ -124,7 +126,7 @@ class Codec:
         if kind is list or kind is tuple:
             return [self._plain(item) for item in value]
         if isinstance(value, dict):
-            plain = {key if type(key) is str else str(key): self._plain(item) for key, item in value.items()}
+            plain = {_key(key): self._plain(item) for key, item in value.items()}
             return {"": ["dict", list(plain.items())]} if "" in plain else plain
         if kind in _LEAVES or isinstance(value, (bytes, bytearray)):
             return self._leaf(value)
@@ -141,7 +143,9 @@ class Codec:
                 return value.item()
             plain = dtype.newbyteorder("<")
             return self._part("numpy", plain.str, list(value.shape), value.astype(plain).tobytes())
-        for base in (bool, int, float, str):
+        if isinstance(value, str):
+            return _key(value)
+        for base in (bool, int, float):
             if isinstance(value, base):  # an enumeration or another subclass
                 return base(value)
         if isinstance(value, (list, tuple)):
@@ -240,6 +244,11 @@ def _is_usual(values: Iterable[Any]) -> bool:
         if not _is_usual(value):
             return False
     return True
+
+
+def _key(value: Any) -> str:
+    """Return the text of a text, for an enumeration that of its value, or what `str` makes of something else."""
+    return str.__str__(value) if isinstance(value, str) else str(value)
 
 
 def _text(value: Any) -> str:

@@ -124,8 +124,10 @@ public record VariedScenario(
           number.ifPresentOrElse(it -> values.set(name, node(it)), () -> values.put(name, value));
         });
     for (Parameter each : parameters) {
-      // A number, which a factor replaces.
-      values.set(each.name(), node(number(each.usual()).orElse(BigDecimal.ZERO)));
+      // A number may be replaced by a factor; a text stays as it usually is.
+      number(each.usual())
+          .ifPresentOrElse(
+              it -> values.set(each.name(), node(it)), () -> values.put(each.name(), each.usual()));
     }
     declared.forEach(
         (name, value) -> {
