@@ -40,7 +40,7 @@ class DefectTest {
   @ParameterizedTest
   @CsvSource({
     "xmi.MetamodelChecks, library.ecore:",
-    "constraints.RuleDocument, rules.ocl:",
+    "constraints.document.RuleDocument, rules.ocl:",
     "constraints.RuleComments, rules.ocl:2:1:",
     "documents.YamlTree, decided.yaml:"
   })
@@ -74,7 +74,7 @@ class DefectTest {
 
   @Test
   void ofAGenerationNamesTheTemplate() throws IOException {
-    breaking("m2t.syntax.ModuleParser")
+    breaking("m2t.syntax.BlockParser")
         .run(
             "generate",
             "--metamodel",

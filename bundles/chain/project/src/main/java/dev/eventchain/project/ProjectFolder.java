@@ -13,7 +13,6 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Objects;
@@ -166,9 +165,8 @@ public class ProjectFolder {
    * @throws DiagnosticException INPUT if a folder or the configuration cannot be read
    */
   public final List<Path> requirementFiles() {
-    List<Path> files = new ArrayList<>(List.of(requirements()));
-    files.addAll(requirementSources().files());
-    return files;
+    List<Path> sources = requirementSources().files();
+    return Stream.concat(Stream.of(requirements()), sources.stream()).toList();
   }
 
   /** Returns the first file or folder of requirements, where findings about all of them belong. */
@@ -219,8 +217,8 @@ public class ProjectFolder {
 
   /** Returns the files that describe the software base, which may be absent. */
   public final List<Path> softwareBaseFiles() {
-    Path components = softwareBase().resolve("components.json");
-    return Stream.concat(Stream.of(components), signalFiles().stream()).toList();
+    Stream<Path> components = Stream.of(softwareBase().resolve("components.json"));
+    return Stream.concat(components, signalFiles().stream()).toList();
   }
 
   /** Returns the files of the vehicle's signals, without what they include. */
@@ -265,9 +263,7 @@ public class ProjectFolder {
    * @param output the folder of the project's results, which may hold generated constraints
    */
   public final List<Path> constraintFiles(Path output) {
-    List<Path> files = new ArrayList<>(ownConstraints());
-    generated(output).ifPresent(files::add);
-    return files;
+    return Stream.concat(ownConstraints().stream(), generated(output).stream()).toList();
   }
 
   /** As {@link #constraintFiles}, as displayed names. */
