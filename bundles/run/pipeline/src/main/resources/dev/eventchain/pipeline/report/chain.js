@@ -1,5 +1,8 @@
 // The picture of the event chain: boxes, texts and lines where the program has laid them out.
 
+/** Smallest scale at which texts can be read; a wider picture is scrolled. */
+const READABLE = 0.6;
+
 /** "x y" of a point, which has two numbers. */
 const place = (point) => list(point).map((length) => number(length) ?? 0).join(" ");
 
@@ -56,5 +59,6 @@ function drawChain(chain, holder) {
     records(chain.lines).map(drawLine), records(chain.boxes).map(drawBox));
   picture.style.width = "100%";
   picture.style.maxWidth = `${width}px`;
+  picture.style.minWidth = `${Math.round(width * READABLE)}px`;
   holder.replaceChildren(picture);
 }

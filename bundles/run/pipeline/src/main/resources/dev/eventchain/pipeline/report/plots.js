@@ -1,6 +1,6 @@
 // The plots of a scenario: one picture with a panel for each series over one time axis.
 
-const PLOT = { left: 40, right: 10, top: 16, title: 20, gap: 10, axis: 20, height: 64, fallback: 680, between: 14, narrowest: 340 };
+const PLOT = { left: 40, right: 10, top: 16, title: 20, gap: 10, axis: 20, height: 64, fallback: 680, between: 14, narrowest: 340, value: 56, letter: 7 };
 
 /** Values beyond so many times the usual one and all limits are cut off: they would hide all others. */
 const CUT = 4;
@@ -185,13 +185,20 @@ function spokenSeries(panel, values, range) {
     + `smallest ${reading(panel, range.low)}, largest ${reading(panel, range.high)}`;
 }
 
+/** Returns the name and unit of a panel, of a long name its end: the names of topics begin alike. */
+function fitting(panel, width) {
+  const unit = panel.unit ? `, ${panel.unit}` : "";
+  const most = Math.floor((width - PLOT.value) / PLOT.letter) - unit.length;
+  return (panel.name.length > most ? "\u2026" + panel.name.slice(panel.name.length - most + 1) : panel.name) + unit;
+}
+
 /** One panel: its group, the text that holds the cursor's value, and the point on the curve. */
 function drawPanel(panel, samples, top, frame) {
   const values = panel.values;
   const range = extent(values);
   const value = svg("text", { class: "value", x: frame.right, y: top + 13 });
   const group = svg("g", { role: "img", "aria-label": spokenSeries(panel, values, range) },
-    svg("text", { class: "title", x: frame.left, y: top + 13 }, panel.name + (panel.unit ? `, ${panel.unit}` : "")), value);
+    svg("text", { class: "title", x: frame.left, y: top + 13 }, fitting(panel, frame.right - frame.left), svg("title", null, panel.name)), value);
   const scale = domain(panel, range);
   const base = top + PLOT.title + PLOT.height;
   const toY = (amount) => base - ((Math.min(amount, scale.high + 20 * (scale.high - scale.low)) - scale.low) / (scale.high - scale.low)) * PLOT.height;
