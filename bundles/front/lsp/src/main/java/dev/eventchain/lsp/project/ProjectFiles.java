@@ -1,5 +1,6 @@
 package dev.eventchain.lsp.project;
 
+import dev.eventchain.check.ChainModel;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
@@ -8,15 +9,23 @@ import dev.eventchain.editing.FileRange;
 import dev.eventchain.editing.TextLines;
 import dev.eventchain.editing.Workspace;
 import dev.eventchain.lsp.text.OpenTexts;
+import dev.eventchain.model.EventChainMetamodel;
+import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.SoftwareBase;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -27,6 +36,9 @@ final class ProjectFiles {
   private static final Set<String> ENDINGS = Set.of("yaml", "yml", "md", "json", "xmi", "ocl");
 
   private static final int DEEPEST = 6;
+
+  private static final Pattern NAME = Pattern.compile("(?m)^name: *([\\w-]+)");
+  private static final Pattern TITLE = Pattern.compile("(?m)^title: *(.+?) *$");
 
   private final Workspace workspace;
   private final OpenTexts texts;
@@ -40,12 +52,74 @@ final class ProjectFiles {
 
   /** Returns the requirements as they are written now; none if they cannot be read. */
   List<WrittenRequirement> requirements() {
+    return known(() -> folder.hasRequirements() ? folder.readRequirements().items() : null)
+        .orElse(List.of());
+  }
+
+  /** Returns the components of the software base and of the chain, with their descriptions. */
+  Map<String, String> components() {
+    Map<String, String> found = new TreeMap<>();
+    Stream.concat(
+            base().stream().flatMap(each -> each.descriptions().stream()),
+            chain().stream().flatMap(each -> each.getSoftware().stream()))
+        .filter(each -> each.getName() != null)
+        .forEach(
+            each ->
+                found.putIfAbsent(
+                    each.getName(), Objects.requireNonNullElse(each.getDescription(), "")));
+    return found;
+  }
+
+  /** Returns the topics of the software base and of the chain, with their message types. */
+  Map<String, String> topics() {
+    Map<String, String> found = new TreeMap<>();
+    base()
+        .flatMap(SoftwareBase::signals)
+        .ifPresent(all -> all.forEach(each -> found.put(each.topic(), each.messageType())));
+    chain()
+        .ifPresent(
+            chain ->
+                TopicIndex.of(chain).topics().forEach(each -> found.putIfAbsent(each.name(), "")));
+    return found;
+  }
+
+  /** Returns the scenarios, with their titles. */
+  Map<String, String> scenarios() {
+    Map<String, String> found = new TreeMap<>();
+    for (Path file : files()) {
+      if (file.startsWith(folder.folder().resolve("scenarios"))) {
+        String text = workspace.text(file).map(SourceText::text).orElse("");
+        Matcher name = NAME.matcher(text);
+        Matcher title = TITLE.matcher(text);
+        if (name.find()) {
+          found.put(name.group(1), title.find() ? title.group(1) : "");
+        }
+      }
+    }
+    return found;
+  }
+
+  private Optional<SoftwareBase> base() {
+    return known(folder::readSoftwareBase);
+  }
+
+  private Optional<EventChain> chain() {
+    return folder
+        .model(folder.defaultOutput())
+        .flatMap(
+            file ->
+                known(
+                    () ->
+                        ChainModel.chainOf(
+                            EventChainMetamodel.store(file.resolveSibling("")).load(file), file)));
+  }
+
+  /** Returns what the texts that are open say; empty if they cannot be read. */
+  private <T> Optional<T> known(Supplier<T> reading) {
     try {
-      return UnsavedTexts.during(
-          texts.overlay(),
-          () -> folder.hasRequirements() ? folder.readRequirements().items() : List.of());
+      return Optional.ofNullable(UnsavedTexts.during(texts.overlay(), reading));
     } catch (DiagnosticException e) {
-      return List.of(); // a finding says why
+      return Optional.empty(); // a finding says why
     }
   }
 
@@ -96,6 +170,11 @@ final class ProjectFiles {
   /** Returns whether requirements are kept in a file of ours, which may be changed. */
   boolean owns(WrittenRequirement requirement) {
     return Path.of(requirement.location().file()).endsWith("requirements.md");
+  }
+
+  /** Returns what kind of file of the project one is, if a schema describes it. */
+  Optional<ProjectSchemas.Kind> kind(Path file, String text) {
+    return ProjectSchemas.kind(folder.folder(), file, text);
   }
 
   /** Returns a file of the project as people name it. */

@@ -15,6 +15,7 @@ public final class ProjectLanguageService implements LanguageService {
 
   private final Workspace workspace;
   private final OpenTexts texts;
+  private final ProjectSchemas schemas = new ProjectSchemas();
 
   /** The service for the projects of a session. */
   public ProjectLanguageService(Workspace workspace, OpenTexts texts) {
@@ -37,7 +38,7 @@ public final class ProjectLanguageService implements LanguageService {
                     .map(
                         text ->
                             new ProjectText(
-                                file, text, new ProjectFiles(workspace, texts, folder))));
+                                file, text, new ProjectFiles(workspace, texts, folder), schemas)));
   }
 
   @Override

@@ -46,8 +46,10 @@ final class ProjectText implements Analysis {
   private final String text;
   private final TextLines lines;
   private final ProjectFiles project;
+  private final ProjectSchemas schemas;
 
-  ProjectText(Path file, SourceText source, ProjectFiles project) {
+  ProjectText(Path file, SourceText source, ProjectFiles project, ProjectSchemas schemas) {
+    this.schemas = schemas;
     this.file = file;
     this.text = source.text();
     this.lines = new TextLines(text);
@@ -134,6 +136,18 @@ final class ProjectText implements Analysis {
   @Override
   public List<Completion> completions(TextPosition position) {
     int offset = lines.offset(position);
+    List<Completion> found = yaml().map(each -> each.at(offset)).orElse(List.of());
+    return found.isEmpty() ? requirements(offset) : found;
+  }
+
+  private Optional<YamlCompletion> yaml() {
+    return project
+        .kind(file, text)
+        .map(kind -> new YamlCompletion(kind, schemas.of(kind), new ProjectNames(project), text));
+  }
+
+  /** Proposes requirements where the words of a line ask for some. */
+  private List<Completion> requirements(int offset) {
     int start = offset;
     while (start > 0 && isPartOfId(text.charAt(start - 1))) {
       start--;
@@ -157,7 +171,9 @@ final class ProjectText implements Analysis {
 
   @Override
   public Optional<Hover> hover(TextPosition position) {
-    return named(position).map(named -> new Hover(description(named.requirement()), named.range()));
+    return named(position)
+        .map(named -> new Hover(description(named.requirement()), named.range()))
+        .or(() -> yaml().flatMap(each -> each.described(lines.offset(position))));
   }
 
   /** Returns the text of a requirement, and the files that name it. */

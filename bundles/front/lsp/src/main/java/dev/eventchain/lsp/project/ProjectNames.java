@@ -1,0 +1,70 @@
+package dev.eventchain.lsp.project;
+
+import dev.eventchain.lsp.project.ProjectSchemas.Kind;
+import dev.eventchain.model.WrittenRequirement;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/** Where the YAML of a project names its requirements, components, topics and scenarios. */
+final class ProjectNames {
+
+  private static final Set<String> COMPONENT = Set.of("kill", "stop", "node");
+
+  private final ProjectFiles project;
+
+  ProjectNames(ProjectFiles project) {
+    this.project = project;
+  }
+
+  /** Returns the names that may be keys at a place, each with what is known about it. */
+  Map<String, String> keys(Kind kind, YamlPlace place) {
+    List<String> path = place.path();
+    String last = place.lastKey();
+    return switch (kind) {
+      case SCENARIO ->
+          last.equals("phases_ms")
+              ? project.components()
+              : last.equals("judges")
+                      || (path.size() > 1 && path.get(path.size() - 2).equals("judges"))
+                  ? requirements(path)
+                  : Map.of();
+      case BENCH ->
+          path.equals(List.of("provides")) || path.equals(List.of("consumes"))
+              ? project.topics()
+              : Map.of();
+      case FAULTS, CAMPAIGN -> Map.of();
+    };
+  }
+
+  /** Returns the names that may be the value of a place, each with what is known about it. */
+  Map<String, String> values(Kind kind, YamlPlace place) {
+    String last = place.lastKey();
+    boolean isOfScenarios = kind == Kind.FAULTS || kind == Kind.CAMPAIGN;
+    if (isOfScenarios && last.equals("scenario")) {
+      return project.scenarios();
+    } else if (kind == Kind.FAULTS && COMPONENT.contains(last)) {
+      return project.components();
+    } else if (kind == Kind.FAULTS && last.equals("topic")) {
+      return project.topics();
+    } else if (kind == Kind.SCENARIO && last.equals("requirements")) {
+      return requirements();
+    }
+    return Map.of();
+  }
+
+  /** Returns the requirements that criteria judge: below a criterion, or that of a formula. */
+  private Map<String, String> requirements(List<String> path) {
+    boolean namesCriteria = path.equals(List.of("accept", "judges"));
+    return namesCriteria ? Map.of() : requirements();
+  }
+
+  private Map<String, String> requirements() {
+    Map<String, String> found = new LinkedHashMap<>();
+    for (WrittenRequirement each : project.requirements()) {
+      found.put(each.id(), each.text());
+    }
+    return found;
+  }
+}

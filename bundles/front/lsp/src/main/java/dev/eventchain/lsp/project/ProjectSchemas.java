@@ -1,0 +1,55 @@
+package dev.eventchain.lsp.project;
+
+import dev.eventchain.pipeline.ProjectBench;
+import dev.eventchain.pipeline.campaign.Campaigns;
+import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.regex.Pattern;
+
+/** The published schemas of a project's files in YAML. */
+final class ProjectSchemas {
+
+  /** A kind of files with a schema. */
+  enum Kind {
+    BENCH(ProjectBench::schema),
+    SCENARIO(ProjectBench::scenarioSchema),
+    FAULTS(ProjectBench::faultsSchema),
+    CAMPAIGN(Campaigns::schema);
+
+    private final Supplier<String> text;
+
+    Kind(Supplier<String> text) {
+      this.text = text;
+    }
+  }
+
+  private static final Pattern CAMPAIGN = Pattern.compile("(?m)^(factors|campaigns):");
+
+  private final Map<Kind, ProjectSchema> read = new EnumMap<>(Kind.class);
+
+  /** Returns what a file of a project is by its place or, for campaigns, by its keys. */
+  static Optional<Kind> kind(Path project, Path file, String text) {
+    Path inside = project.relativize(file);
+    String first = inside.getName(0).toString();
+    if (!file.toString().matches(".*\\.ya?ml")) {
+      return Optional.empty();
+    } else if (inside.getNameCount() == 1 && first.equals("bench.yaml")) {
+      return Optional.of(Kind.BENCH);
+    } else if (inside.getNameCount() == 1 && first.equals("faults.yaml")) {
+      return Optional.of(Kind.FAULTS);
+    } else if (inside.getNameCount() > 1 && first.equals("scenarios")) {
+      return Optional.of(Kind.SCENARIO);
+    }
+    boolean isCampaign =
+        inside.getNameCount() > 1 && first.equals("campaigns") || CAMPAIGN.matcher(text).find();
+    return isCampaign ? Optional.of(Kind.CAMPAIGN) : Optional.empty();
+  }
+
+  /** Returns the schema of a kind, which is read once. */
+  synchronized ProjectSchema of(Kind kind) {
+    return read.computeIfAbsent(kind, it -> new ProjectSchema(it.text.get()));
+  }
+}

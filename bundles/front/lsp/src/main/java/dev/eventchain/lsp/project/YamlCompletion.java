@@ -1,0 +1,135 @@
+package dev.eventchain.lsp.project;
+
+import com.google.gson.JsonObject;
+import dev.eventchain.editing.Completion;
+import dev.eventchain.editing.ElementKind;
+import dev.eventchain.editing.Hover;
+import dev.eventchain.editing.TextLines;
+import dev.eventchain.editing.TextRange;
+import dev.eventchain.lsp.project.ProjectSchemas.Kind;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Proposals in a YAML file of a project: what its schema has, and names of the project. */
+final class YamlCompletion {
+
+  private final Kind kind;
+  private final ProjectSchema schema;
+  private final ProjectNames names;
+  private final String text;
+  private final TextLines lines;
+
+  YamlCompletion(Kind kind, ProjectSchema schema, ProjectNames names, String text) {
+    this.kind = kind;
+    this.schema = schema;
+    this.names = names;
+    this.text = text;
+    this.lines = new TextLines(text);
+  }
+
+  /** Returns the proposals at an offset, keys that are needed first. */
+  List<Completion> at(int offset) {
+    return new YamlText(text).place(offset).map(this::at).orElse(List.of());
+  }
+
+  /** Returns what the schema says about the key at an offset. */
+  Optional<Hover> described(int offset) {
+    return new YamlText(text)
+        .place(offset)
+        .filter(YamlPlace::takesKeys)
+        .flatMap(
+            place ->
+                schema.keys(place.path()).stream()
+                    .filter(each -> each.name().equals(text.substring(place.start(), place.end())))
+                    .map(each -> ProjectSchema.description(each.values()))
+                    .filter(each -> !each.isEmpty())
+                    .map(each -> new Hover(each, replaced(place)))
+                    .findFirst());
+  }
+
+  private List<Completion> at(YamlPlace place) {
+    List<Completion> found = new ArrayList<>();
+    if (place.takesKeys()) {
+      for (ProjectSchema.Key each : schema.keys(place.path())) {
+        if (!place.keys().contains(each.name())) {
+          found.add(key(each, place));
+        }
+      }
+      names.keys(kind, place).entrySet().stream()
+          .filter(each -> !place.keys().contains(each.getKey()))
+          .map(each -> name(each, place, isBeforeColon(place) ? "" : ": "))
+          .forEach(found::add);
+    }
+    if (place.takesValue()) {
+      values(place, found);
+    }
+    return found;
+  }
+
+  private boolean isBeforeColon(YamlPlace place) {
+    return text.startsWith(":", place.end());
+  }
+
+  private Completion key(ProjectSchema.Key key, YamlPlace place) {
+    boolean isList = key.isOf("array");
+    boolean isNested = !key.isScalar() && (isList || key.isOf("object"));
+    String after = ": ";
+    boolean isSnippet = false;
+    List<String> values = ProjectSchema.values(key.values());
+    if (isBeforeColon(place)) {
+      after = "";
+    } else if (isNested && place.isFlow()) {
+      after = isList ? ": [$0]" : ": {$0}";
+      isSnippet = true;
+    } else if (isNested) {
+      // Editors indent each further line as the first one.
+      after = ":\n" + " ".repeat(place.extra() + 2) + (isList ? "- " : "") + "$0";
+      isSnippet = true;
+    } else if (values.size() == 1 && key.values().size() == 1) {
+      after = ": " + values.get(0);
+    }
+    return new Completion(
+        key.name(),
+        ElementKind.ATTRIBUTE,
+        key.isRequired() ? "required" : "",
+        ProjectSchema.description(key.values()),
+        key.name() + after,
+        isSnippet,
+        replaced(place));
+  }
+
+  private void values(YamlPlace place, List<Completion> found) {
+    List<JsonObject> schemas = schema.at(place.path());
+    String description = ProjectSchema.description(schemas);
+    ProjectSchema.values(schemas)
+        .forEach(
+            each -> found.add(value(each, ElementKind.ENUMERATION_LITERAL, description, place)));
+    names
+        .values(kind, place)
+        .forEach((name, about) -> found.add(value(name, ElementKind.REFERENCE, about, place)));
+  }
+
+  private Completion value(
+      String value, ElementKind kindOfIt, String documentation, YamlPlace place) {
+    boolean isJoined = place.start() > 0 && text.charAt(place.start() - 1) == ':';
+    return new Completion(
+        value, kindOfIt, "", documentation, isJoined ? " " + value : value, false, replaced(place));
+  }
+
+  private Completion name(Map.Entry<String, String> name, YamlPlace place, String after) {
+    return new Completion(
+        name.getKey(),
+        ElementKind.REFERENCE,
+        "",
+        name.getValue(),
+        name.getKey() + after,
+        false,
+        replaced(place));
+  }
+
+  private TextRange replaced(YamlPlace place) {
+    return lines.range(place.start(), place.end());
+  }
+}

@@ -1,0 +1,200 @@
+package dev.eventchain.lsp;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.editing.Analysis;
+import dev.eventchain.editing.Completion;
+import dev.eventchain.editing.TextLines;
+import dev.eventchain.editing.TextPosition;
+import dev.eventchain.editing.Workspace;
+import dev.eventchain.fixtures.Projects;
+import dev.eventchain.fixtures.Repository;
+import dev.eventchain.lsp.project.ProjectLanguageService;
+import dev.eventchain.lsp.text.OpenTexts;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.emf.ecore.EPackage;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Completion in the YAML of projects: keys and values by the schemas, names by the project. */
+class YamlCompletionTest {
+
+  private static final String SCENARIO = "scenarios/new.yaml";
+  private static final ProjectLanguageService SERVICE =
+      new ProjectLanguageService(new OnlyText(), new OpenTexts());
+
+  @TempDir private static Path folder;
+
+  private static Path project;
+  private static Path opened;
+  private static String text;
+
+  @BeforeAll
+  static void open() throws Exception {
+    Path example = Repository.ROOT.resolve("examples/radar-aeb");
+    project = Projects.copy(example, folder.resolve("radar-aeb"));
+  }
+
+  /** The files on disk, but one text in place of its file. */
+  private static final class OnlyText implements Workspace {
+    @Override
+    public List<Path> files() {
+      return List.of();
+    }
+
+    @Override
+    public Optional<SourceText> text(Path file) {
+      return Optional.of(
+          file.equals(opened) ? SourceText.of(file.toString(), text) : SourceText.read(file));
+    }
+
+    @Override
+    public List<EPackage> metamodels(Path file) {
+      return List.of();
+    }
+  }
+
+  /** Returns the proposals at the mark in a text. */
+  private static List<Completion> proposals(String file, String marked) {
+    return analysis(file, marked).completions(cursor(marked));
+  }
+
+  private static Analysis analysis(String file, String marked) {
+    text = marked.replace("^", "");
+    opened = project.resolve(file);
+    return SERVICE.analysis(opened).orElseThrow();
+  }
+
+  private static TextPosition cursor(String marked) {
+    return new TextLines(marked).position(marked.indexOf('^'));
+  }
+
+  private static List<String> labels(String file, String marked) {
+    return proposals(file, marked).stream().map(Completion::label).toList();
+  }
+
+  /** Returns the text once a proposal is taken, with further lines indented as editors do it. */
+  private static String taken(String file, String marked, String label) {
+    Completion taken =
+        proposals(file, marked).stream()
+            .filter(each -> each.label().equals(label))
+            .findFirst()
+            .orElseThrow();
+    TextLines lines = new TextLines(text);
+    int start = lines.offset(taken.replaced().start());
+    int begin = text.lastIndexOf('\n', start - 1) + 1;
+    String line = text.substring(begin);
+    String indent = line.substring(0, line.length() - line.stripLeading().length());
+    String inserted =
+        taken.snippet() ? taken.insertText().replace("$0", "^") : taken.insertText() + "^";
+    return text.substring(0, start)
+        + inserted.replace("\n", "\n" + indent)
+        + text.substring(lines.offset(taken.replaced().end()));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "dur^                             | duration_s  | duration_s: ^",
+        "title: x\\neg^\\nseed: 1          | ego         | title: x\\nego:\\n  ^\\nseed: 1",
+        "ego:\\n  len^                     | length_m    | ego:\\n  length_m: ^",
+        "ego:\\n  spe^ed: 3                | speed_kmh   | ego:\\n  speed_kmh^: 3",
+        "ego: {sp^}                       | speed_kmh   | ego: {speed_kmh: ^}",
+        "ego: {length_m: 4, ^             | speed_kmh   | ego: {length_m: 4, speed_kmh: ^",
+        "act^                             | actors      | actors:\\n  - ^",
+        "actors:\\n  - ki^                  | kind        | actors:\\n  - kind: ^",
+        "actors:\\n- ki^                    | kind        | actors:\\n- kind: ^",
+        "actors:\\n  - gap_m: 1\\n    man^   | maneuvers   | actors:\\n  - gap_m: 1\\n    maneuvers:\\n      - ^",
+        "actors:\\n  - man^                 | maneuvers   | actors:\\n  - maneuvers:\\n      - ^",
+        "actors: [{gap_m: 1, ^}]          | maneuvers   | actors: [{gap_m: 1, maneuvers: [^]}]",
+        "actors:\\n  - kind: ped^           | pedestrian  | actors:\\n  - kind: pedestrian^",
+        "actors:\\n  - {kind:^              | pedestrian  | actors:\\n  - {kind: pedestrian^",
+        "accept:\\n  no_^                   | no_impact   | accept:\\n  no_impact: true^",
+        "ego:\\n  speed_kmh\\nacc^           | accept      | ego:\\n  speed_kmh\\naccept:\\n  ^",
+        "requirements: [RAD-1, ^          | RAD-2       | requirements: [RAD-1, RAD-2^",
+        "requirements:\\n  - RA^            | RAD-3       | requirements:\\n  - RAD-3^",
+        "accept:\\n  judges:\\n    stops: {^} | RAD-3      | accept:\\n  judges:\\n    stops: {RAD-3: ^}",
+        "phases_ms:\\n  ^                   | Radar_Tracking | phases_ms:\\n  Radar_Tracking: ^",
+        "\"seed\": 1\\nti^                   | title       | \"seed\": 1\\ntitle: ^",
+      })
+  void whatIsTakenStandsWhereItBelongs(String marked, String label, String expected) {
+    assertEquals(
+        expected.replace("\\n", "\n"), taken(SCENARIO, marked.replace("\\n", "\n"), label));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "bench.yaml        | ^                                       | provides",
+        "bench.yaml        | consumes:\\n  ^                          | /brake/request",
+        "bench.yaml        | consumes:\\n  /a:\\n    fields:\\n      b: ^ | hand_brake",
+        "faults.yaml       | faults:\\n  - name: a\\n    ^              | at_s",
+        "faults.yaml       | faults:\\n  - kill: ^                    | Radar_Tracking",
+        "faults.yaml       | faults:\\n  - drop: {topic: ^            | /radar/target",
+        "faults.yaml       | faults:\\n  - scenario: [a, ^            | stopped-vehicle-50",
+        "campaigns/c.yaml  | ^                                       | factors",
+        "campaigns/c.yaml  | scenario: ^                             | stopped-vehicle-50",
+        "campaigns/c.yaml  | factors:\\n  speed: {^                   | uniform",
+        "campaigns/c.yaml  | search:\\n  method: ^                    | cma_es",
+        "campaigns/c.yaml  | campaigns:\\n  a:\\n    sampling:\\n      ^  | halton",
+        "elsewhere/c.yaml  | factors:\\n  speed:\\n    ^                | csv",
+      })
+  void eachKindOfFileHasItsSchemaAndNames(String file, String marked, String label) {
+    List<String> labels = labels(file, marked.replace("\\n", "\n"));
+    assertTrue(labels.contains(label), labels.toString());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "# ^",
+        "seed: 1 # ^",
+        "description: >\\n  eg^",
+        "title: ^",
+        "seed: 1\\n  ^",
+        "unknown:\\n  ^"
+      })
+  void nothingIsProposedWhereNothingIsKnown(String marked) {
+    assertEquals(List.of(), labels(SCENARIO, marked.replace("\\n", "\n")));
+  }
+
+  @Test
+  void whatIsNeededComesFirstWithItsDescriptionAndWhatIsThereNotAtAll() {
+    List<Completion> found =
+        proposals(SCENARIO, "actors:\n  - ^\n    name: it\n    gap_m: 1\nseed: 1\n");
+    assertEquals("speed_kmh", found.get(0).label());
+    assertEquals("required", found.get(0).detail());
+    assertFalse(found.stream().anyMatch(each -> List.of("name", "gap_m").contains(each.label())));
+    Completion kind =
+        found.stream().filter(each -> each.label().equals("kind")).findFirst().orElseThrow();
+    assertEquals("Gives it a size. Default: car.", kind.documentation());
+    String known = "actors:\n  - ki^nd: car\n";
+    assertEquals(
+        "Gives it a size. Default: car.",
+        analysis(SCENARIO, known).hover(cursor(known)).orElseThrow().markdown());
+  }
+
+  /** Each place of each scenario, cut off there, is answered about. */
+  @Test
+  void textsThatEndAnywhereAreAnsweredAbout() throws Exception {
+    String whole = Files.readString(project.resolve("scenarios/stopped-vehicle-50.yaml"));
+    for (int end = 0; end <= whole.length(); end += 7) {
+      String cut = whole.substring(0, end) + "^";
+      List<Completion> found = proposals(SCENARIO, cut);
+      int line = new TextLines(cut).position(end).line();
+      assertTrue(found.stream().allMatch(each -> each.replaced().start().line() == line));
+    }
+  }
+}
