@@ -30,7 +30,8 @@ import java.util.Set;
  * Bounds on the latencies of an event chain. Each component is a periodic task of any phase on a
  * processor of its own, as the generated nodes are in a simulation: its timer has the model's
  * frequency, it reads the last messages when it starts, and publishes after its worst-case
- * execution time. What activates a node that is given whole is not in the model.
+ * execution time. What activates a node that is given whole is not in the model, so that no bound
+ * is known of a path with one: its timer may have any period, and its messages may queue.
  */
 public final class ChainTiming {
 
@@ -153,8 +154,16 @@ public final class ChainTiming {
         paths.addAll(found.orElse(List.of()));
       }
     }
-    paths.forEach(path -> path.gaps().forEach(gap -> unknown.add(text(gap))));
+    paths.forEach(path -> addUnknown(path, unknown));
     return new LatencyEstimate(type, outside, paths, List.copyOf(unknown));
+  }
+
+  /** Adds what is not known of a path, also where the sum would need no period. */
+  private void addUnknown(PathLatency path, Set<String> unknown) {
+    path.path().stream()
+        .filter(task -> !isComponent(node(task.name())))
+        .forEach(task -> unknown.add(activation(task.name())));
+    path.gaps().forEach(gap -> unknown.add(text(gap)));
   }
 
   /** Returns what counts before the first component, and adds what is not known of it. */
@@ -228,17 +237,22 @@ public final class ChainTiming {
         .min();
   }
 
+  private SoftwareNode node(String task) {
+    return chain.getSoftware().stream()
+        .filter(each -> names.get(each).equals(task))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  private static String activation(String task) {
+    return "'" + task + "' is a node of its own, and the model does not say what activates it";
+  }
+
   private String text(Gap gap) {
-    SoftwareNode node =
-        chain.getSoftware().stream()
-            .filter(each -> names.get(each).equals(gap.task()))
-            .findFirst()
-            .orElseThrow();
+    SoftwareNode node = node(gap.task());
     String name = "'" + gap.task() + "'";
     if (gap.kind() == Gap.Kind.PERIOD) {
-      return isComponent(node)
-          ? name + " states no frequency"
-          : name + " is a node of its own, and the model does not say what activates it";
+      return isComponent(node) ? name + " states no frequency" : activation(gap.task());
     }
     return isOverloaded(node)
         ? name + " may execute longer than its period"

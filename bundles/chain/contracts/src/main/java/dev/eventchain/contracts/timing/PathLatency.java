@@ -62,8 +62,12 @@ public record PathLatency(List<Task> path, List<Bound> bounds, List<Gap> gaps, l
   }
 
   private static long known(LatencyType type, List<Segment> segments, List<Task> path) {
-    long periods =
-        sampling(type, segments).stream().mapToLong(task -> task.period().orElse(0)).sum();
+    List<Task> sampling = sampling(type, segments);
+    long periods = 0;
+    for (int i = 0; i < sampling.size(); i++) {
+      boolean atOnce = type == LatencyType.DATA_AGE && segments.get(i + 1).mayFollowAtOnce();
+      periods += atOnce ? 0 : sampling.get(i).period().orElse(0);
+    }
     return periods + path.stream().mapToLong(task -> task.response().orElse(0)).sum();
   }
 

@@ -29,6 +29,11 @@ record Segment(Task head, List<Task> followers) {
     return !isReleasedByClock();
   }
 
+  /** Returns whether each message may start it at once, as far as is known. */
+  boolean mayFollowAtOnce() {
+    return !isReleasedByClock() && head.period().isEmpty();
+  }
+
   boolean isReleasedByClock() {
     return head.trigger() == Trigger.PERIODIC || head.trigger() == Trigger.LOGICAL;
   }

@@ -225,6 +225,9 @@ class BoundsTest {
         List.of(new Gap("fusion", Gap.Kind.PERIOD), new Gap("fusion", Gap.Kind.RESPONSE)),
         latency.gaps());
     assertEquals(55, latency.known());
+    PathLatency age =
+        PathLatency.of(LatencyType.DATA_AGE, List.of(Task.periodic("radar", 50, 5), unknown));
+    assertEquals(5, age.known());
     PathLatency first = PathLatency.of(LatencyType.REACTION, List.of(unknown));
     assertEquals(List.of(new Gap("fusion", Gap.Kind.RESPONSE)), first.gaps());
   }
