@@ -59,7 +59,7 @@ final class LatencyContracts {
           at(constraint),
           "No bound on the time of '%s' is known: %s."
               .formatted(constraint.getName(), String.join("; ", estimate.unknown())),
-          "State it in the model. What a simulation measures is one case; a bound covers all.");
+          "State it where the model has a place for it. What a simulation measures is one case; a bound covers all.");
     }
   }
 

@@ -31,7 +31,8 @@ import java.util.Set;
  * processor of its own, as the generated nodes are in a simulation: its timer has the model's
  * frequency, it reads the last messages when it starts, and publishes after its worst-case
  * execution time. What activates a node that is given whole is not in the model, so that no bound
- * is known of a path with one: its timer may have any period, and its messages may queue.
+ * is known of a path with one: its timer may have any period, and its messages may queue. Nor is
+ * how long a message waits for those that a component takes together with it.
  */
 public final class ChainTiming {
 
@@ -160,9 +161,17 @@ public final class ChainTiming {
 
   /** Adds what is not known of a path, also where the sum would need no period. */
   private void addUnknown(PathLatency path, Set<String> unknown) {
-    path.path().stream()
-        .filter(task -> !isComponent(node(task.name())))
-        .forEach(task -> unknown.add(activation(task.name())));
+    for (Task task : path.path()) {
+      SoftwareNode node = node(task.name());
+      if (!isComponent(node)) {
+        unknown.add(activation(task.name()));
+      }
+      if (TopicIndex.synchronizedBy(node).size() > 1) {
+        unknown.add(
+            "'%s' synchronizes its inputs, and the model does not say how long a message waits for the others"
+                .formatted(task.name()));
+      }
+    }
     path.gaps().forEach(gap -> unknown.add(text(gap)));
   }
 
