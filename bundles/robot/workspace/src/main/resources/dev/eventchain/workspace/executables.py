@@ -34,13 +34,15 @@ class Program(NamedTuple):
 
 _COMMAND = re.compile(r"\b(set|project|install)\s*\(([^)]*)\)", re.IGNORECASE)
 _VARIABLE = re.compile(r"\$\{(\w+)\}")
+_KEYWORD = re.compile(r"[A-Z_]+")
 
 
 def of_cmake(file: str, text: str, modules: Modules, questions: list[Question]) -> Iterator[Program]:
     """Find the Python programs that a CMakeLists.txt installs below `lib`, with variables that it sets itself."""
     plain = re.sub(r"#[^\n]*", "", text)
     folder = file.rpartition("/")[0]
-    variables = {"CMAKE_CURRENT_SOURCE_DIR": ".", "CMAKE_SOURCE_DIR": ".", "PROJECT_SOURCE_DIR": "."}
+    variables = {each: "." for each in ("CMAKE_CURRENT_SOURCE_DIR", "CMAKE_SOURCE_DIR", "PROJECT_SOURCE_DIR")}
+    variables["CMAKE_INSTALL_LIBDIR"] = "lib"
     for match in _COMMAND.finditer(plain):
         words = _expanded(match[2], variables).replace('"', " ").split()
         command = match[1].lower()
@@ -67,9 +69,8 @@ def _option(words: list[str], name: str) -> str:
 def _installed(
     folder: str, file: str, line: int, words: list[str], modules: Modules, questions: list[Question]
 ) -> Iterator[Program]:
-    paths = words[1 : min(words.index(each) for each in words if each.isupper() and each != words[0])]
-    for path in paths:
-        if "$" in path:
+    for path in itertools.takewhile(lambda each: not _KEYWORD.fullmatch(each), words[1:]):
+        if "$" in path and words[0] != "TARGETS":
             text = f"Which programs does this install? '{path}' is not set in this file."
             questions.append(Question(file, line, text))
         elif words[0] == "PROGRAMS" and not path.endswith(".py"):
