@@ -27,6 +27,7 @@ final class SqliteFile implements AutoCloseable {
   private static final int INTERIOR = 5;
   private static final int LEAF = 13;
   private static final int MOST_ROWS = 10_000;
+  private static final int MOST_VALUES = 100;
   private static final int MOST_BYTES = 64 << 20;
 
   /** Sizes of values by their serial types up to 9 (section 2.1). */
@@ -37,6 +38,7 @@ final class SqliteFile implements AutoCloseable {
   private final int usable;
   private final Charset charset;
   private int read;
+  private int decoded;
 
   private SqliteFile(FileChannel file, ByteBuffer header) throws MalformedFileException {
     this.file = file;
@@ -115,7 +117,7 @@ final class SqliteFile implements AutoCloseable {
   private static List<String> columns(String sql) {
     String inner = sql.substring(sql.indexOf('(') + 1, Math.max(sql.lastIndexOf(')'), 0));
     List<String> names = new ArrayList<>();
-    for (String column : inner.split(",", -1)) {
+    for (String column : inner.split(",", MOST_VALUES + 1)) {
       names.add(column.strip().split("\\s+", 2)[0].replaceAll("[\"`\\[\\]]", ""));
     }
     return names;
@@ -132,9 +134,6 @@ final class SqliteFile implements AutoCloseable {
         throw new MalformedFileException("its pages form a circle");
       }
       add(page(number), number == 1 ? FILE_HEADER : 0, records, pending);
-      if (records.size() > MOST_ROWS) {
-        throw new MalformedFileException("a table of it has too many rows");
-      }
     }
     return records;
   }
@@ -155,6 +154,9 @@ final class SqliteFile implements AutoCloseable {
     int cells = Short.toUnsignedInt(page.getShort(start + 3));
     int pointers = start + (kind == INTERIOR ? 12 : 8);
     for (int i = 0; i < cells; i++) {
+      if (records.size() + pending.size() >= MOST_ROWS) { // each page below has a row
+        throw new MalformedFileException("a table of it has too many rows");
+      }
       page.position(Short.toUnsignedInt(page.getShort(pointers + 2 * i)));
       if (kind == INTERIOR) {
         pending.add(page.getInt());
@@ -167,13 +169,17 @@ final class SqliteFile implements AutoCloseable {
     }
   }
 
-  /** Reads the payload of a leaf's cell, with what overflows into other pages (section 1.6). */
+  /**
+   * Reads the payload of a leaf's cell, with what overflows into other pages (section 1.6). Many
+   * pointers may lead to one cell, so that what was read of the file says nothing about the sum.
+   */
   private ByteBuffer payload(ByteBuffer page) throws IOException, MalformedFileException {
     long length = varint(page);
     varint(page); // row id
-    if (length < 0 || length > MOST_BYTES) {
-      throw new MalformedFileException("a row of it is too long");
+    if (length < 0 || length > MOST_BYTES - decoded) {
+      throw new MalformedFileException("its rows are too long");
     }
+    decoded += (int) length;
     ByteBuffer all = ByteBuffer.allocate((int) length);
     int most = usable - 35;
     int least = (usable - 12) * 32 / 255 - 23;
@@ -192,10 +198,13 @@ final class SqliteFile implements AutoCloseable {
   /**
    * Reads the values of a record (section 2.1); what is neither text nor integer is an empty text.
    */
-  private List<Object> record(ByteBuffer record) {
+  private List<Object> record(ByteBuffer record) throws MalformedFileException {
     long headerEnd = varint(record);
     List<Long> types = new ArrayList<>();
     while (record.position() < headerEnd) {
+      if (types.size() == MOST_VALUES) {
+        throw new MalformedFileException("a row of it has too many values");
+      }
       types.add(varint(record));
     }
     List<Object> values = new ArrayList<>();

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.fixtures.ExpectedFile;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -101,6 +103,52 @@ class RecordingTest {
         assertEquals("workspace.recording", e.diagnostics().get(0).id());
       }
     }
+  }
+
+  /** Small files may describe many rows, each of them large, by pointers to one cell. */
+  @ParameterizedTest
+  @CsvSource({
+    "16000, 33000, 0, a row of it has too many values",
+    "16000, 1, 0, a table of it has too many rows",
+    "9999, 1, 33000, its rows are too long"
+  })
+  void whatWouldNotFitIntoMemoryIsRefused(
+      int rows, int values, int length, String reason, @TempDir Path folder) throws IOException {
+    Path bag = RECORDINGS.resolve("sqlite-with-definitions");
+    Files.copy(bag.resolve("metadata.yaml"), folder.resolve("metadata.yaml"));
+    Files.write(folder.resolve("sqlite-with-definitions.db3"), repeated(rows, values, length));
+    DiagnosticException refused =
+        assertThrows(DiagnosticException.class, () -> Recording.read(folder));
+    String message = refused.diagnostics().get(0).message();
+    assertTrue(message.contains(reason), message);
+  }
+
+  /**
+   * Returns a file of a page of 64 KiB, whose rows are all the same.
+   *
+   * @param values how many values each has: texts, or nothing if they have no length
+   */
+  private static byte[] repeated(int rows, int values, int length) {
+    ByteBuffer header = ByteBuffer.allocate(values * 3);
+    for (int i = 0; i < values; i++) {
+      header.put(length == 0 ? new byte[1] : varint(13 + 2 * length));
+    }
+    ByteBuffer page = ByteBuffer.allocate(1 << 16);
+    page.put("SQLite format 3\0".getBytes(StandardCharsets.US_ASCII)).putShort(16, (short) 1);
+    int cell = 108 + 2 * rows;
+    page.put(100, (byte) 13).putShort(103, (short) rows);
+    for (int i = 0; i < rows; i++) {
+      page.putShort(108 + 2 * i, (short) cell);
+    }
+    int size = 3 + header.position();
+    // The length of the payload, the number of the row, and the length of the header.
+    page.position(cell).put(varint(size + values * length)).put(varint(1)).put(varint(size));
+    return page.put(header.flip()).array();
+  }
+
+  private static byte[] varint(int value) {
+    int high = value >> 14;
+    return new byte[] {(byte) (high | 0x80), (byte) (value >> 7 | 0x80), (byte) (value & 0x7F)};
   }
 
   @Test
