@@ -484,6 +484,58 @@ class AgentServerTest {
     assertTrue(text.contains("[" + rule + "]"), text);
   }
 
+  @ParameterizedTest
+  @CsvSource({
+    "., p/eventchain-suppressions.yaml",
+    "., p/accepted.yaml",
+    "., p/out/verdict.json",
+    "p/recordings, x.json",
+    "p/out, verdict.json",
+    "p/scenarios, x.yaml",
+    "p, scenarios/eventchain.yaml",
+    "p, q/requirements.md",
+    "p, behind/x.md",
+    ".hidden, x.md"
+  })
+  void noNameOfTheProjectMakesAFileChangeable(String project, String file) throws Exception {
+    for (String name : List.of("p/recordings", "p/scenarios", "p/q", ".hidden")) {
+      Files.createDirectories(folder.resolve(name));
+    }
+    Files.writeString(folder.resolve("p/q/eventchain.yaml"), "name: q\n");
+    Files.createSymbolicLink(folder.resolve("p/behind"), Path.of("recordings"));
+    String text =
+        client.begun().text("propose", Map.of("project", project, "edits", edits(file, "", "x")));
+    assertTrue(text.contains("[mcp.protected]"), text);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"p", "p/out", "p/scenarios", ".", ".vscode", "new/.git", "above", "link"})
+  void aTemplateWritesIntoNoProject(String output) throws Exception {
+    Files.createDirectories(folder.resolve("above/q"));
+    Files.writeString(folder.resolve("above/q/eventchain.yaml"), "name: q\n");
+    Files.createSymbolicLink(folder.resolve("link"), Path.of("p"));
+    String text = client.begun().text("generate", template(output));
+    assertTrue(text.contains("[mcp.protected]"), text);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"p/out/text", "new/text"})
+  void aTemplateWritesIntoAFolderOfItsOwn(String output) throws Exception {
+    String text = client.begun().text("generate", template(output));
+    assertFalse(text.contains("[mcp.protected]"), text);
+  }
+
+  private static Map<String, Object> template(String output) {
+    return Map.of("template", "t.mtl", "models", List.of("m.xmi"), "output", output);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {".git", "p/scenarios", "p/out"})
+  void noProjectStartsInAnother(String project) throws Exception {
+    String text = client.begun().text("init", Map.of("project", project));
+    assertTrue(text.contains("[mcp.protected]"), text);
+  }
+
   @Test
   void schemasOfToolsAreStrict() throws Exception {
     JsonNode tools = client.begun().request("tools/list", Map.of()).at("/result/tools");

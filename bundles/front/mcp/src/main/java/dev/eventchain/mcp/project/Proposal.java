@@ -15,9 +15,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.TreeMap;
-import java.util.regex.Pattern;
 
 /**
  * A change of a project that is not made yet.
@@ -28,16 +26,6 @@ public record Proposal(Path project, Map<String, Change> changes) {
 
   private static final int CONTEXT = 3;
   private static final int ID_LENGTH = 12;
-
-  /** Files in which a person decides what counts, what is tried, and what is accepted. */
-  private static final Set<String> PROTECTED =
-      Set.of("eventchain.yaml", "eventchain-suppressions.yaml", "mutants.yaml", "accepted.yaml");
-
-  /** Files that say what is right. */
-  private static final Pattern JUDGES =
-      Pattern.compile(
-          "(?:scenarios|tests|requirements)/.*|requirements\\..*|constraints\\.ocl"
-              + "|faults\\.yaml|design-rules\\.md|bench\\.yaml");
 
   /**
    * A file before and after.
@@ -55,7 +43,7 @@ public record Proposal(Path project, Map<String, Change> changes) {
     Map<String, Change> changes = new TreeMap<>();
     for (Edit edit : edits) {
       Path file = boundary.inside(project, edit.file());
-      String name = requireChangeable(project, file, edit.file());
+      String name = Protection.requireChangeable(boundary, project, file, edit.file());
       Change earlier = changes.get(name);
       Optional<String> before = earlier == null ? textOf(file, edit) : earlier.before();
       String now = earlier == null ? before.orElse("") : earlier.after();
@@ -74,37 +62,6 @@ public record Proposal(Path project, Map<String, Change> changes) {
         : Optional.empty();
   }
 
-  private static String requireChangeable(Path project, Path file, String named) {
-    if (!file.startsWith(project) || file.equals(project)) {
-      throw refusal(named, "It is no file of the project.");
-    }
-    Path relative = project.relativize(file);
-    for (Path part : relative) {
-      if (part.toString().startsWith(".")) {
-        throw refusal(named, "A hidden file is not changed.");
-      }
-    }
-    if (relative.startsWith("out")) {
-      throw refusal(named, "It is a result; a run writes it.");
-    }
-    if (PROTECTED.contains(relative.toString()) || relative.startsWith("recordings")) {
-      throw refusal(named, "A person decides what stands there.");
-    }
-    if (Files.isSymbolicLink(file)) {
-      throw refusal(named, "It is a symbolic link.");
-    }
-    return relative.toString();
-  }
-
-  private static RuntimeException refusal(String file, String message) {
-    return McpRules.refusal(
-        McpRules.PROTECTED,
-        file,
-        message,
-        "Settings, suppressions, accepted findings and recordings are changed by people, outside"
-            + " this server.");
-  }
-
   /** Returns the name by which the client can have it made. */
   public String id() {
     try {
@@ -118,7 +75,7 @@ public record Proposal(Path project, Map<String, Change> changes) {
 
   /** Returns the files that say what is right: a change of them changes what a verdict means. */
   public List<String> judges() {
-    return changes.keySet().stream().filter(name -> JUDGES.matcher(name).matches()).toList();
+    return changes.keySet().stream().filter(Protection::judges).toList();
   }
 
   /** Returns the change as a unified diff. */
@@ -146,12 +103,14 @@ public record Proposal(Path project, Map<String, Change> changes) {
   /**
    * Writes the files.
    *
-   * @throws dev.eventchain.diagnostics.DiagnosticException if a file has changed since
+   * @throws dev.eventchain.diagnostics.DiagnosticException if a file has changed since, or may not
+   *     be changed any more
    */
   public void apply(Boundary boundary) {
     changes.forEach(
         (name, change) -> {
           Path file = boundary.inside(project, name);
+          Protection.requireChangeable(boundary, project, file, name);
           Optional<String> now =
               Files.exists(file) ? Optional.of(ProjectFiles.read(file, name)) : Optional.empty();
           if (!now.equals(change.before())) {

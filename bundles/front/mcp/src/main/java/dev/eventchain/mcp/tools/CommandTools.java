@@ -1,6 +1,7 @@
 package dev.eventchain.mcp.tools;
 
 import dev.eventchain.mcp.project.Boundary;
+import dev.eventchain.mcp.project.Protection;
 import dev.eventchain.mcp.tools.Parameter.ArgumentType;
 import dev.eventchain.mcp.tools.Tool.Call;
 import dev.eventchain.mcp.tools.Tool.Effect;
@@ -53,6 +54,7 @@ final class CommandTools {
                 "workspace", ArgumentType.TEXT, "A colcon workspace inside the server's folder.")),
         Commands.plainOutput(),
         (arguments, call) -> {
+          Protection.requireStartable(boundary, boundary.inside(projectOf(arguments)));
           List<String> command = command("init", arguments);
           arguments
               .text("workspace")
@@ -122,7 +124,11 @@ final class CommandTools {
             Parameter.of("template", ArgumentType.TEXT, "The main module of a template (.mtl)."),
             Parameter.of("models", ArgumentType.TEXTS, "The models for the template."),
             Parameter.of("metamodels", ArgumentType.TEXTS, "The .ecore files of the models."),
-            Parameter.of("output", ArgumentType.TEXT, "The folder to write into, for a template.")),
+            Parameter.of(
+                "output",
+                ArgumentType.TEXT,
+                "The folder that a template writes into: outside of projects, or in the 'out' of"
+                    + " one.")),
         Commands.OUTPUT,
         this::generated);
   }
@@ -144,6 +150,7 @@ final class CommandTools {
                     Arguments.wrong(
                         "The argument 'output' is missing.",
                         "A template writes into a folder that you name."));
+    Protection.requireOutput(boundary, boundary.inside(output));
     command.add("--output=" + closed(output));
     return commands.report(command, call);
   }
@@ -226,7 +233,11 @@ final class CommandTools {
 
   /** Returns a command about the project of a call. */
   private List<String> command(String name, Arguments arguments) {
-    return new ArrayList<>(List.of(name, closed(arguments.text("project", "."))));
+    return new ArrayList<>(List.of(name, closed(projectOf(arguments))));
+  }
+
+  private static String projectOf(Arguments arguments) {
+    return arguments.text("project", ".");
   }
 
   /** Returns an argument for a path inside that no link leads out of. */
