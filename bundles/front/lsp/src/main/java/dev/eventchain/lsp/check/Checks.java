@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 
 /**
  * The checks of a workspace, one after the other in the background. A unit is checked again when a
@@ -33,6 +34,7 @@ public final class Checks implements AutoCloseable {
 
   private final OpenTexts texts;
   private final Findings findings;
+  private final Consumer<String> log;
   private final Thread thread = new Thread(null, this::work, "checks", STACK);
 
   private final Set<CheckUnit> waiting = new LinkedHashSet<>();
@@ -53,10 +55,15 @@ public final class Checks implements AutoCloseable {
   /** The time of {@link System#nanoTime} until which somebody may still be typing. */
   private long quiet = System.nanoTime();
 
-  /** Creates checks of nothing. */
-  public Checks(OpenTexts texts, Findings findings) {
+  /**
+   * Creates checks of nothing.
+   *
+   * @param log takes what people may read about defects of the program
+   */
+  public Checks(OpenTexts texts, Findings findings, Consumer<String> log) {
     this.texts = texts;
     this.findings = findings;
+    this.log = log;
     thread.setDaemon(true);
     thread.start();
   }
@@ -144,14 +151,23 @@ public final class Checks implements AutoCloseable {
   private void work() {
     try {
       while (!isClosed()) {
-        if (needsList()) {
-          list(WorkspaceFiles.of(folders(), texts.all().stream().map(OpenText::path).toList()));
-        } else {
-          next().ifPresent(this::check);
-        }
+        turn();
       }
     } catch (InterruptedException e) {
       close();
+    }
+  }
+
+  /** Does what is next; a defect in it must not keep the rest from being checked. */
+  private void turn() throws InterruptedException {
+    try {
+      if (needsList()) {
+        look();
+      } else {
+        next().ifPresent(this::check);
+      }
+    } catch (RuntimeException | StackOverflowError e) {
+      log.accept("eventchain: something was not checked, because the check itself failed: " + e);
     }
   }
 
@@ -161,6 +177,10 @@ public final class Checks implements AutoCloseable {
 
   private synchronized List<Path> folders() {
     return folders;
+  }
+
+  private synchronized Settings settings() {
+    return settings;
   }
 
   /** Waits until there is something to do, and returns whether it is to look for files. */
@@ -176,10 +196,18 @@ public final class Checks implements AutoCloseable {
     return needed;
   }
 
-  private synchronized void list(WorkspaceFiles found) {
+  private void look() {
+    List<Path> where = folders();
+    Settings with = settings();
+    List<Path> open = texts.all().stream().map(OpenText::path).toList();
+    WorkspaceFiles found = WorkspaceFiles.of(where, open);
+    List<Path> named = with.metamodelsIn(where);
+    list(found, UnsavedTexts.during(texts.overlay(), () -> found.units(named, with.timeLimit())));
+  }
+
+  private synchronized void list(WorkspaceFiles found, List<CheckUnit> units) {
     files = found;
-    List<Path> named = settings.metamodelsIn(folders);
-    Set<CheckUnit> now = new LinkedHashSet<>(found.units(named, settings.timeLimit()));
+    Set<CheckUnit> now = new LinkedHashSet<>(units);
     for (CheckUnit gone : Set.copyOf(reads.keySet())) {
       if (!now.contains(gone)) {
         reads.remove(gone);

@@ -1,5 +1,6 @@
 package dev.eventchain.lsp.check;
 
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.project.ProjectFolder;
 import java.io.IOException;
 import java.nio.file.FileVisitResult;
@@ -155,14 +156,25 @@ public final class WorkspaceFiles {
 
   /** Returns whether a file is the model, or a document of rules, that its project is about. */
   private static boolean isPartOfProject(Path file) {
-    Optional<ProjectFolder> around = ProjectFolder.around(file);
-    if (around.isEmpty()) {
-      return false;
-    }
-    ProjectFolder project = around.get();
-    Path output = project.defaultOutput();
-    return Stream.concat(project.model(output).stream(), project.constraintFiles(output).stream())
+    return ProjectFolder.around(file).stream()
+        .flatMap(WorkspaceFiles::parts)
         .anyMatch(each -> each.toAbsolutePath().normalize().equals(file));
+  }
+
+  private static Stream<Path> parts(ProjectFolder project) {
+    Path output = project.defaultOutput();
+    return Stream.concat(project.model(output).stream(), rules(project, output).stream());
+  }
+
+  /** Returns a project's documents of rules; if one cannot be read, without their imports. */
+  private static List<Path> rules(ProjectFolder project, Path output) {
+    try {
+      return project.constraintFiles(output);
+    } catch (DiagnosticException e) {
+      // The check of the project says why.
+      return List.of(
+          project.folder().resolve("constraints.ocl"), output.resolve(ProjectFolder.GENERATED));
+    }
   }
 
   private List<Path> beside(Path file, String extension) {

@@ -25,6 +25,8 @@ import org.eclipse.lsp4j.FileSystemWatcher;
 import org.eclipse.lsp4j.InitializeParams;
 import org.eclipse.lsp4j.InitializeResult;
 import org.eclipse.lsp4j.InitializedParams;
+import org.eclipse.lsp4j.MessageParams;
+import org.eclipse.lsp4j.MessageType;
 import org.eclipse.lsp4j.Registration;
 import org.eclipse.lsp4j.RegistrationParams;
 import org.eclipse.lsp4j.ServerInfo;
@@ -70,7 +72,11 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
     this.version = version;
     this.end = end;
     this.findings = new Findings(texts, pages, found -> client.publishDiagnostics(found));
-    this.checks = new Checks(texts, findings);
+    this.checks =
+        new Checks(
+            texts,
+            findings,
+            defect -> client.logMessage(new MessageParams(MessageType.Error, defect)));
     EditorWorkspace files = new EditorWorkspace(texts, checks);
     this.languages =
         new Languages(
