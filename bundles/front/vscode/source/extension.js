@@ -38,7 +38,13 @@ function activate(context) {
     return project && action(project);
   };
   for (const name of COMMANDS) {
-    command(name, ofProject((project) => runTask(find, client.isRunning && name === "validate", name, project)));
+    const ofOne = ofProject((project) => runTask(find, client.isRunning && name === "validate", name, project));
+    // A code lens names the project's folder and, if it is about one, the scenario.
+    command(name, (of, scenario) =>
+      typeof of === "string"
+        ? runTask(find, false, name, of, ...(typeof scenario === "string" ? ["--scenario", scenario] : []))
+        : ofOne(of),
+    );
   }
   command("showChain", ofProject((project) => chains.show(project)));
   command("showReport", ofProject((project) => reports.show(project)));

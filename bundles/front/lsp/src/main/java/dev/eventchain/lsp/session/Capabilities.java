@@ -5,6 +5,7 @@ import dev.eventchain.lsp.language.Protocol;
 import java.util.List;
 import org.eclipse.lsp4j.CodeActionKind;
 import org.eclipse.lsp4j.CodeActionOptions;
+import org.eclipse.lsp4j.CodeLensOptions;
 import org.eclipse.lsp4j.CompletionOptions;
 import org.eclipse.lsp4j.ExecuteCommandOptions;
 import org.eclipse.lsp4j.RenameOptions;
@@ -57,5 +58,6 @@ final class Capabilities {
     capabilities.setSelectionRangeProvider(true);
     capabilities.setInlayHintProvider(true);
     capabilities.setCallHierarchyProvider(true);
+    capabilities.setCodeLensProvider(new CodeLensOptions(false));
   }
 }

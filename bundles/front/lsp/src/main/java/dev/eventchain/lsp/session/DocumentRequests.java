@@ -12,6 +12,7 @@ import dev.eventchain.lsp.check.Findings;
 import dev.eventchain.lsp.language.CallItems;
 import dev.eventchain.lsp.language.Languages;
 import dev.eventchain.lsp.language.Protocol;
+import dev.eventchain.lsp.project.ProjectLenses;
 import dev.eventchain.lsp.text.Edits;
 import dev.eventchain.lsp.text.OpenText;
 import dev.eventchain.lsp.text.OpenTexts;
@@ -33,6 +34,8 @@ import org.eclipse.lsp4j.CallHierarchyOutgoingCallsParams;
 import org.eclipse.lsp4j.CallHierarchyPrepareParams;
 import org.eclipse.lsp4j.CodeAction;
 import org.eclipse.lsp4j.CodeActionParams;
+import org.eclipse.lsp4j.CodeLens;
+import org.eclipse.lsp4j.CodeLensParams;
 import org.eclipse.lsp4j.Command;
 import org.eclipse.lsp4j.CompletionItem;
 import org.eclipse.lsp4j.CompletionList;
@@ -92,6 +95,7 @@ final class DocumentRequests implements TextDocumentService {
   private final Languages languages;
   private final Edits edits;
   private final FindingActions actions;
+  private final ProjectLenses lenses;
 
   DocumentRequests(
       OpenTexts texts,
@@ -99,7 +103,9 @@ final class DocumentRequests implements TextDocumentService {
       Findings findings,
       Languages languages,
       Edits edits,
-      FindingActions actions) {
+      FindingActions actions,
+      ProjectLenses lenses) {
+    this.lenses = lenses;
     this.texts = texts;
     this.checks = checks;
     this.findings = findings;
@@ -333,6 +339,12 @@ final class DocumentRequests implements TextDocumentService {
                 .stream()
                 .map(Either::<Command, CodeAction>forRight)
                 .toList());
+  }
+
+  @Override
+  public CompletableFuture<List<? extends CodeLens>> codeLens(CodeLensParams params) {
+    return languages.later(
+        () -> Positions.path(params.getTextDocument().getUri()).map(lenses::of).orElse(List.of()));
   }
 
   @Override

@@ -10,6 +10,7 @@ import dev.eventchain.lsp.check.Settings;
 import dev.eventchain.lsp.language.EditorWorkspace;
 import dev.eventchain.lsp.language.Languages;
 import dev.eventchain.lsp.project.ProjectLanguageService;
+import dev.eventchain.lsp.project.ProjectLenses;
 import dev.eventchain.lsp.text.Edits;
 import dev.eventchain.lsp.text.OpenTexts;
 import dev.eventchain.lsp.text.Positions;
@@ -60,6 +61,7 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
   private CompletableFuture<Void> registered = CompletableFuture.completedFuture(null);
   private boolean watches;
   private boolean showsDocuments;
+  private boolean refreshes;
   private boolean isShutDown;
 
   /**
@@ -86,8 +88,15 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
                 new ProjectLanguageService(files, texts)));
     this.documents =
         new DocumentRequests(
-            texts, checks, findings, languages, edits, new FindingActions(files, findings, edits));
-    this.workspace = new WorkspaceRequests(texts, checks, languages, files, edits, this::explain);
+            texts,
+            checks,
+            findings,
+            languages,
+            edits,
+            new FindingActions(files, findings, edits),
+            new ProjectLenses(files, texts));
+    this.workspace =
+        new WorkspaceRequests(texts, checks, languages, files, edits, this::explain, this::refresh);
   }
 
   @Override
@@ -106,6 +115,12 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
             .map(all -> all.getWindow())
             .map(all -> all.getShowDocument())
             .map(all -> all.isSupport())
+            .orElse(false);
+    refreshes =
+        Optional.ofNullable(params.getCapabilities())
+            .map(all -> all.getWorkspace())
+            .map(all -> all.getCodeLens())
+            .map(all -> all.getRefreshSupport())
             .orElse(false);
     workspace.begin(folders(params), Settings.of(params.getInitializationOptions()));
     ServerInfo info = new ServerInfo("eventchain", version);
@@ -181,6 +196,13 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
   @Override
   public WorkspaceService getWorkspaceService() {
     return workspace;
+  }
+
+  /** Asks the editor to ask again for verdicts, if it can. */
+  private void refresh() {
+    if (refreshes) {
+      client.refreshCodeLenses().exceptionally(refused -> null);
+    }
   }
 
   /** Shows the page of a rule, if the editor can, and returns its text. */

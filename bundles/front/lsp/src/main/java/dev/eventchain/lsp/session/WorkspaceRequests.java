@@ -8,6 +8,7 @@ import dev.eventchain.lsp.check.Checks;
 import dev.eventchain.lsp.check.Settings;
 import dev.eventchain.lsp.language.Languages;
 import dev.eventchain.lsp.language.Protocol;
+import dev.eventchain.lsp.project.ProjectLenses;
 import dev.eventchain.lsp.text.Edits;
 import dev.eventchain.lsp.text.OpenTexts;
 import dev.eventchain.lsp.text.Positions;
@@ -44,6 +45,7 @@ final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
   private final Workspace files;
   private final Edits edits;
   private final Function<String, CompletableFuture<Object>> explain;
+  private final Runnable verdicts;
   private final DiskWatch disk;
   private List<Path> folders = List.of();
   private Settings settings = Settings.USUAL;
@@ -54,7 +56,9 @@ final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
       Languages languages,
       Workspace files,
       Edits edits,
-      Function<String, CompletableFuture<Object>> explain) {
+      Function<String, CompletableFuture<Object>> explain,
+      Runnable verdicts) {
+    this.verdicts = verdicts;
     this.explain = explain;
     this.texts = texts;
     this.checks = checks;
@@ -103,6 +107,10 @@ final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
       Positions.path(event.getUri())
           .filter(path -> !stays || texts.of(path).isEmpty())
           .ifPresent((stays ? changed : others)::add);
+    }
+    if (Stream.concat(changed.stream(), others.stream())
+        .anyMatch(file -> file.endsWith(ProjectLenses.VERDICT))) {
+      verdicts.run();
     }
     if (!changed.isEmpty()) {
       checks.changedOnDisk(changed);
