@@ -1,6 +1,6 @@
 package dev.eventchain.contracts.timing;
 
-import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -8,28 +8,45 @@ import java.util.Optional;
 
 /**
  * Timers of one clock, each released when the task before it has ended: what a bound would be if
- * the phases of a path were set so.
+ * the phases were set so. A task on several paths has one phase, that of the slowest of them.
  *
- * @param phases the first releases, by task, in ns
+ * @param bound that of the path which is slowest with these phases
+ * @param phases the first releases, by task, in ns; those of the slowest path first
  */
 public record AlignedTimers(Bound bound, Map<String, Long> phases) {
 
-  /** Returns them for a path of timers with bounds; empty if other tasks are on it. */
-  public static Optional<AlignedTimers> of(LatencyType type, List<Task> path) {
-    List<Task> aligned = new ArrayList<>();
+  /** Returns them for paths of timers, all with bounds; empty if other tasks are on them. */
+  public static Optional<AlignedTimers> of(LatencyType type, List<PathLatency> paths) {
+    boolean timers =
+        paths.stream()
+            .flatMap(path -> path.path().stream())
+            .allMatch(task -> task.trigger() == Trigger.PERIODIC);
+    if (!timers) {
+      return Optional.empty();
+    }
     Map<String, Long> phases = new LinkedHashMap<>();
+    paths.stream()
+        .sorted(
+            Comparator.comparingLong((PathLatency path) -> path.bound().orElseThrow().time())
+                .reversed())
+        .forEach(path -> addPhases(path.path(), phases));
+    return paths.stream()
+        .map(path -> aligned(path.path(), phases))
+        .map(path -> PathLatency.of(type, path).bound().orElseThrow())
+        .max(Comparator.comparingLong(Bound::time))
+        .map(bound -> new AlignedTimers(bound, phases));
+  }
+
+  /** Adds the phases of the tasks on a path that have none yet. */
+  private static void addPhases(List<Task> path, Map<String, Long> phases) {
     long end = 0;
     for (Task task : path) {
-      if (task.trigger() != Trigger.PERIODIC) {
-        return Optional.empty();
-      }
-      long phase = end % task.period().orElseThrow();
-      phases.put(task.name(), phase);
-      aligned.add(task.withPhase(phase));
-      end = phase + task.response().orElseThrow();
+      phases.putIfAbsent(task.name(), end % task.period().orElseThrow());
+      end = phases.get(task.name()) + task.response().orElseThrow();
     }
-    return ReleasedBound.kloda()
-        .of(type, Segment.of(aligned))
-        .map(bound -> new AlignedTimers(bound, phases));
+  }
+
+  private static List<Task> aligned(List<Task> path, Map<String, Long> phases) {
+    return path.stream().map(task -> task.withPhase(phases.get(task.name()))).toList();
   }
 }

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.Random;
@@ -269,11 +270,34 @@ class BoundsTest {
             Task.periodic("camera", 50, 10),
             Task.periodic("fusion", 50, 45),
             Task.periodic("brake", 50, 2));
-    AlignedTimers aligned = AlignedTimers.of(LatencyType.REACTION, path).orElseThrow();
+    AlignedTimers aligned = aligned(path).orElseThrow();
     assertEquals(Map.of("camera", 0L, "fusion", 10L, "brake", 5L), aligned.phases());
     assertEquals(50 + 10 + 45 + 2, aligned.bound().time());
-    assertTrue(
-        AlignedTimers.of(LatencyType.REACTION, List.of(Task.onMessage("filter", 1))).isEmpty());
+    assertTrue(aligned(List.of(Task.onMessage("filter", 1))).isEmpty());
+  }
+
+  private static Optional<AlignedTimers> aligned(List<Task> path) {
+    return AlignedTimers.of(
+        LatencyType.REACTION, List.of(PathLatency.of(LatencyType.REACTION, path)));
+  }
+
+  /** The brake follows the slower path, so that the other one may just miss it. */
+  @ParameterizedTest
+  @CsvSource({"100, 5, 116", "50, 20, 216"})
+  void alignedTimersCountOnAllPaths(long period, long response, long expected) {
+    TaskGraph graph = new TaskGraph();
+    graph.add(Task.periodic("camera", 100, 5));
+    graph.add(Task.periodic("fusion", 100, 6));
+    graph.add(Task.periodic("radar", period, response));
+    graph.add(Task.periodic("brake", 100, 5));
+    for (String way : List.of("fusion", "radar")) {
+      graph.connect("camera", way);
+      graph.connect(way, "brake");
+    }
+    List<PathLatency> paths = graph.between(LatencyType.REACTION, "camera", "brake").orElseThrow();
+    AlignedTimers aligned = AlignedTimers.of(LatencyType.REACTION, paths).orElseThrow();
+    assertEquals(Map.of("camera", 0L, "fusion", 5L, "radar", 5L, "brake", 11L), aligned.phases());
+    assertEquals(expected, aligned.bound().time());
   }
 
   @Test

@@ -65,7 +65,8 @@ public record BoundedLatency(
   /**
    * Timers of one clock.
    *
-   * @param releases in the order of the data
+   * @param bound the most on all paths
+   * @param releases in the order of the data, those of the slowest path first
    */
   public record Aligned(double bound, List<Release> releases) {
 

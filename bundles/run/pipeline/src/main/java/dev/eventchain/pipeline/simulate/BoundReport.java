@@ -4,7 +4,6 @@ import dev.eventchain.contracts.latency.LatencyEstimate;
 import dev.eventchain.contracts.timing.AlignedTimers;
 import dev.eventchain.contracts.timing.Bound;
 import dev.eventchain.contracts.timing.LatencyType;
-import dev.eventchain.contracts.timing.PathLatency;
 import dev.eventchain.contracts.timing.Sensitivity;
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.pipeline.results.BoundedLatency;
@@ -41,7 +40,7 @@ final class BoundReport {
         milliseconds(estimate.outside()),
         slowest.map(it -> parts(bounded, it)).orElse(List.of()),
         estimate.unknown(),
-        slowest.flatMap(it -> aligned(estimate, it)),
+        slowest.flatMap(it -> aligned(estimate)),
         bounded.longest().map(BoundReport::measured),
         delayed);
   }
@@ -79,12 +78,8 @@ final class BoundReport {
         .toList();
   }
 
-  private static Optional<BoundedLatency.Aligned> aligned(LatencyEstimate estimate, Bound slowest) {
-    return estimate.paths().stream()
-        .filter(path -> path.bound().filter(slowest::equals).isPresent())
-        .findFirst()
-        .map(PathLatency::path)
-        .flatMap(path -> AlignedTimers.of(estimate.type(), path))
+  private static Optional<BoundedLatency.Aligned> aligned(LatencyEstimate estimate) {
+    return AlignedTimers.of(estimate.type(), estimate.paths())
         .map(
             aligned -> {
               List<BoundedLatency.Release> releases =
