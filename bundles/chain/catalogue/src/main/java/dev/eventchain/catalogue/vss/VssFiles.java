@@ -1,6 +1,5 @@
 package dev.eventchain.catalogue.vss;
 
-import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.catalogue.signal.CatalogueRules;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -100,6 +99,9 @@ final class VssFiles {
     entries.put(path, new Entry(entry.last(), all));
   }
 
+  /** Files that a branch includes. */
+  private record Listed(String path, VssValue files) {}
+
   private interface Target {
     void put(String path, Entry entry);
   }
@@ -113,11 +115,10 @@ final class VssFiles {
       Optional<Document> document = Document.parseIfAny(text, format, RULES, findings);
       document
           .filter(it -> it.object("", findings).isPresent())
-          .ifPresent(it -> children(new VssValue(it.root(), it, ""), branch, target));
+          .ifPresent(it -> entries(it, file, branch, target));
       if (format == DocumentFormat.YAML) {
         comments(text, file, branch, target);
       }
-      document.ifPresent(it -> listed(it, file, branch, target));
     } catch (DiagnosticException e) {
       e.diagnostics().forEach(findings);
     } finally {
@@ -125,7 +126,14 @@ final class VssFiles {
     }
   }
 
-  private void children(VssValue parent, String branch, Target target) {
+  /** Reads the entries of a file, and then what they include, which replaces attributes. */
+  private void entries(Document document, Path file, String branch, Target target) {
+    List<Listed> listed = new ArrayList<>();
+    children(new VssValue(document.root(), document, ""), branch, target, listed);
+    listed.forEach(each -> include(each, file, target));
+  }
+
+  private void children(VssValue parent, String branch, Target target, List<Listed> listed) {
     parent
         .json()
         .properties()
@@ -137,39 +145,47 @@ final class VssFiles {
               if (branch.isEmpty() && field.getKey().equals(STRUCTURES)) {
                 path = STRUCTURES;
               }
-              entry(value, path, target);
+              entry(value, path, target, listed);
             });
   }
 
-  private void entry(VssValue value, String path, Target target) {
+  private void entry(VssValue value, String path, Target target, List<Listed> listed) {
     if (!value.json().isObject()) {
       String message = "'" + path + "' must have attributes, such as its type.";
       findings.accept(Diagnostic.of(CatalogueRules.ENTRY, message, value.key()));
       return;
     }
     if (path.equals(STRUCTURES)) {
-      children(value, STRUCTURES, target);
+      children(value, STRUCTURES, target, listed);
       return;
     }
-    Map<String, VssValue> attributes = new LinkedHashMap<>();
-    value
-        .json()
-        .properties()
-        .forEach(
-            field -> {
-              String pointer = Document.below(value.pointer(), field.getKey());
-              attributes.put(
-                  field.getKey(), new VssValue(field.getValue(), value.document(), pointer));
-            });
+    Map<String, VssValue> attributes = attributes(value);
     VssValue below = attributes.remove(CHILDREN);
-    attributes.remove(INCLUDES);
+    VssValue includes = attributes.remove(INCLUDES);
+    if (includes != null) {
+      listed.add(new Listed(path, includes));
+    }
     target.put(path, new Entry(value, attributes));
     if (below != null && below.json().isObject()) {
-      children(below, path, target);
+      children(below, path, target, listed);
     } else if (below != null) {
       String message = "'children' of '" + path + "' must hold entries.";
       findings.accept(Diagnostic.of(CatalogueRules.ENTRY, message, below.key()));
     }
+  }
+
+  private static Map<String, VssValue> attributes(VssValue entry) {
+    Map<String, VssValue> attributes = new LinkedHashMap<>();
+    entry
+        .json()
+        .properties()
+        .forEach(
+            field -> {
+              String pointer = Document.below(entry.pointer(), field.getKey());
+              attributes.put(
+                  field.getKey(), new VssValue(field.getValue(), entry.document(), pointer));
+            });
+    return attributes;
   }
 
   /** Reads what is included in comments: {@code #include FILE BRANCH}. */
@@ -186,21 +202,18 @@ final class VssFiles {
     }
   }
 
-  /** Reads what branches include: {@code includes: [FILE]}. */
-  private void listed(Document document, Path file, String branch, Target target) {
-    document
-        .root()
-        .properties()
-        .forEach(
-            field -> {
-              JsonNode files = field.getValue().path(INCLUDES);
-              String pointer = Document.below(Document.below("", field.getKey()), INCLUDES);
-              String below = branch.isEmpty() ? field.getKey() : branch + "." + field.getKey();
-              for (int i = 0; i < files.size(); i++) {
-                SourceLocation place = document.at(Document.below(pointer, i));
-                include(files.get(i).asText(), place, file, below, target);
-              }
-            });
+  /** Reads what a branch includes: {@code includes: [FILE]}. */
+  private void include(Listed listed, Path from, Target target) {
+    VssValue files = listed.files();
+    if (!files.json().isArray() && !files.json().isNull()) {
+      String message = "'includes' of '" + listed.path() + "' must be a list of files.";
+      findings.accept(Diagnostic.of(CatalogueRules.ENTRY, message, files.key()));
+      return;
+    }
+    for (int i = 0; i < files.json().size(); i++) {
+      SourceLocation place = files.document().at(Document.below(files.pointer(), i));
+      include(files.json().get(i).asText(), place, from, listed.path(), target);
+    }
   }
 
   private void include(
