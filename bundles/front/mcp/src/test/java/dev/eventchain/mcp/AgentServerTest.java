@@ -16,6 +16,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -461,6 +462,52 @@ class AgentServerTest {
     String id = proposed.at("/structuredContent/proposal").asText();
     assertTrue(client.text("apply", Map.of("proposal", id)).contains("[mcp.change]"));
     assertEquals("by somebody else", Files.readString(folder.resolve("p/new.md")));
+  }
+
+  @Test
+  void proposalsThatDifferHaveDifferentNames() throws Exception {
+    Files.createDirectories(folder.resolve("q"));
+    Files.writeString(folder.resolve("q/eventchain.yaml"), "name: q\n");
+    client.begun();
+    JsonNode whole = proposed("p", "x.md", "Two\n");
+    JsonNode open = proposed("p", "x.md", "Two");
+    JsonNode windows = proposed("p", "x.md", "Two\r\n");
+    JsonNode empty = proposed("p", "x.md", "");
+    JsonNode other = proposed("q", "x.md", "Two\n");
+    String head = "--- /dev/null\n+++ b/x.md\n";
+    assertEquals(head + "@@ -0,0 +1,1 @@\n+Two\n", whole.path("diff").asText());
+    assertEquals(
+        head + "@@ -0,0 +1,1 @@\n+Two\n\\ No newline at end of file\n", open.path("diff").asText());
+    assertEquals(head + "@@ -0,0 +1,1 @@\n+Two␍\n", windows.path("diff").asText());
+    assertEquals(head + "\\ New empty file\n", empty.path("diff").asText());
+    assertEquals(
+        5,
+        Stream.of(whole, open, windows, empty, other)
+            .map(each -> each.path("proposal").asText())
+            .distinct()
+            .count());
+    assertTrue(whole.path("checked").asBoolean());
+    client.text("apply", Map.of("proposal", whole.path("proposal").asText()));
+    assertEquals("Two\n", Files.readString(folder.resolve("p/x.md")));
+    assertFalse(Files.exists(folder.resolve("q/x.md")));
+  }
+
+  private JsonNode proposed(String project, String file, String text) throws Exception {
+    return client
+        .call("propose", Map.of("project", project, "edits", edits(file, "", text)))
+        .path("structuredContent");
+  }
+
+  @Test
+  void aProposalWhoseCheckCouldNotBeDoneIsMadeAsUnchecked() throws Exception {
+    Files.createDirectories(folder.resolve("unreadable"));
+    Files.writeString(folder.resolve("unreadable/eventchain.yaml"), "name: p\n");
+    client.begun();
+    JsonNode proposed = proposed("unreadable", "x.md", "Two\n");
+    assertFalse(proposed.path("checked").asBoolean(true));
+    JsonNode applied = client.call("apply", Map.of("proposal", proposed.path("proposal").asText()));
+    assertFalse(applied.at("/structuredContent/checked").asBoolean(true));
+    assertTrue(applied.at("/content/0/text").asText().contains("Unchecked"), applied.toString());
   }
 
   @ParameterizedTest

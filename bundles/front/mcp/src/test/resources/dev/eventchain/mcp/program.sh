@@ -42,4 +42,5 @@ echo done >&2
 echo "PASSED: $called"
 case $called in
   *failing*) exit 1 ;;
+  *unreadable*) exit 2 ;;
 esac

@@ -62,15 +62,33 @@ public record Proposal(Path project, Map<String, Change> changes) {
         : Optional.empty();
   }
 
-  /** Returns the name by which the client can have it made. */
+  /**
+   * Returns the name by which the client can have it made: a hash of everything that decides what
+   * is written, of which the diff shows only a part.
+   */
   public String id() {
+    StringBuilder all = new StringBuilder();
+    append(all, project.toString());
+    changes.forEach(
+        (name, change) -> {
+          append(all, name);
+          all.append(change.before().isPresent() ? "changed " : "new ");
+          append(all, change.before().orElse(""));
+          append(all, change.after());
+        });
     try {
       byte[] digest =
-          MessageDigest.getInstance("SHA-256").digest(diff().getBytes(StandardCharsets.UTF_8));
+          MessageDigest.getInstance("SHA-256")
+              .digest(all.toString().getBytes(StandardCharsets.UTF_8));
       return HexFormat.of().formatHex(digest).substring(0, ID_LENGTH);
     } catch (NoSuchAlgorithmException e) {
       throw new IllegalStateException(e);
     }
+  }
+
+  /** Adds a text with its length, so that no other texts in a row look the same. */
+  private static void append(StringBuilder all, String text) {
+    all.append(text.length()).append(' ').append(text);
   }
 
   /** Returns the files that say what is right: a change of them changes what a verdict means. */
@@ -78,26 +96,34 @@ public record Proposal(Path project, Map<String, Change> changes) {
     return changes.keySet().stream().filter(Protection::judges).toList();
   }
 
-  /** Returns the change as a unified diff. */
+  /**
+   * Returns the change as a unified diff, in which a carriage return is visible as {@code ␍}, and
+   * the lack of a last end of line as usual.
+   */
   public String diff() {
     List<String> lines = new ArrayList<>();
-    changes.forEach(
-        (name, change) -> {
-          List<String> before = change.before().map(Proposal::lines).orElse(List.of());
-          String from = change.before().isPresent() ? "a/" + name : "/dev/null";
-          lines.addAll(
-              UnifiedDiffUtils.generateUnifiedDiff(
-                  from,
-                  "b/" + name,
-                  before,
-                  DiffUtils.diff(before, lines(change.after())),
-                  CONTEXT));
-        });
-    return String.join("\n", lines) + "\n";
+    changes.forEach((name, change) -> lines.addAll(diff(name, change)));
+    return String.join("\n", lines).replace('\r', '␍') + "\n";
+  }
+
+  private static List<String> diff(String name, Change change) {
+    List<String> before = change.before().map(Proposal::lines).orElse(List.of());
+    String from = change.before().isPresent() ? "a/" + name : "/dev/null";
+    String to = "b/" + name;
+    List<String> after = lines(change.after());
+    return after.equals(before)
+        ? List.of("--- " + from, "+++ " + to, "\\ New empty file")
+        : UnifiedDiffUtils.generateUnifiedDiff(
+            from, to, before, DiffUtils.diff(before, after), CONTEXT);
   }
 
   private static List<String> lines(String text) {
-    return text.lines().toList();
+    List<String> lines = new ArrayList<>(List.of(text.split("\n", -1)));
+    String last = lines.remove(lines.size() - 1);
+    if (!last.isEmpty()) {
+      lines.add(last + "\n\\ No newline at end of file");
+    }
+    return lines;
   }
 
   /**

@@ -24,9 +24,19 @@ final class ChangeTools {
   private static final Map<String, Object> FILES =
       Map.of("type", "array", "items", Map.of("type", "string"));
 
+  private static final Map<String, Object> CHECKED =
+      Map.of("type", "boolean", "description", "Whether the check could be done.");
+
   private final Commands commands;
   private final Boundary boundary;
-  private final Map<String, Proposal> proposals = new LinkedHashMap<>();
+  private final Map<String, Checked> proposals = new LinkedHashMap<>();
+
+  /**
+   * A proposal that can be made.
+   *
+   * @param checked whether its check could be done, whatever that found
+   */
+  private record Checked(Proposal proposal, boolean checked) {}
 
   ChangeTools(Commands commands, Boundary boundary) {
     this.commands = commands;
@@ -41,6 +51,7 @@ final class ChangeTools {
   private Tool propose() {
     Map<String, Object> output = new LinkedHashMap<>(Commands.OUTPUT);
     output.put("proposal", Map.of("type", "string", "description", "Its name, for 'apply'."));
+    output.put("checked", CHECKED);
     output.put("diff", Map.of("type", "string", "description", "The change as a unified diff."));
     output.put("judges", judges());
     return new Tool(
@@ -85,12 +96,14 @@ final class ChangeTools {
       String command = arguments.text("check", "validate");
       checked = commands.report(List.of(command, boundary.argument(project)), copy.folder(), call);
     }
-    keep(proposal);
+    keep(new Checked(proposal, !checked.failed()));
     Map<String, Object> structured = new LinkedHashMap<>(checked.structured());
     structured.put("proposal", proposal.id());
+    structured.put("checked", !checked.failed());
     structured.put("diff", proposal.diff());
     structured.put("judges", proposal.judges());
-    String text = "Proposal " + proposal.id() + "\n" + proposal.diff() + "\n" + checked.text();
+    String head = "Proposal " + proposal.id() + (checked.failed() ? ", unchecked" : "") + "\n";
+    String text = head + proposal.diff() + "\n" + checked.text();
     return new Result(text, structured, checked.failed());
   }
 
@@ -110,11 +123,13 @@ final class ChangeTools {
         "Such as {\"file\": \"model/chain.xmi\", \"old\": \"5\", \"new\": \"10\"}.");
   }
 
-  private synchronized void keep(Proposal proposal) {
+  private synchronized void keep(Checked checked) {
+    String id = checked.proposal().id();
+    proposals.remove(id);
     if (proposals.size() >= MOST) {
       proposals.remove(proposals.keySet().iterator().next());
     }
-    proposals.put(proposal.id(), proposal);
+    proposals.put(id, checked);
   }
 
   private Tool apply() {
@@ -127,22 +142,27 @@ final class ChangeTools {
         List.of(
             Parameter.required(
                 "proposal", ArgumentType.TEXT, "The name that 'propose' has given.")),
-        Map.of("files", FILES),
+        Map.of("files", FILES, "checked", CHECKED),
         (arguments, call) -> applied(arguments.text("proposal", "")));
   }
 
   private synchronized Result applied(String id) {
-    Proposal proposal = proposals.get(id);
-    if (proposal == null) {
+    Checked kept = proposals.get(id);
+    if (kept == null) {
       throw McpRules.refusal(
           McpRules.CHANGE,
           "",
           "There is no proposal '" + id + "' in this session.",
           "Propose the change; the last " + MOST + " proposals are kept.");
     }
-    proposal.apply(boundary);
+    kept.proposal().apply(boundary);
     proposals.remove(id);
-    List<String> files = List.copyOf(proposal.changes().keySet());
-    return new Result("Changed: " + String.join(", ", files), Map.of("files", files), false);
+    List<String> files = List.copyOf(kept.proposal().changes().keySet());
+    String unchecked =
+        kept.checked() ? "" : "\nUnchecked: the check of this proposal failed to run.";
+    return new Result(
+        "Changed: " + String.join(", ", files) + unchecked,
+        Map.of("files", files, "checked", kept.checked()),
+        false);
   }
 }
