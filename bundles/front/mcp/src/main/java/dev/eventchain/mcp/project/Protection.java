@@ -11,8 +11,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * What a client may not write: results, and files in which a person decides. What a file is follows
- * from the project that holds it, whatever folder a client calls the project.
+ * Rules about what a client may not write: results, and files in which a person decides. What a
+ * file is follows from the project that holds it, whatever folder a client calls the project.
  */
 public final class Protection {
 
