@@ -8,11 +8,17 @@ import java.util.List;
 /**
  * The parts of a definition: {@code def: name(parameter : Type) : Type = value}.
  *
+ * @param operation whether there are parentheses after the name, be they empty
  * @param result the result's type; empty if it is missing
  * @param value the value, up to the end; empty if it is missing
  */
 record DefinitionText(
-    String name, int nameStart, List<Parameter> parameters, SourceRange result, SourceRange value) {
+    String name,
+    int nameStart,
+    boolean operation,
+    List<Parameter> parameters,
+    SourceRange result,
+    SourceRange value) {
 
   /** A parameter, and the text of its type. */
   record Parameter(String name, int start, SourceRange type) {}
@@ -27,7 +33,8 @@ record DefinitionText(
     int name = Math.min(colon + 1, tokens.size());
     List<Parameter> parameters = new ArrayList<>();
     int at = name + 1;
-    if (tokens.is(at, "(")) {
+    boolean operation = tokens.is(at, "(");
+    if (operation) {
       at = readParameters(tokens, at + 1, text, parameters);
     }
     int equals = at;
@@ -39,6 +46,7 @@ record DefinitionText(
     return new DefinitionText(
         named ? tokens.text(name) : "",
         named ? start + tokens.start(name) : start,
+        operation,
         parameters,
         tokens.is(at, ":") ? range(text, tokens, at + 1, equals) : empty(text),
         equals < tokens.size()
@@ -85,7 +93,7 @@ record DefinitionText(
   /** Returns {@code name(parameter : Type) : Type}, on one line. */
   String signature() {
     StringBuilder signature = new StringBuilder(name);
-    if (!parameters.isEmpty()) {
+    if (operation) {
       List<String> all =
           parameters.stream().map(each -> each.name() + " : " + line(each.type())).toList();
       signature.append('(').append(String.join(", ", all)).append(')');

@@ -109,6 +109,22 @@ class RuleEditingTest {
     assertTrue(service.analysis(RULES).isEmpty());
   }
 
+  /** An attribute that becomes an operation is proposed as one. */
+  @Test
+  void noticesParentheses() {
+    MemoryWorkspace workspace = new MemoryWorkspace(List.of(LIBRARY));
+    RuleLanguageService service = new RuleLanguageService(workspace);
+    String use = " = pages > 3 inv A: self.lon";
+    for (String parentheses : List.of("", "()")) {
+      String text = "context Book def: long" + parentheses + " : Boolean = true inv A: self.lon";
+      workspace.put(RULES, text);
+      List<String> found =
+          Answers.to("completions", service, RULES, new TextPosition(0, text.length()));
+      String wanted = "DEFINITION long [long" + parentheses + "]";
+      assertTrue(found.stream().anyMatch(each -> each.startsWith(wanted)), found::toString);
+    }
+  }
+
   /** Whatever is typed or deleted, each question has an answer. */
   @Test
   void answersAboutAnyText() {

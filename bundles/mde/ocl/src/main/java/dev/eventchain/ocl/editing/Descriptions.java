@@ -17,6 +17,9 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
 /** Descriptions of elements of a metamodel and of names, in Markdown. */
 public final class Descriptions {
 
+  /** The end of the name of a class in which Eclipse OCL keeps what a class has in OCL only. */
+  private static final String KEEPER = "_Class";
+
   private Descriptions() {}
 
   /** Returns the documentation of an element of a metamodel; empty if there is none. */
@@ -42,7 +45,7 @@ public final class Descriptions {
       case VARIABLE, DECLARATION -> typed(mention.name(), Members.name(mention.type()));
       case FEATURE, OPERATION ->
           mention.target() instanceof ETypedElement element
-              ? head(element, mention.type())
+              ? head(element, mention)
               : typed(mention.name(), Members.name(mention.type()));
       case ITERATOR ->
           typed(
@@ -65,16 +68,31 @@ public final class Descriptions {
     return type.isEmpty() ? name : name + " : " + type;
   }
 
-  private static String head(ETypedElement element, EClassifier type) {
-    String owner = element.eContainer() instanceof ENamedElement named ? named.getName() : null;
-    String name = owner == null ? element.getName() : owner + "::" + element.getName();
+  private static String head(ETypedElement element, Mention mention) {
+    String owner = ownerOf(element, mention);
+    String name = owner.isEmpty() ? element.getName() : owner + "::" + element.getName();
     String parameters =
         element instanceof EOperation operation ? "(" + parameters(operation) + ")" : "";
     String bounds =
         element.getUpperBound() == 1 && !(element instanceof EOperation)
             ? element.getLowerBound() == 0 ? " [0..1]" : " [1]"
             : "";
-    return typed(name + parameters, Members.name(type)) + bounds;
+    return typed(name + parameters, Members.name(mention.type())) + bounds;
+  }
+
+  /** Returns the name of the class that has an element, also if Eclipse OCL keeps it for that. */
+  private static String ownerOf(ETypedElement element, Mention mention) {
+    String name = element.eContainer() instanceof ENamedElement named ? named.getName() : null;
+    if (name == null) {
+      return "";
+    }
+    boolean kept =
+        mention.owner() != null
+            && name.endsWith(KEEPER)
+            && !(mention.owner() instanceof EClass owner
+                && (owner == element.eContainer()
+                    || owner.getEAllSuperTypes().contains(element.eContainer())));
+    return kept ? name.substring(0, name.length() - KEEPER.length()) : name;
   }
 
   private static String parameters(EOperation operation) {
