@@ -6,13 +6,17 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EPackage;
 
 /**
- * A workspace whose texts are put into it, with the same metamodels for all of them. Other files
- * are read from the disk once, such as those of the metamodels.
+ * A workspace whose texts are put into it, with the same metamodels for all of them. The texts of a
+ * folder are checked together. Other files are read from the disk once, such as those of the metamodels.
  */
 public final class MemoryWorkspace implements Workspace {
 
@@ -59,5 +63,12 @@ public final class MemoryWorkspace implements Workspace {
   @Override
   public List<EPackage> metamodels(Path file) {
     return metamodels;
+  }
+
+  @Override
+  public Set<Path> checkedTogether(Path file) {
+    return Stream.concat(Stream.of(file), texts.keySet().stream())
+        .filter(each -> Objects.equals(each.getParent(), file.getParent()))
+        .collect(Collectors.toSet());
   }
 }

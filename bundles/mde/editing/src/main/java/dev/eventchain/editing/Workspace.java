@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.SourceText;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.eclipse.emf.ecore.EPackage;
 
 /**
@@ -21,6 +22,14 @@ public interface Workspace {
 
   /** Returns the metamodels that a file may name, outermost packages only, in a stable order. */
   List<EPackage> metamodels(Path file);
+
+  /**
+   * Returns the files that are checked together with a file although none names the other, such as
+   * those of one project; with the file itself, and the same for each of them.
+   */
+  default Set<Path> checkedTogether(Path file) {
+    return Set.of(file);
+  }
 
   /** Returns the folders in which modules of templates are looked up by qualified names. */
   default List<Path> templateRoots(Path file) {

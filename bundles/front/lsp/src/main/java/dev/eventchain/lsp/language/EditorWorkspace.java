@@ -8,6 +8,7 @@ import dev.eventchain.editing.Workspace;
 import dev.eventchain.lsp.check.Checks;
 import dev.eventchain.lsp.text.OpenText;
 import dev.eventchain.lsp.text.OpenTexts;
+import dev.eventchain.project.ProjectFolder;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -23,6 +24,8 @@ import org.eclipse.emf.ecore.EPackage;
 
 /** The files and open texts of a session, as the services of languages see them. */
 public final class EditorWorkspace implements Workspace {
+
+  private static final String CONSTRAINTS = "constraints.ocl";
 
   /** A text, and what it was made from: an open text, or the state of a file. */
   private record Known(Object state, SourceText text) {}
@@ -92,6 +95,19 @@ public final class EditorWorkspace implements Workspace {
       loaded.put(ecores, before);
     }
     return before.packages();
+  }
+
+  /** Returns the constraints of a project for each of them; others see only what they import. */
+  @Override
+  public Set<Path> checkedTogether(Path file) {
+    return ProjectFolder.around(file)
+        .map(
+            project ->
+                Set.of(
+                    project.folder().resolve(CONSTRAINTS),
+                    project.defaultOutput().resolve(ProjectFolder.GENERATED)))
+        .filter(together -> together.contains(file))
+        .orElse(Set.of(file));
   }
 
   private static boolean isSame(List<SourceText> first, List<SourceText> second) {

@@ -48,6 +48,13 @@ public final class DocumentImports {
     return files;
   }
 
+  /** Returns the documents that a document names in its import lines, whether they exist or not. */
+  public static List<Path> named(RuleDocument document, Path importer) {
+    return document.imports().stream()
+        .flatMap(each -> fileOf(each, importer).stream())
+        .toList();
+  }
+
   private static List<Import> importsOf(Path document) {
     return RuleDocument.read(SourceText.read(document), new ArrayList<>()).imports();
   }

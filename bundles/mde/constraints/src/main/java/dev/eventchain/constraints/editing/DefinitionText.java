@@ -92,13 +92,14 @@ record DefinitionText(
 
   /** Returns {@code name(parameter : Type) : Type}, on one line. */
   String signature() {
-    StringBuilder signature = new StringBuilder(name);
-    if (operation) {
-      List<String> all =
-          parameters.stream().map(each -> each.name() + " : " + line(each.type())).toList();
-      signature.append('(').append(String.join(", ", all)).append(')');
-    }
-    return signature + (result.isEmpty() ? "" : " : " + line(result));
+    return head() + (result.isEmpty() ? "" : " : " + line(result));
+  }
+
+  /** Returns {@code name(parameter : Type)}, on one line. */
+  String head() {
+    List<String> all =
+        parameters.stream().map(each -> each.name() + " : " + line(each.type())).toList();
+    return operation ? name + "(" + String.join(", ", all) + ")" : name;
   }
 
   private static String line(SourceRange range) {

@@ -69,6 +69,12 @@ record RuleDeclarations(RuleWorld world, List<RuleText> texts, EcorePlaces ecore
   /** Returns why a definition cannot get a name; empty if it can. */
   String collision(Object target, String newName) {
     RuleWorld.Definition definition = world.definition(target);
+    List<RuleWorld.Definition> alike = world.alike(definition);
+    if (alike.size() > 1) {
+      List<String> files = alike.stream().map(each -> each.file().toString()).distinct().toList();
+      return "It is declared %d times, in %s."
+          .formatted(alike.size(), String.join(" and ", files));
+    }
     return world.language().assistant().hasMember(definition.owner(), newName)
         ? "%s or a class below it already has '%s'."
             .formatted(definition.owner().getName(), newName)

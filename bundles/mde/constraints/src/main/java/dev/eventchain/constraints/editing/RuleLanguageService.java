@@ -1,5 +1,6 @@
 package dev.eventchain.constraints.editing;
 
+import dev.eventchain.constraints.document.DocumentImports;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.editing.Analysis;
 import dev.eventchain.editing.Call;
@@ -9,19 +10,24 @@ import dev.eventchain.editing.Workspace;
 import dev.eventchain.ocl.assist.AssistedText;
 import dev.eventchain.ocl.assist.Calls;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EPackage;
 
 /**
  * Language service for rules: Complete OCL in files named {@code *.ocl}, and the OCL in annotations
- * of {@code *.ecore}. All files of a workspace that have the same metamodels see the same
- * definitions.
+ * of {@code *.ecore}. Documents see the same definitions if they have the same metamodels and are
+ * checked together, because one imports the other or the workspace says so.
  */
 public final class RuleLanguageService implements LanguageService {
 
@@ -31,7 +37,7 @@ public final class RuleLanguageService implements LanguageService {
   private final Workspace workspace;
   private final EcorePlaces places;
   private final Map<Path, RuleText> texts = new HashMap<>();
-  private final Map<List<EPackage>, RuleWorld> worlds = new HashMap<>();
+  private final Map<Path, RuleWorld> worlds = new HashMap<>();
   private final Map<Path, MetamodelText> metamodels = new HashMap<>();
   private final Map<Path, AssistedText> analyses = new HashMap<>();
 
@@ -95,15 +101,29 @@ public final class RuleLanguageService implements LanguageService {
   private RuleDeclarations declarations(Path file) {
     List<EPackage> present = workspace.metamodels(file);
     List<RuleText> together = together(file, present);
-    RuleWorld world = worlds.get(present);
-    if (world == null || !world.isOf(together)) {
-      world = new RuleWorld(present, together);
-      worlds.put(present, world);
-    }
-    return new RuleDeclarations(world, together, places);
+    return new RuleDeclarations(world(file, present, together), together, places);
   }
 
-  /** Returns the analyses of all files that can name the same as one of them. */
+  /** Returns the world of a file, the same one for all that see the same definitions. */
+  private RuleWorld world(Path file, List<EPackage> present, List<RuleText> together) {
+    List<String> signatures = RuleWorld.signatures(together);
+    RuleWorld world =
+        Stream.concat(Stream.ofNullable(worlds.get(file)), worlds.values().stream())
+            .filter(each -> each.isOf(present, signatures))
+            .findFirst()
+            .orElseGet(() -> new RuleWorld(present, together));
+    worlds.keySet().retainAll(workspace.files());
+    worlds.put(file, world);
+    together.forEach(each -> worlds.put(each.file(), world));
+    return world;
+  }
+
+  /** Returns how many languages are kept. */
+  synchronized int worlds() {
+    return new HashSet<>(worlds.values()).size();
+  }
+
+  /** Returns the analyses of all files that can name features of the same metamodels. */
   synchronized List<AssistedText> family(AssistedText one) {
     List<EPackage> present = workspace.metamodels(one.file());
     List<AssistedText> family = new ArrayList<>();
@@ -120,17 +140,30 @@ public final class RuleLanguageService implements LanguageService {
     return family;
   }
 
-  /** Returns the texts of all documents that have the same metamodels. */
+  /** Returns the texts of the documents that are checked together with a file, in their order. */
   private List<RuleText> together(Path file, List<EPackage> present) {
-    Set<Path> files = new LinkedHashSet<>(workspace.files());
-    files.add(file);
-    List<RuleText> together = new ArrayList<>();
-    for (Path each : files) {
+    Map<Path, RuleText> documents = new LinkedHashMap<>();
+    for (Path each : Stream.concat(workspace.files().stream(), Stream.of(file)).toList()) {
       if (isDocument(each) && workspace.metamodels(each).equals(present)) {
-        text(each).ifPresent(together::add);
+        text(each).ifPresent(text -> documents.put(each, text));
       }
     }
-    return together;
+    Set<Path> reached = new LinkedHashSet<>(Set.of(file));
+    Deque<Path> next = new ArrayDeque<>(reached);
+    while (!next.isEmpty()) {
+      Path one = next.remove();
+      Set<Path> near = new LinkedHashSet<>(workspace.checkedTogether(one));
+      documents.values().stream()
+          .filter(each -> imports(each, one) || imports(documents.get(one), each.file()))
+          .forEach(each -> near.add(each.file()));
+      near.retainAll(documents.keySet());
+      near.stream().filter(reached::add).forEach(next::add);
+    }
+    return documents.values().stream().filter(each -> reached.contains(each.file())).toList();
+  }
+
+  private static boolean imports(RuleText text, Path other) {
+    return text != null && DocumentImports.named(text.document(), text.file()).contains(other);
   }
 
   private Optional<RuleText> text(Path file) {

@@ -22,6 +22,7 @@ import java.util.stream.Stream;
 import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.resource.Resource;
+import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.eclipse.emf.ecore.xmi.impl.EcoreResourceFactoryImpl;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -32,6 +33,7 @@ class RuleEditingTest {
 
   private static final Path RULES = Path.of("rules.ocl");
   private static final int EDITS = 40;
+  private static final int METAMODEL_EDITS = 200;
 
   /** Texts that begin or end something; one of its ends is typed. */
   private static final String TYPED = "[for (x | y.->'::|)";
@@ -107,6 +109,22 @@ class RuleEditingTest {
         "huge", service.analysis(RULES).orElseThrow().symbols().get(0).children().get(0).name());
     workspace.remove(RULES);
     assertTrue(service.analysis(RULES).isEmpty());
+  }
+
+  /** However often a metamodel changes, only its present version is kept. */
+  @Test
+  void forgetsFormerMetamodels() {
+    MemoryWorkspace workspace = new MemoryWorkspace(List.of(LIBRARY));
+    workspace.put(RULES, "context Book def: long : Boolean = true inv A: self.long");
+    workspace.put(Path.of("other/rules.ocl"), "context Book inv A: pages > 0");
+    RuleLanguageService service = new RuleLanguageService(workspace);
+    for (int i = 0; i < METAMODEL_EDITS; i++) {
+      workspace.setMetamodels(List.of(EcoreUtil.copy(LIBRARY)));
+      assertTrue(service.analysis(RULES).isPresent());
+      assertTrue(service.worlds() <= 2);
+    }
+    assertTrue(service.analysis(Path.of("other/rules.ocl")).isPresent());
+    assertEquals(2, service.worlds());
   }
 
   /** An attribute that becomes an operation is proposed as one. */
