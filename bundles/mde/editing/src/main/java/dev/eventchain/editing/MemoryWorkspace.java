@@ -16,7 +16,8 @@ import org.eclipse.emf.ecore.EPackage;
 
 /**
  * A workspace whose texts are put into it, with the same metamodels for all of them. The texts of a
- * folder are checked together. Other files are read from the disk once, such as those of the metamodels.
+ * folder are checked together. Other files are read from the disk once, such as those of the
+ * metamodels.
  */
 public final class MemoryWorkspace implements Workspace {
 

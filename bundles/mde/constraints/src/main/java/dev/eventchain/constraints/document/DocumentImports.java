@@ -50,9 +50,7 @@ public final class DocumentImports {
 
   /** Returns the documents that a document names in its import lines, whether they exist or not. */
   public static List<Path> named(RuleDocument document, Path importer) {
-    return document.imports().stream()
-        .flatMap(each -> fileOf(each, importer).stream())
-        .toList();
+    return document.imports().stream().flatMap(each -> fileOf(each, importer).stream()).toList();
   }
 
   private static List<Import> importsOf(Path document) {

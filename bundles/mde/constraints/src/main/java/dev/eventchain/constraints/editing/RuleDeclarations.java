@@ -72,8 +72,7 @@ record RuleDeclarations(RuleWorld world, List<RuleText> texts, EcorePlaces ecore
     List<RuleWorld.Definition> alike = world.alike(definition);
     if (alike.size() > 1) {
       List<String> files = alike.stream().map(each -> each.file().toString()).distinct().toList();
-      return "It is declared %d times, in %s."
-          .formatted(alike.size(), String.join(" and ", files));
+      return "It is declared %d times, in %s.".formatted(alike.size(), String.join(" and ", files));
     }
     return world.language().assistant().hasMember(definition.owner(), newName)
         ? "%s or a class below it already has '%s'."
