@@ -132,7 +132,6 @@ class RuleEditingTest {
   void noticesParentheses() {
     MemoryWorkspace workspace = new MemoryWorkspace(List.of(LIBRARY));
     RuleLanguageService service = new RuleLanguageService(workspace);
-    String use = " = pages > 3 inv A: self.lon";
     for (String parentheses : List.of("", "()")) {
       String text = "context Book def: long" + parentheses + " : Boolean = true inv A: self.lon";
       workspace.put(RULES, text);
