@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Supplier;
 import java.util.regex.Pattern;
 
 /** The published schemas of a project's files in YAML. */
@@ -14,16 +13,10 @@ final class ProjectSchemas {
 
   /** A kind of files with a schema. */
   enum Kind {
-    BENCH(ProjectBench::schema),
-    SCENARIO(ProjectBench::scenarioSchema),
-    FAULTS(ProjectBench::faultsSchema),
-    CAMPAIGN(Campaigns::schema);
-
-    private final Supplier<String> text;
-
-    Kind(Supplier<String> text) {
-      this.text = text;
-    }
+    BENCH,
+    SCENARIO,
+    FAULTS,
+    CAMPAIGN
   }
 
   private static final Pattern CAMPAIGN = Pattern.compile("(?m)^(factors|campaigns):");
@@ -44,12 +37,21 @@ final class ProjectSchemas {
       return Optional.of(Kind.SCENARIO);
     }
     boolean isCampaign =
-        inside.getNameCount() > 1 && first.equals("campaigns") || CAMPAIGN.matcher(text).find();
+        (inside.getNameCount() > 1 && first.equals("campaigns")) || CAMPAIGN.matcher(text).find();
     return isCampaign ? Optional.of(Kind.CAMPAIGN) : Optional.empty();
   }
 
   /** Returns the schema of a kind, which is read once. */
   synchronized ProjectSchema of(Kind kind) {
-    return read.computeIfAbsent(kind, it -> new ProjectSchema(it.text.get()));
+    return read.computeIfAbsent(kind, it -> new ProjectSchema(text(it)));
+  }
+
+  private static String text(Kind kind) {
+    return switch (kind) {
+      case BENCH -> ProjectBench.schema();
+      case SCENARIO -> ProjectBench.scenarioSchema();
+      case FAULTS -> ProjectBench.faultsSchema();
+      case CAMPAIGN -> Campaigns.schema();
+    };
   }
 }
