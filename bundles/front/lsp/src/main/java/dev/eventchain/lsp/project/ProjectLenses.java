@@ -16,7 +16,7 @@ import java.util.regex.Pattern;
 import org.eclipse.lsp4j.CodeLens;
 import org.eclipse.lsp4j.Command;
 
-/** What editors show above a scenario and above a chain: how to run it, and its last verdict. */
+/** Lenses above a scenario and above a chain: how to run it, and its last verdict. */
 public final class ProjectLenses {
 
   /** The editor's own command that simulates: of a project's folder, and a scenario's name. */

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** Where the YAML of a project names its requirements, components, topics and scenarios. */
+/** Places where the YAML of a project names its requirements, components, topics and scenarios. */
 final class ProjectNames {
 
   private static final Set<String> COMPONENT = Set.of("kill", "stop", "node");
