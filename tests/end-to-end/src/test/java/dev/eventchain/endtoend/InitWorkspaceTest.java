@@ -1,5 +1,6 @@
 package dev.eventchain.endtoend;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -8,6 +9,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -65,6 +69,31 @@ class InitWorkspaceTest {
     String text = Files.readString(components);
     Files.writeString(components, text.replace("two/scripts/relay", "two/scripts/relay_of_two"));
     new Program().run("generate", project).expect(0);
+    Path nodes = project.resolve("software-base/nodes");
+    asPackage(nodes.resolve("one/scripts/relay.py"), nodes.resolve("pkg_a/pkg_a"));
+    asPackage(other.resolveSibling("relay_of_two.py"), nodes.resolve("pkg_b/pkg_b"));
+    Files.writeString(
+        components,
+        text.replace("one/scripts", "pkg_a/pkg_a").replace("two/scripts", "pkg_b/pkg_b"));
+    new Program().run("generate", project).expect(0);
+    try (Stream<Path> files = Files.walk(project.resolve("out/ros2"))) {
+      assertEquals(
+          Set.of("pkg_a", "pkg_b"),
+          files
+              .filter(file -> file.endsWith("relay.py"))
+              .map(file -> file.getParent().getFileName().toString())
+              .collect(Collectors.toSet()));
+    }
+  }
+
+  /** Moves a node into a package with the files that ament_python puts beside it. */
+  private static void asPackage(Path node, Path inner) throws IOException {
+    Files.createDirectories(inner.resolveSibling("test"));
+    Files.move(node, Files.createDirectories(inner).resolve("relay.py"));
+    Files.writeString(inner.resolve("__init__.py"), "");
+    String setup = "from setuptools import setup\n\nsetup(name=\"" + inner.getFileName() + "\")\n";
+    Files.writeString(inner.resolveSibling("setup.py"), setup);
+    Files.writeString(inner.resolveSibling("test/test_relay.py"), "# " + setup);
   }
 
   private static void script(Path owner, String input, String output) throws IOException {

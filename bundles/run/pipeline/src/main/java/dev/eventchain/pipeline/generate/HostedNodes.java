@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.pipeline.stage.NodeModules;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.project.HostedNode;
 import dev.eventchain.project.ProjectFolder;
@@ -45,28 +46,41 @@ public final class HostedNodes {
 
   /**
    * Returns the Python files below the folders from which the nodes are imported, by the paths of
-   * their copies in the folder of the generated package.
+   * their copies in the folder of the generated package. Of files of one name that no node imports,
+   * such as setup.py, one is copied.
    *
-   * @throws DiagnosticException FINDINGS ({@code component.import.helper}) if two of them have the
-   *     same name, but not the same text
+   * @throws DiagnosticException FINDINGS ({@code component.import.helper}) if two that nodes import
+   *     have the same name, but not the same text
    */
   public static SortedMap<String, Path> copies(RunContext run) {
     SortedMap<String, Path> copies = new TreeMap<>();
+    for (SoftwareBase.Component component : nodes(run).toList()) {
+      Path root = component.node().orElseThrow().root();
+      for (Path file : NodeModules.withNode(component)) {
+        if (file.startsWith(root)) {
+          Path other = copies.putIfAbsent(copy(root, file), file);
+          requireSame(file, other == null ? file : other);
+        }
+      }
+    }
     for (Path root : nodes(run).map(each -> each.node().orElseThrow().root()).distinct().toList()) {
       for (Path file : ProjectFolder.below(root)) {
         if (file.toString().endsWith(".py")) {
-          String name = root.relativize(file).toString().replace('\\', '/');
-          Path other = copies.putIfAbsent(NodeManifest.NODES + "/" + name, file);
-          requireSame(file, other == null ? file : other);
+          copies.putIfAbsent(copy(root, file), file);
         }
       }
     }
     return copies;
   }
 
+  private static String copy(Path root, Path file) {
+    return NodeManifest.NODES + "/" + root.relativize(file).toString().replace('\\', '/');
+  }
+
   /** Refuses two modules of one name, since nodes of both folders would run the same one. */
   private static void requireSame(Path file, Path other) {
-    if (!SourceText.read(file).text().equals(SourceText.read(other).text())) {
+    if (!file.equals(other)
+        && !SourceText.read(file).text().equals(SourceText.read(other).text())) {
       throw new DiagnosticException(
           DiagnosticException.Reason.FINDINGS,
           Diagnostic.of(

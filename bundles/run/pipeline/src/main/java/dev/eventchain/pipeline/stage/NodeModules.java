@@ -15,7 +15,7 @@ import java.util.TreeSet;
  * Modules that nodes which are hosted as they are import, directly or through each other, from the
  * folders from which the nodes are imported themselves.
  */
-final class NodeModules {
+public final class NodeModules {
 
   private NodeModules() {}
 
@@ -34,6 +34,15 @@ final class NodeModules {
     return all;
   }
 
+  /**
+   * Finds the file of a node that is hosted as it is, and the modules that it imports.
+   *
+   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if a file cannot be read
+   */
+  public static SortedSet<Path> withNode(SoftwareBase.Component component) {
+    return importedBy(component.file(), component.node().orElseThrow());
+  }
+
   private static SortedSet<Path> importedBy(Path file, HostedNode node) {
     SortedSet<Path> seen = new TreeSet<>();
     Deque<Path> pending = new ArrayDeque<>();
@@ -41,6 +50,7 @@ final class NodeModules {
     while (!pending.isEmpty()) {
       Path next = pending.remove();
       if (seen.add(next)) {
+        addPackages(next, node.root(), pending);
         for (String module : PythonImports.candidates(SourceText.read(next).text())) {
           Path from = module.startsWith(".") ? above(next, module) : node.root();
           String name = module.replaceFirst("^\\.+", "").replace('.', '/');
@@ -55,6 +65,18 @@ final class NodeModules {
       }
     }
     return seen;
+  }
+
+  /** Adds what is run before a module: the files of the packages that it is in. */
+  private static void addPackages(Path module, Path root, Deque<Path> pending) {
+    Path folder = module.getParent();
+    while (folder.startsWith(root) && !folder.equals(root)) {
+      Path init = folder.resolve("__init__.py");
+      if (Files.isRegularFile(init)) {
+        pending.add(init);
+      }
+      folder = folder.getParent();
+    }
   }
 
   /** Returns the folder that the dots of a relative import mean. */
