@@ -95,6 +95,29 @@ class ProjectTextTest {
   }
 
   @Test
+  void renamesNeitherLongerIdsNorWhatOthersHaveWritten() throws Exception {
+    int before = analysis.rename(at("RAD-1"), "RAD-77").edits().size();
+    Path notes = project.resolve("notes.md");
+    Files.writeString(notes, "RAD-1.2 x.RAD-1 RAD-1-b (see ...RAD-1). RAD-1.\n");
+    for (String place : List.of(".git", "target", "recordings", "out", "inner")) {
+      Files.createDirectories(project.resolve(place).resolve("deep"));
+      Files.writeString(project.resolve(place).resolve("deep/a.md"), "RAD-1\n");
+    }
+    Files.writeString(project.resolve("inner/eventchain.yaml"), "scenarios: [RAD-1]\n");
+    Path locked = Files.createDirectory(project.resolve("locked"));
+    locked.toFile().setReadable(false);
+    Rename rename = analysis.rename(at("RAD-1"), "RAD-77");
+    locked.toFile().setReadable(true);
+    List<Integer> columns =
+        rename.edits().stream()
+            .filter(each -> each.file().equals(notes))
+            .map(each -> each.range().start().column())
+            .toList();
+    assertEquals(List.of(32, 40), columns);
+    assertEquals(before + 2, rename.edits().size(), rename.toString());
+  }
+
+  @Test
   void proposesIdsWhereOneIsExpected() {
     List<String> ids =
         analysis.completions(at("RAD-1")).stream().map(each -> each.label()).toList();

@@ -70,10 +70,7 @@ public final class WorkspaceFiles {
 
     @Override
     public FileVisitResult preVisitDirectory(Path folder, BasicFileAttributes attributes) {
-      String name = String.valueOf(folder.getFileName());
-      boolean skipped =
-          !folder.equals(root)
-              && (name.startsWith(".") || BUILT.contains(name) || isOutput(folder, name));
+      boolean skipped = !folder.equals(root) && (isPassedOver(folder) || isOutput(folder));
       return skipped ? FileVisitResult.SKIP_SUBTREE : FileVisitResult.CONTINUE;
     }
 
@@ -93,8 +90,14 @@ public final class WorkspaceFiles {
     }
   }
 
-  private static boolean isOutput(Path folder, String name) {
-    return name.equals("out") && Files.isRegularFile(folder.resolveSibling(PROJECT));
+  /** Returns whether a folder is hidden, or a build tool's. */
+  public static boolean isPassedOver(Path folder) {
+    String name = String.valueOf(folder.getFileName());
+    return name.startsWith(".") || BUILT.contains(name);
+  }
+
+  private static boolean isOutput(Path folder) {
+    return folder.endsWith("out") && Files.isRegularFile(folder.resolveSibling(PROJECT));
   }
 
   /** Returns whether a file may be a unit, or one that units of other files look for. */

@@ -15,7 +15,6 @@ import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.SoftwareBase;
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -28,14 +27,11 @@ import java.util.TreeMap;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 
 /** The files of a project that may name its requirements, with the texts that are open. */
 final class ProjectFiles {
 
   private static final Set<String> ENDINGS = Set.of("yaml", "yml", "md", "json", "xmi", "ocl");
-
-  private static final int DEEPEST = 6;
 
   private static final Pattern NAME = Pattern.compile("(?m)^name: *([\\w-]+)");
   private static final Pattern TITLE = Pattern.compile("(?m)^title: *(.+?) *$");
@@ -138,7 +134,8 @@ final class ProjectFiles {
   }
 
   private List<FileRange> uses(String id, List<Path> files) {
-    Pattern word = Pattern.compile("(?<![\\w.-])" + Pattern.quote(id) + "(?![\\w-])");
+    // An id may go on after a dot, unlike a sentence that ends with one.
+    Pattern word = Pattern.compile("(?<![\\w-]|\\w\\.)" + Pattern.quote(id) + "(?![\\w-]|\\.\\w)");
     List<FileRange> found = new ArrayList<>();
     for (Path file : files) {
       Optional<String> text = workspace.text(file).map(SourceText::text);
@@ -154,12 +151,7 @@ final class ProjectFiles {
   }
 
   private List<Path> files() {
-    Path output = folder.defaultOutput();
-    try (Stream<Path> all = Files.walk(folder.folder(), DEEPEST)) {
-      return all.filter(file -> !file.startsWith(output) && isText(file)).sorted().toList();
-    } catch (IOException e) {
-      return List.of(); // the folder is gone meanwhile
-    }
+    return ProjectWalk.files(folder).stream().filter(ProjectFiles::isText).toList();
   }
 
   private static boolean isText(Path file) {
