@@ -27,6 +27,7 @@ import java.util.TreeMap;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /** The files of a project that may name its requirements, with the texts that are open. */
 final class ProjectFiles {
