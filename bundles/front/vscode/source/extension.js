@@ -4,7 +4,7 @@
 const path = require("path");
 const vscode = require("vscode");
 const { ChainView } = require("./chain");
-const { Client } = require("./lsp/client");
+const { Client } = require("./client");
 const { Missing, findProgram } = require("./program");
 const { pickProject } = require("./projects");
 const { ReportView } = require("./report");
@@ -24,7 +24,6 @@ function activate(context) {
       return found && { command: found.command, args: [found.script, "lsp"], env: found.env };
     },
     log,
-    context.extension.packageJSON.version,
   );
   const chains = new ChainView(find, context.extensionUri);
   const reports = new ReportView();
@@ -51,7 +50,7 @@ function activate(context) {
   command("doctor", () => runTask(find, false, "doctor", undefined));
   command("restartServer", () => client.restart());
   command("showLog", () => log.show());
-  command("explain", (id) => explain(client, find, id));
+  command("explainFinding", () => explain(client, find));
   context.subscriptions.push(log, client, chains, reports, registerTasks(find), new Tests(find));
   context.subscriptions.push(
     vscode.workspace.onDidChangeConfiguration(
@@ -94,13 +93,12 @@ async function program(extension) {
 }
 
 /**
- * Explains a finding: the one under the cursor, unless one is given or asked for. Shows the page of its rule, or prints it.
+ * Explains the finding under the cursor, or another one by its id. Shows the page of its rule, or prints it.
  *
  * @param {Client} client
  * @param {import("./tasks").Program} find
- * @param {string} [given]
  */
-async function explain(client, find, given) {
+async function explain(client, find) {
   const editor = vscode.window.activeTextEditor;
   const here =
     editor &&
@@ -108,7 +106,7 @@ async function explain(client, find, given) {
       .getDiagnostics(editor.document.uri)
       .find((each) => each.source === "eventchain" && each.range.contains(editor.selection.active));
   const code = here && (typeof here.code === "object" ? here.code.value : here.code);
-  const id = given || code || (await vscode.window.showInputBox({ prompt: "The id of a finding, such as ocl.violated" }));
+  const id = code || (await vscode.window.showInputBox({ prompt: "The id of a finding, such as ocl.violated" }));
   if (id && !(await client.execute("eventchain.explain", String(id)))) {
     await runTask(find, true, "explain", undefined, String(id));
   }

@@ -24,4 +24,4 @@ const SELECTOR = [
 /** The file that makes a folder a project. */
 const SETTINGS = "eventchain.yaml";
 
-module.exports = { PATTERNS, SELECTOR, SETTINGS };
+module.exports = { SELECTOR, SETTINGS };

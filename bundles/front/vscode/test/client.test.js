@@ -5,7 +5,7 @@ const os = require("node:os");
 const path = require("node:path");
 const test = require("node:test");
 const { api, stage } = require("./vscode");
-const { Client } = require("../source/lsp/client");
+const { Client } = require("../source/client");
 
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), "eventchain-test-"));
 const received = path.join(folder, "received");
@@ -13,30 +13,18 @@ test.after(() => fs.rmSync(folder, { recursive: true }));
 
 const FILE = "file:///t.mtl";
 
-/** A document whose text changes by edits, as the editor tells of them. */
-function documentOf(text, languageId = "mtl") {
-  const document = { uri: api.Uri.parse(FILE), languageId, version: 1, getText: () => text };
-  const edit = (start, end, replacement) => {
-    const at = (offset) => {
-      const before = text.slice(0, offset).split("\n");
-      return new api.Position(before.length - 1, before[before.length - 1].length);
-    };
-    const change = { range: new api.Range(at(start), at(end)), text: replacement };
-    text = text.slice(0, start) + replacement + text.slice(end);
-    document.version++;
-    stage.documents.Change.fire({ document, contentChanges: [change] });
-  };
-  return { document, edit };
-}
+const documentOf = (text, uri = FILE, languageId = "mtl") => ({ uri: api.Uri.parse(uri), languageId, version: 1, getText: () => text });
+
+let log = [];
 
 function client(fault) {
   stage.messages.length = 0;
-  stage.log.length = 0;
+  log = [];
   fs.writeFileSync(received, "");
-  const log = { append: (text) => stage.log.push(text), appendLine: (text) => stage.log.push(text), show: () => undefined };
+  const channel = { append: (text) => log.push(text), appendLine: (text) => log.push(text), show: () => undefined };
   const env = { ...process.env, FAULT: fault || "", RECEIVED: received };
   const start = { command: process.execPath, args: [path.join(__dirname, "server.js")], env };
-  return new Client(async () => start, log, "1");
+  return new Client(async () => start, channel);
 }
 
 async function until(what, condition) {
@@ -47,79 +35,56 @@ async function until(what, condition) {
     }
     await new Promise((resolve) => setTimeout(resolve, 10));
   }
-  throw new Error(`never: ${what}; ${stage.messages} ${stage.log}`);
+  throw new Error(`never: ${what}; ${stage.messages} ${log.join("\n")}`);
 }
 
 const heard = () => fs.readFileSync(received, "utf8").split("\n").filter(Boolean).map((line) => JSON.parse(line));
+const heardOf = (method) => heard().filter((each) => each.method === method);
 const found = () => stage.shown.get(FILE) || [];
 
-test("findings follow the text, and are gone with the server", async () => {
-  const { document, edit } = documentOf("one\nis wrong\n");
-  api.workspace.textDocuments = [document, { ...document, uri: api.Uri.parse("file:///x.py"), languageId: "python" }];
+test("findings of what is open are shown, and are gone with the server", async () => {
+  api.workspace.textDocuments = [documentOf("one\nis wrong\n"), documentOf("wrong", "file:///x.py", "python")];
   const server = client();
   await server.start();
   const [diagnostic] = await until("finding", () => found().length === 1 && found());
-  assert.deepStrictEqual([diagnostic.range.start.line, diagnostic.range.start.character], [1, 3]);
-  assert.deepStrictEqual([diagnostic.severity, diagnostic.message, diagnostic.code.value], [1, "This is wrong.", "test.wrong"]);
-  edit(0, 3, "wrong\n");
-  await until("second finding", () => found().length === 2);
-  assert.strictEqual(found()[1].range.start.line, 2);
-  edit(0, 5, "right");
-  await until("one finding", () => found().length === 1);
+  assert.deepStrictEqual([diagnostic.message, diagnostic.code], ["This is wrong.", "test.wrong"]);
+  assert.match(stage.status.text, /running/);
+  assert.strictEqual(await server.execute("eventchain.test.run"), true);
+  assert.strictEqual(await server.execute("eventchain.explain", "a.b"), false);
   await server.dispose();
   assert.strictEqual(stage.shown.size, 0);
-  assert.strictEqual(stage.providers.size, 0);
+  assert.strictEqual(stage.commands.size, 0);
   assert.deepStrictEqual(stage.messages, []);
-  const methods = heard().map(({ method }) => method);
-  assert.deepStrictEqual(methods.slice(-2), ["shutdown", "exit"]);
-  assert.strictEqual(methods.filter((method) => method === "textDocument/didOpen").length, 1);
-  assert.deepStrictEqual(heard()[0].params.initializationOptions, { metamodels: ["m.ecore"], timeLimit: 30 });
+  assert.deepStrictEqual(heard().slice(-2).map(({ method }) => method), ["shutdown", "exit"]);
+  assert.strictEqual(heardOf("textDocument/didOpen").length, 1);
 });
 
-test("what the server declares is asked of it, and nothing else", async () => {
-  api.workspace.textDocuments = [documentOf("wrong").document];
+test("the server learns the settings when it starts, and again when it is started again", async () => {
+  api.workspace.textDocuments = [];
   const server = client();
-  await server.start();
-  await until("finding", () => found().length === 1);
-  const hover = stage.providers.get("registerHoverProvider");
-  const { contents } = await hover.provideHover(api.workspace.textDocuments[0], new api.Position(0, 1));
-  assert.match(contents.value, /A \*word\*\./);
-  assert.strictEqual(stage.providers.has("registerInlayHintsProvider"), false);
-  assert.strictEqual(await stage.commands.get("eventchain.test.run")(), "eventchain.test.run");
-  const actions = stage.providers.get("registerCodeActionsProvider");
-  const whole = new api.Range(0, 0, 0, 5);
-  api.CodeActionKind = { Empty: { append: (value) => ({ value }) } };
-  api.CodeAction = class {};
-  api.WorkspaceEdit = class {
-    set(uri, edits) {
-      this.edits = edits;
-    }
-  };
-  api.TextEdit = class {
-    constructor(range, text) {
-      Object.assign(this, { range, text });
-    }
-  };
-  const [fix] = await actions.provideCodeActions(api.workspace.textDocuments[0], whole, { diagnostics: found() });
-  assert.strictEqual(fix.edit.edits[0].text, "right");
+  await server.restart();
+  await server.restart();
+  await until("settings", () => heardOf("workspace/didChangeConfiguration").length === 2);
+  const settings = { metamodels: ["m.ecore"], timeLimit: 30 };
+  assert.deepStrictEqual(heardOf("initialize").map(({ params }) => params.initializationOptions), [settings, settings]);
+  assert.deepStrictEqual(heardOf("workspace/didChangeConfiguration")[1].params.settings, { eventchain: settings });
   await server.dispose();
+  assert.strictEqual(heardOf("exit").length, 2);
 });
 
 test("a server that has crashed is started again, but not forever", async () => {
-  const { document, edit } = documentOf("wrong");
-  api.workspace.textDocuments = [document];
+  api.workspace.textDocuments = [documentOf("wrong")];
   const server = client("crash");
   await server.start();
   for (let i = 1; i <= 4; i++) {
-    await until(`start ${i}`, () => server.isRunning && found().length > 0);
-    const before = server.process;
-    edit(0, 0, "x");
-    await until(`end ${i}`, () => server.process !== before);
+    await until(`start ${i}`, () => heardOf("initialize").length === i && server.isRunning && found().length > 0);
+    stage.commands.get("eventchain.test.run")().catch(() => undefined);
+    await until(`end ${i}`, () => !server.isRunning && stage.shown.size === 0);
   }
   await until("message", () => stage.messages.length === 1);
   assert.match(stage.messages[0], /Eventchain's language server has ended: exit code 1/);
-  assert.strictEqual(stage.shown.size, 0);
-  assert.strictEqual(heard().filter(({ method }) => method === "initialize").length, 4);
+  assert.match(stage.status.text, /has ended/);
+  assert.strictEqual(heardOf("initialize").length, 4);
   await server.dispose();
 });
 
@@ -130,17 +95,28 @@ test("a program without a language server is no fault", async () => {
   assert.deepStrictEqual(stage.messages, []);
 });
 
-test("what the machine lacks is said once", async () => {
+test("what the machine lacks is said once, and may be there the next time", async () => {
   const server = client("lacks");
   await server.start();
   await until("message", () => stage.messages.length === 1);
   assert.match(stage.messages[0], /has ended: eventchain: There is no Java here\./);
-  assert.strictEqual(server.starts.length, 1);
+  await server.restart();
+  await until("second message", () => stage.messages.length === 2);
 });
 
 test("a server that prints something else is ended, with what it printed", async () => {
   const server = client("prints");
   await server.start();
   await until("message", () => stage.messages.length === 1);
-  assert.match(stage.messages[0], /wrote something else than messages: Hello!/);
+  assert.match(stage.messages[0], /has ended: Message header .* Hello!/);
+});
+
+test("a server that refuses to start is ended", async () => {
+  const server = client("refuses");
+  await server.start();
+  const { end } = server.server;
+  await server.dispose();
+  await end;
+  assert.match(log.join("\n"), /Not today/);
+  assert.deepStrictEqual(stage.messages, []);
 });

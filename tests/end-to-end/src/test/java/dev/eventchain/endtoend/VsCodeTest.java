@@ -1,6 +1,7 @@
 package dev.eventchain.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -16,7 +17,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
@@ -30,12 +34,14 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Tests the extension for VS Code as far as no VS Code is needed; what runs its code is skipped
- * where there is no Node.
+ * where there is no Node, and what needs its packages where the build could not get them.
  */
 class VsCodeTest {
 
   private static final ObjectMapper MAPPER = new ObjectMapper();
   private static final Path EXTENSION = Program.ROOT.resolve("bundles/front/vscode");
+  private static final Path PACKAGES = EXTENSION.resolve("target/npm/node_modules");
+  private static final String CLIENT = "test/client.test.js";
   private static final Pattern ALTERNATIVES = Pattern.compile("\\\\b\\(\\?:([A-Za-z|]+)\\)\\\\b");
   private static final Pattern BLOCKS =
       Pattern.compile("\\(([a-z|]+)\\)\\(\\?=\\[\\\\s\\(\\\\]\\]\\)");
@@ -63,6 +69,82 @@ class VsCodeTest {
       assertTrue(manifest.contains("Id=\"eventchain\" Version=\"" + version + "\""), manifest);
       assertTrue(read(archive, "[Content_Types].xml").contains("Extension=\".jar\""));
     }
+  }
+
+  @Test
+  void packagesAreThoseOfTheLockFileWithTheirLicences() throws IOException {
+    JsonNode lock = MAPPER.readTree(EXTENSION.resolve("package-lock.json").toFile());
+    Set<String> locked = new TreeSet<>();
+    lock.path("packages").fieldNames().forEachRemaining(locked::add);
+    assertTrue(locked.remove(""), "the extension itself");
+    Set<String> packed = new TreeSet<>();
+    Set<String> licensed = new TreeSet<>();
+    try (ZipFile archive = archive()) {
+      Pattern part = Pattern.compile("extension/(node_modules/[^/@]+)/([^/]+)");
+      for (ZipEntry entry : Collections.list(archive.entries())) {
+        Matcher name = part.matcher(entry.getName());
+        if (name.matches()) {
+          packed.add(name.group(1));
+          if (name.group(2).matches("(?i)licen[sc]e.*")) {
+            licensed.add(name.group(1));
+          }
+        }
+      }
+    }
+    assertEquals(locked, packed);
+    assertEquals(locked, licensed);
+  }
+
+  @Test
+  void theLockFilePinsAndNamesNoRegistry() throws IOException {
+    JsonNode lock = MAPPER.readTree(EXTENSION.resolve("package-lock.json").toFile());
+    JsonNode extension = MAPPER.readTree(EXTENSION.resolve("package.json").toFile());
+    assertEquals(extension.path("version"), lock.path("version"));
+    assertEquals(
+        extension.path("dependencies"), lock.path("packages").path("").path("dependencies"));
+    for (JsonNode version : extension.path("dependencies")) {
+      assertTrue(version.asText().matches("\\d+\\.\\d+\\.\\d+"), version::asText);
+    }
+    assertEquals(List.of(), lock.findValues("resolved"));
+    int packages = lock.path("packages").size() - 1;
+    assertTrue(packages > 0);
+    assertEquals(packages, lock.findValues("integrity").size());
+  }
+
+  @Test
+  void withoutNpmThereIsNoArchiveButTheReason() throws Exception {
+    String said = packed("/nowhere", "anywhere");
+    assertEquals("The extension for VS Code is not made: there is no npm here.\n", said);
+    assertEquals("there is no npm here\n", Files.readString(folder.resolve("a/a.missing")));
+    assertFalse(Files.exists(folder.resolve("a/a.vsix")));
+  }
+
+  @Test
+  void whereTheRegistryCannotBeReachedThereIsNoArchiveButTheReason() throws Exception {
+    assumeTrue(isThere("npm"), "there is no npm");
+    String said = packed(System.getenv("PATH"), "http://127.0.0.1:9/");
+    String reason = "The extension for VS Code is not made: npm could not get its packages: ";
+    assertTrue(said.startsWith(reason) && said.contains("ECONNREFUSED"), said);
+    assertEquals(1, said.lines().count(), said);
+    assertFalse(Files.exists(folder.resolve("a/a.vsix")));
+  }
+
+  /** Packs into an empty folder, where there was an older archive, and returns what is said. */
+  private String packed(String path, String registry) throws IOException, InterruptedException {
+    Files.createDirectories(folder.resolve("a"));
+    Path archive = Files.createFile(folder.resolve("a/a.vsix"));
+    String itself = "import sys; print(sys.executable)"; // what is on the path may be a script
+    String python = run(List.of("python3", "-c", itself), Map.of()).strip();
+    List<String> command = List.of(python, "build/pack-vsix", "none.zip", "0", archive.toString());
+    Map<String, String> environment =
+        Map.of(
+            "PATH",
+            path,
+            "npm_config_registry",
+            registry,
+            "npm_config_cache",
+            folder.resolve("cache").toString());
+    return run(command, environment);
   }
 
   @Test
@@ -176,12 +258,22 @@ class VsCodeTest {
       tests =
           files
               .map(file -> "test/" + file.getFileName())
-              .filter(name -> name.endsWith(".test.js"))
+              .filter(name -> name.endsWith(".test.js") && !name.equals(CLIENT))
               .sorted()
               .toList();
     }
-    String said = node(Stream.concat(Stream.of("--test"), tests.stream()));
-    assertTrue(tests.size() > 4 && said.contains("# fail 0") && !said.contains("# pass 0"), said);
+    assertTrue(tests.size() > 4, tests::toString);
+    assertAllPass(node(Stream.concat(Stream.of("--test"), tests.stream())));
+  }
+
+  @Test
+  void clientOfTheLanguageServer() throws Exception {
+    assumeMade();
+    assertAllPass(node(Stream.of("--test", CLIENT)));
+  }
+
+  private static void assertAllPass(String said) {
+    assertTrue(said.contains("# fail 0") && !said.contains("# pass 0"), said);
   }
 
   @Test
@@ -190,7 +282,8 @@ class VsCodeTest {
     for (String program : List.of("node", "npm", "chromium", "chromedriver", "rg")) {
       assumeTrue(isThere(program), "there is no " + program);
     }
-    String said = run(List.of("workbench/run"));
+    assumeMade();
+    String said = run(List.of("workbench/run"), Map.of());
     assertTrue(said.contains("all is well"), said);
   }
 
@@ -199,27 +292,42 @@ class VsCodeTest {
         .anyMatch(path -> Files.isExecutable(Path.of(path, program)));
   }
 
+  /** Skips a test where the build could not make the extension. */
+  private static void assumeMade() throws IOException {
+    try (Stream<Path> files = Files.list(EXTENSION.resolve("target"))) {
+      Optional<Path> missing =
+          files.filter(file -> file.toString().endsWith(".missing")).findFirst();
+      if (missing.isPresent()) {
+        assumeTrue(false, "the extension was not made: " + Files.readString(missing.get()).strip());
+      }
+    }
+  }
+
   /** Returns what Node prints; fails if it fails. */
   private String node(Stream<String> arguments) throws IOException, InterruptedException {
     assumeTrue(isThere("node"), "there is no Node");
-    return run(Stream.concat(Stream.of("node"), arguments).toList());
+    return run(
+        Stream.concat(Stream.of("node"), arguments).toList(),
+        Map.of("NODE_PATH", PACKAGES.toString()));
   }
 
-  private String run(List<String> command) throws IOException, InterruptedException {
+  private String run(List<String> command, Map<String, String> environment)
+      throws IOException, InterruptedException {
     Path out = folder.resolve("out");
-    Process process =
+    ProcessBuilder builder =
         new ProcessBuilder(command)
             .directory(EXTENSION.toFile())
             .redirectErrorStream(true)
-            .redirectOutput(out.toFile())
-            .start();
-    int code = process.waitFor();
+            .redirectOutput(out.toFile());
+    builder.environment().putAll(environment);
+    int code = builder.start().waitFor();
     String printed = Files.readString(out);
     assertEquals(0, code, printed);
     return printed;
   }
 
   private static ZipFile archive() throws IOException {
+    assumeMade();
     try (Stream<Path> files = Files.list(EXTENSION.resolve("target"))) {
       Path archive =
           files.filter(file -> file.toString().endsWith(".vsix")).findFirst().orElseThrow();
