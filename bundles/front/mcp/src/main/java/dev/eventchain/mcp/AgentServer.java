@@ -91,5 +91,6 @@ public final class AgentServer {
   /** Ends what is running: first as by SIGTERM, after a moment by force. */
   public void stop() {
     RunningCall.awaitEnd(streams.stop(), PATIENCE);
+    streams.awaitNone(PATIENCE);
   }
 }

@@ -3,12 +3,14 @@ package dev.eventchain.mcp.project;
 import dev.eventchain.diagnostics.DiagnosticException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.FileVisitOption;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.util.EnumSet;
 
 /**
  * The folder of the server, which nothing leads out of.
@@ -98,10 +100,17 @@ public record Boundary(Path root) {
     try {
       Files.walkFileTree(
           folder,
+          EnumSet.of(FileVisitOption.FOLLOW_LINKS), // There may be links behind links.
+          Integer.MAX_VALUE,
           new SimpleFileVisitor<>() {
             @Override
+            public FileVisitResult preVisitDirectory(Path below, BasicFileAttributes attributes) {
+              return visitFile(below, attributes);
+            }
+
+            @Override
             public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
-              if (attributes.isSymbolicLink()) {
+              if (Files.isSymbolicLink(file)) {
                 requireInside(file, nameOf(file));
               }
               return FileVisitResult.CONTINUE;
@@ -109,7 +118,7 @@ public record Boundary(Path root) {
 
             @Override
             public FileVisitResult visitFileFailed(Path file, IOException problem) {
-              return FileVisitResult.CONTINUE; // The command reports what it cannot read.
+              return visitFile(file, null); // The command reports what it cannot read.
             }
           });
     } catch (IOException e) {

@@ -1,18 +1,29 @@
 package dev.eventchain.mcp.project;
 
+import static java.util.Comparator.naturalOrder;
+
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.NearestName;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.FileTime;
+import java.time.Instant;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SortedSet;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 
@@ -26,6 +37,7 @@ public final class ResultTables {
   private final Path project;
   private final Path output;
   private final Map<String, Supplier<Table>> tables = new TreeMap<>();
+  private final Set<Path> read = new LinkedHashSet<>();
 
   /**
    * Finds the tables of a project, in a folder inside the boundary that nothing leads out of.
@@ -118,7 +130,7 @@ public final class ResultTables {
     return copy.remove(names);
   }
 
-  private static JsonNode json(Path file) {
+  private JsonNode json(Path file) {
     try {
       return new ObjectMapper().readTree(text(file));
     } catch (IOException e) {
@@ -127,7 +139,7 @@ public final class ResultTables {
     }
   }
 
-  private static String text(Path file) {
+  private String text(Path file) {
     try {
       if (Files.size(file) > LARGEST) {
         throw McpRules.refusal(
@@ -136,6 +148,7 @@ public final class ResultTables {
             "A table of " + Files.size(file) + " bytes is not read; the limit is " + LARGEST,
             "Read the file by other means.");
       }
+      read.add(file);
       return Files.readString(file);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
@@ -184,33 +197,59 @@ public final class ResultTables {
   }
 
   /**
-   * Returns files of the project that were changed after the verdict was reached, the first ones:
-   * the results are not about them.
+   * Returns files of the project that were changed after a table that was read here was written,
+   * the first ones: the results are not about them.
    */
   public List<String> changedSince() {
-    Path verdict = output.resolve("verdict.json");
-    try (Stream<Path> files = Files.walk(project)) {
-      if (!Files.exists(verdict)) {
-        return List.of();
-      }
-      FileTime reached = Files.getLastModifiedTime(verdict);
-      return files
-          .filter(file -> !file.startsWith(output) && isChangedSince(file, reached))
-          .map(file -> project.relativize(file).toString())
-          .filter(name -> !name.startsWith("."))
-          .sorted()
-          .limit(CHANGED_NAMES)
-          .toList();
+    SortedSet<String> changed = new TreeSet<>();
+    Optional<FileTime> oldest = read.stream().map(ResultTables::modified).min(naturalOrder());
+    oldest.ifPresent(time -> addChanged(time, changed));
+    return changed.stream().limit(CHANGED_NAMES).toList();
+  }
+
+  private void addChanged(FileTime time, Set<String> changed) {
+    SimpleFileVisitor<Path> visitor =
+        new SimpleFileVisitor<>() {
+          @Override
+          public FileVisitResult preVisitDirectory(Path folder, BasicFileAttributes attributes) {
+            boolean skipped = folder.equals(output) || isHidden(folder);
+            return skipped ? FileVisitResult.SKIP_SUBTREE : FileVisitResult.CONTINUE;
+          }
+
+          @Override
+          public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
+            String name = project.relativize(file).toString();
+            if (!name.startsWith(".") && modified(file).compareTo(time) > 0) {
+              changed.add(name);
+            }
+            return FileVisitResult.CONTINUE;
+          }
+
+          @Override
+          public FileVisitResult visitFileFailed(Path file, IOException problem) {
+            changed.add(project.relativize(file).toString()); // It may have been.
+            return FileVisitResult.CONTINUE;
+          }
+        };
+    try {
+      Files.walkFileTree(project, visitor);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
   }
 
-  private static boolean isChangedSince(Path file, FileTime time) {
+  private boolean isHidden(Path folder) {
+    return project.relativize(folder).toString().startsWith(".");
+  }
+
+  /**
+   * Returns when a file was changed; of one that cannot be asked, the latest time that there is.
+   */
+  private static FileTime modified(Path file) {
     try {
-      return Files.isRegularFile(file) && Files.getLastModifiedTime(file).compareTo(time) > 0;
+      return Files.getLastModifiedTime(file);
     } catch (IOException e) {
-      return true;
+      return FileTime.from(Instant.MAX);
     }
   }
 }

@@ -1,6 +1,7 @@
 package dev.eventchain.mcp.protocol;
 
 import dev.eventchain.mcp.program.RunningCall;
+import java.time.Duration;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -41,7 +42,22 @@ final class RunningCalls {
   /** Ends a request; returns whether its answer is still wanted. */
   synchronized boolean end(String id) {
     running.remove(id);
+    notifyAll();
     return !unanswered.remove(id);
+  }
+
+  /** Waits until all requests have ended, which then have removed what they made, or for a time. */
+  synchronized void awaitNone(Duration patience) {
+    long deadline = System.nanoTime() + patience.toNanos();
+    try {
+      long left = patience.toMillis();
+      while (!running.isEmpty() && left > 0) {
+        wait(left);
+        left = Duration.ofNanos(deadline - System.nanoTime()).toMillis();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
   }
 
   /** Cancels all requests; returns the processes that are ending. */

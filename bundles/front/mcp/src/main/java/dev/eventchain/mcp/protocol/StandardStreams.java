@@ -18,6 +18,7 @@ import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -80,6 +81,11 @@ public final class StandardStreams implements McpServerTransportProvider {
   /** Cancels what is running; returns the processes that are ending. */
   public List<ProcessHandle> stop() {
     return calls.cancelAll();
+  }
+
+  /** Waits until nothing is running, or for a time. */
+  public void awaitNone(Duration patience) {
+    calls.awaitNone(patience);
   }
 
   private void receive(InputLines.Line line) throws IOException {

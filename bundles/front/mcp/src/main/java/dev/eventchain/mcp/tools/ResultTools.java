@@ -29,7 +29,7 @@ final class ResultTools {
           "items",
           Map.of("type", "string"),
           "description",
-          "Files of the project that were changed after the verdict was reached; unless this is"
+          "Files of the project that were changed after these results were written; unless this is"
               + " empty, the results are not about the project as it is now.");
 
   private final Boundary boundary;
