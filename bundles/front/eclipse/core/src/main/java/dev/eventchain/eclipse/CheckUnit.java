@@ -2,7 +2,6 @@ package dev.eventchain.eclipse;
 
 import dev.eventchain.check.FileChecks;
 import dev.eventchain.check.Validation;
-import dev.eventchain.diagnostics.DiagnosticException;
 import java.nio.file.Path;
 import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IResource;
@@ -26,7 +25,8 @@ interface CheckUnit {
   /**
    * Reads the files as they are on disk and checks them.
    *
-   * @throws DiagnosticException if there is nothing to check because a file cannot be read
+   * @throws dev.eventchain.diagnostics.DiagnosticException if there is nothing to check because a
+   *     file cannot be read
    */
   Validation check();
 
