@@ -19,6 +19,8 @@ import java.util.List;
  */
 public record Settings(List<String> metamodels, Duration timeLimit) {
 
+  private static final List<String> KEYS = List.of("eventchain", "metamodels", "timeLimit");
+
   /** Settings where nothing is set. */
   public static final Settings USUAL = new Settings(List.of(), OclValidator.TIME_LIMIT);
 
@@ -27,10 +29,12 @@ public record Settings(List<String> metamodels, Duration timeLimit) {
    *
    * @param given an object with {@code metamodels} and {@code timeLimit}, alone or inside {@code
    *     eventchain}
+   * @param before settings that stay if there is no such object: some editors tell that something
+   *     has changed and not what
    */
-  public static Settings of(Object given) {
-    if (!(given instanceof JsonObject object)) {
-      return USUAL;
+  public static Settings of(Object given, Settings before) {
+    if (!(given instanceof JsonObject object) || KEYS.stream().noneMatch(object::has)) {
+      return before;
     }
     JsonObject settings = object.get("eventchain") instanceof JsonObject inner ? inner : object;
     List<String> metamodels = new ArrayList<>();

@@ -53,7 +53,8 @@ public final class WorkspaceFiles {
 
   private void walk(Path folder) {
     try {
-      Files.walkFileTree(folder, new Collector(folder));
+      Path real = folder.toRealPath(); // A walk does not follow its start.
+      Files.walkFileTree(real, new Collector(folder, real));
     } catch (IOException e) {
       // What can be read of the folder is checked; open files are, anyway.
       return;
@@ -62,10 +63,17 @@ public final class WorkspaceFiles {
 
   private final class Collector extends SimpleFileVisitor<Path> {
 
+    private final Path named;
     private final Path root;
 
-    Collector(Path root) {
+    Collector(Path named, Path root) {
+      this.named = named;
       this.root = root;
+    }
+
+    /** Returns a path below the folder as the editor names it. */
+    private Path named(Path path) {
+      return named.resolve(root.relativize(path));
     }
 
     @Override
@@ -77,9 +85,9 @@ public final class WorkspaceFiles {
     @Override
     public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
       if (file.getFileName().toString().equals(PROJECT)) {
-        projects.add(file.getParent());
+        projects.add(named(file).getParent());
       } else if (attributes.isRegularFile() && isKnown(file)) {
-        files.add(file);
+        files.add(named(file));
       }
       return ++seen < MOST_FILES ? FileVisitResult.CONTINUE : FileVisitResult.TERMINATE;
     }

@@ -122,7 +122,8 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
             .map(all -> all.getCodeLens())
             .map(all -> all.getRefreshSupport())
             .orElse(false);
-    workspace.begin(folders(params), Settings.of(params.getInitializationOptions()));
+    workspace.begin(
+        folders(params), Settings.of(params.getInitializationOptions(), Settings.USUAL));
     ServerInfo info = new ServerInfo("eventchain", version);
     return CompletableFuture.completedFuture(new InitializeResult(Capabilities.all(), info));
   }

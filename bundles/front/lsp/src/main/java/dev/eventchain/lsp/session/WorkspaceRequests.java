@@ -82,7 +82,7 @@ final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
 
   @Override
   public synchronized void didChangeConfiguration(DidChangeConfigurationParams params) {
-    begin(folders, Settings.of(params.getSettings()));
+    begin(folders, Settings.of(params.getSettings(), settings));
   }
 
   @Override
@@ -162,7 +162,8 @@ final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
   public CompletableFuture<Object> executeCommand(ExecuteCommandParams params) {
     boolean known = params.getCommand().equals(FindingActions.EXPLAIN);
     Optional<String> id =
-        params.getArguments().stream()
+        Stream.ofNullable(params.getArguments())
+            .flatMap(List::stream)
             .findFirst()
             .map(each -> each instanceof JsonPrimitive text ? text.getAsString() : each.toString());
     return known && id.isPresent()

@@ -37,12 +37,19 @@ public final class Positions {
   /** Returns the path of a file's address; empty if it is not about a file on this machine. */
   public static Optional<Path> path(String uri) {
     try {
-      URI address = URI.create(uri);
-      return "file".equalsIgnoreCase(address.getScheme())
-          ? Optional.of(Path.of(address).toAbsolutePath().normalize())
-          : Optional.empty();
+      // Some clients escape neither spaces nor letters beyond ASCII.
+      URI address = URI.create(URI.create(uri.replace(" ", "%20")).toASCIIString());
+      if (!"file".equalsIgnoreCase(address.getScheme())) {
+        return Optional.empty();
+      }
+      URI local = "localhost".equals(address.getAuthority()) ? withoutHost(address) : address;
+      return Optional.of(Path.of(local).toAbsolutePath().normalize());
     } catch (IllegalArgumentException | FileSystemNotFoundException e) {
       return Optional.empty();
     }
+  }
+
+  private static URI withoutHost(URI address) {
+    return URI.create("file://" + address.getRawPath());
   }
 }
