@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.EnumSet;
+import java.util.Set;
 
 /**
  * The folder of the server, which nothing leads out of.
@@ -98,31 +99,38 @@ public record Boundary(Path root) {
       return;
     }
     try {
-      Files.walkFileTree(
-          folder,
-          EnumSet.of(FileVisitOption.FOLLOW_LINKS), // There may be links behind links.
-          Integer.MAX_VALUE,
-          new SimpleFileVisitor<>() {
-            @Override
-            public FileVisitResult preVisitDirectory(Path below, BasicFileAttributes attributes) {
-              return visitFile(below, attributes);
-            }
-
-            @Override
-            public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
-              if (Files.isSymbolicLink(file)) {
-                requireInside(file, nameOf(file));
-              }
-              return FileVisitResult.CONTINUE;
-            }
-
-            @Override
-            public FileVisitResult visitFileFailed(Path file, IOException problem) {
-              return visitFile(file, null); // The command reports what it cannot read.
-            }
-          });
+      // There may be links behind links.
+      Set<FileVisitOption> options = EnumSet.of(FileVisitOption.FOLLOW_LINKS);
+      Files.walkFileTree(folder, options, Integer.MAX_VALUE, new Links());
     } catch (IOException e) {
       throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Check of each symbolic link on a walk. */
+  private final class Links extends SimpleFileVisitor<Path> {
+
+    @Override
+    public FileVisitResult preVisitDirectory(Path folder, BasicFileAttributes attributes) {
+      return check(folder);
+    }
+
+    @Override
+    public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
+      return check(file);
+    }
+
+    /** The command reports what it cannot read. */
+    @Override
+    public FileVisitResult visitFileFailed(Path file, IOException problem) {
+      return check(file);
+    }
+
+    private FileVisitResult check(Path path) {
+      if (Files.isSymbolicLink(path)) {
+        requireInside(path, nameOf(path));
+      }
+      return FileVisitResult.CONTINUE;
     }
   }
 }
