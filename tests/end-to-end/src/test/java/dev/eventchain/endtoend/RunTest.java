@@ -132,7 +132,6 @@ class RunTest {
             "ros2/aeb/aeb/components/ObjectDetection.py",
             "report.html",
             "measurements.json",
-            "latency-bounds.json",
             "measurements.csv",
             "curves/stopped-vehicle-50.csv",
             "verdict.json",
@@ -163,7 +162,6 @@ class RunTest {
             "chain.json",
             "chain.xmi",
             "generated.ocl",
-            "latency-bounds.json",
             "measurements.csv",
             "curves/stopped-vehicle-50.csv",
             "chain.measured.xmi")) {
@@ -172,6 +170,7 @@ class RunTest {
           Files.readAllBytes(other.resolve(name)),
           name);
     }
+    assertEquals(withoutDelayed(project.resolve("out")), withoutDelayed(other));
     JsonNode one = measurements(project.resolve("out"));
     JsonNode two = measurements(other);
     assertEquals(one, two);
@@ -184,6 +183,14 @@ class RunTest {
     assertFalse(with.isEmpty(), verdict::toString);
     with.forEach(each -> ((ObjectNode) each).remove("strength"));
     return verdict;
+  }
+
+  /** Scenarios are driven again with the latency at its bound where strength is measured. */
+  private static JsonNode withoutDelayed(Path out) throws IOException {
+    JsonNode latencies = new ObjectMapper().readTree(out.resolve("latency-bounds.json").toFile());
+    assertFalse(latencies.isEmpty());
+    latencies.forEach(each -> ((ObjectNode) each).remove("delayed"));
+    return latencies;
   }
 
   /** Host times are separate because they differ. */
