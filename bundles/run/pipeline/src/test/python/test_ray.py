@@ -44,13 +44,20 @@ def test_links_are_followed_and_results_left_out(tmp_path: Path) -> None:
     write(project / "eventchain.yaml")
     write(project / "out" / "campaigns" / "cases.csv")
     write(project / ".git" / "config")
+    write(project / "components" / ".venv" / "secret")
+    write(project / "components" / "a.py")
     write(tmp_path / "elsewhere" / "base.json")
     (project / "software-base").symlink_to(tmp_path / "elsewhere")
     (tmp_path / "elsewhere" / "circle").symlink_to(project)
     table = write(tmp_path / "table.csv")
-    found = packs.project([table], {project: {project / "out"}})
+    found = packs.project([table], [packs.Folder(project, frozenset([project / "out"]), hidden=False)])
     names = {name.removeprefix(str(tmp_path).lstrip("/")) for name in found}
-    assert names == {"/table.csv", "/project/eventchain.yaml", "/project/software-base/base.json"}
+    assert names == {
+        "/table.csv",
+        "/project/eventchain.yaml",
+        "/project/components/a.py",
+        "/project/software-base/base.json",
+    }
 
 
 def test_a_pack_is_unpacked_once_and_removed_a_week_later(cache: Path, tmp_path: Path) -> None:
@@ -78,7 +85,7 @@ def part_of(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, script: str) -> nod
     project = tmp_path / "project"
     write(project / "eventchain.yaml", "name: x")
     write(project / "out" / "chain.json")
-    files = packs.pack(packs.project([], {project: set()}))
+    files = packs.pack(packs.project([], [packs.Folder(project)]))
     program = packs.pack({"000/a.jar": write(tmp_path / "a.jar")})
     content = {each.name: each.content for each in (files, program)}
     work = node.Work(

@@ -95,7 +95,7 @@ class OpenScenarioTest {
         search: {runs: 10, seeds: 1, stop: first_failure}
         """
             .formatted(FILES.resolve("rear-end.xosc").toAbsolutePath()));
-    campaign(file, "--engine", "ray").expect(2).says("[campaign.engine]");
+    campaign(file, "--engine", "ray").expect(2).says("[campaign.engine]").says("by its path from");
     campaigns("search", file, "--keep")
         .expect(1)
         .says("found/rear-end-found-1.yaml: speed_kph = 70")

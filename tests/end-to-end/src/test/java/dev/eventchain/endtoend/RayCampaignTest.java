@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import dev.eventchain.fixtures.Projects;
 import dev.eventchain.fixtures.Thorough;
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -142,6 +143,45 @@ class RayCampaignTest {
     Files.delete(result("cases.json"));
     new Program().run("campaign", copy.path(), campaign).expect(1);
     assertArrayEquals(results().get(1), found.get(1));
+  }
+
+  /** One after the other, one of them of a file in OpenSCENARIO XML beside the campaign file. */
+  @Test
+  void severalCampaignsAndPlayedFilesAreSent() throws Exception {
+    assumeTrue(Thorough.IS_ON, "downloads Ray, and takes a minute");
+    Projects.copy(
+        Program.ROOT.resolve("bundles/robot/simulation/src/test/resources/openscenario"),
+        copy.path().resolve("files"));
+    copy.write(
+        "both.yaml",
+        """
+        campaigns:
+          near:
+            scenario: stopped-vehicle-50
+            factors:
+              gap: {path: "actors[0].gap_m", from: 15, to: 60, step: 15}
+          played:
+            scenario: files/rear-end-cases.xosc
+            accept: [no_impact]
+        """);
+    Path both = copy.path().resolve("both.yaml");
+    Path results = copy.path().resolve("out/campaigns");
+    Program.Ended alone = new Program().run("campaign", copy.path(), both);
+    List<byte[]> expected = tables(results);
+    for (String name : List.of("near", "played")) {
+      Files.delete(results.resolve("both-" + name + "/cases.json"));
+    }
+    Program.Ended sent = new Program().run("campaign", copy.path(), both, "--engine", "ray");
+    assertEquals(alone.out(), sent.out());
+    assertArrayEquals(expected.toArray(), tables(results).toArray());
+  }
+
+  private static List<byte[]> tables(Path results) throws IOException {
+    List<byte[]> tables = new ArrayList<>();
+    for (String name : List.of("near", "played")) {
+      tables.add(Files.readAllBytes(results.resolve("both-" + name + "/cases.csv")));
+    }
+    return tables;
   }
 
   /** Returns whether a node has got a file of the project, at its place below a pack's folder. */

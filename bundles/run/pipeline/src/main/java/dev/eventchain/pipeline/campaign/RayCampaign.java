@@ -13,8 +13,6 @@ import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.pipeline.stage.SourceName;
 import dev.eventchain.sandbox.PythonEnvironment;
 import java.io.File;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -25,6 +23,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import java.util.stream.StreamSupport;
 
 /**
  * A campaign whose cases are simulated by the nodes of a Ray cluster: parts as {@code --shard}
@@ -103,17 +102,21 @@ final class RayCampaign {
     }
   }
 
-  /** Refuses a scenario that leads from the output folder, which is elsewhere on each node. */
+  /** Refuses files that a campaign names by absolute paths, where nodes do not have them. */
   private void requireSendable() {
-    if (plan.played().isPresent()) {
-      throw new DiagnosticException(
-          DiagnosticException.Reason.INPUT,
-          Diagnostic.of(
-                  CampaignRules.ENGINE,
-                  "A campaign that names an OpenSCENARIO file is not sent to a cluster.",
-                  SourceLocation.of(plan.file()))
-              .withHint(
-                  "Write a scenario that plays the file, and name that, or use --shard K/N."));
+    List<Diagnostic> problems =
+        plan.named().stream()
+            .filter(name -> Path.of(name).isAbsolute())
+            .map(
+                name ->
+                    Diagnostic.of(
+                            CampaignRules.ENGINE,
+                            "The nodes of a cluster have no file '" + name + "'.",
+                            SourceLocation.of(plan.file()))
+                        .withHint("Name it by its path from the campaign file."))
+            .toList();
+    if (!problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
     }
   }
 
@@ -161,8 +164,8 @@ final class RayCampaign {
     request.put(
         "folders",
         List.of(
-            folder(project, withoutAll(project, output)),
-            folder(output, Stream.of(NO_INPUTS).map(output::resolve).toList())));
+            folder(project, List.of(output, project.resolve("evaluation")), false),
+            folder(output, Stream.of(NO_INPUTS).map(output::resolve).toList(), true)));
     return request;
   }
 
@@ -193,20 +196,10 @@ final class RayCampaign {
     return settings;
   }
 
-  /** Returns what the program does not need of a project: other results, and what is hidden. */
-  private static List<Path> withoutAll(Path project, Path output) {
-    List<Path> without = new ArrayList<>(List.of(output, project.resolve("evaluation")));
-    try (Stream<Path> entries = Files.list(project)) {
-      entries.filter(entry -> isHidden(entry.getFileName())).sorted().forEach(without::add);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-    return without;
-  }
-
-  /** Returns whether a name is that of a tool's own file or folder: .git, .venv, .idea. */
-  private static boolean isHidden(Path name) {
-    return name.toString().startsWith(".");
+  /** Returns whether a path is that of a tool's own file, or in such a folder: .git, .venv. */
+  private static boolean isHidden(Path path) {
+    return StreamSupport.stream(path.spliterator(), false)
+        .anyMatch(name -> name.toString().startsWith("."));
   }
 
   /**
@@ -221,7 +214,7 @@ final class RayCampaign {
         .flatMap(Function.identity())
         .map(RayCampaign::absolute)
         .filter(file -> !file.startsWith(output))
-        .filter(file -> !file.startsWith(project) || isHidden(project.relativize(file).getName(0)))
+        .filter(file -> !file.startsWith(project) || isHidden(project.relativize(file)))
         .filter(Files::isRegularFile)
         .map(Path::toString)
         .distinct()
@@ -229,9 +222,14 @@ final class RayCampaign {
         .toList();
   }
 
-  private static Map<String, Object> folder(Path folder, List<Path> without) {
+  private static Map<String, Object> folder(Path folder, List<Path> without, boolean hidden) {
     return Map.of(
-        "folder", folder.toString(), "without", without.stream().map(Path::toString).toList());
+        "folder",
+        folder.toString(),
+        "without",
+        without.stream().map(Path::toString).toList(),
+        "hidden",
+        hidden);
   }
 
   private static Path absolute(Path path) {

@@ -88,12 +88,21 @@ public record CampaignPlan(
 
   /** Returns the tables that factors have their values from. */
   public List<Path> tables() {
+    return tableNames().map(file::resolveSibling).toList();
+  }
+
+  /** Returns the names of the files that the campaign file names, as they are written there. */
+  public List<String> named() {
+    boolean isFile = played.isPresent() || scenarioFile().isPresent();
+    return Stream.concat(Stream.of(scenario).filter(it -> isFile), tableNames()).toList();
+  }
+
+  private Stream<String> tableNames() {
     return factors.stream()
         .filter(factor -> factor.levels() instanceof Levels.Column)
-        .filter(factor -> !isPlayed(((Levels.Column) factor.levels()).table()))
-        .map(factor -> file.resolveSibling(((Levels.Column) factor.levels()).table()))
-        .distinct()
-        .toList();
+        .map(factor -> ((Levels.Column) factor.levels()).table())
+        .filter(table -> !isPlayed(table))
+        .distinct();
   }
 
   private boolean isPlayed(String table) {

@@ -113,7 +113,10 @@ def serve(channel: Channel) -> None:
     """Do what the program asks for."""
     request = channel.receive()
     program = packs.pack(packs.program([Path(entry) for entry in request["class_path"]]))
-    folders = {Path(each["folder"]): {Path(name) for name in each["without"]} for each in request["folders"]}
+    folders = [
+        packs.Folder(Path(each["folder"]), frozenset(Path(name) for name in each["without"]), each["hidden"])
+        for each in request["folders"]
+    ]
     files = packs.pack(packs.project([Path(name) for name in request["files"]], folders))
     with connected(request["address"], len(program.content) + len(files.content)) as ray:
         slots, processors = capacity(ray.nodes())

@@ -39,7 +39,7 @@ def program(class_path: list[Path]) -> dict[str, Path]:
     for number, entry in enumerate(class_path):
         place = entry_name(number, entry)
         if entry.is_dir():
-            files.update({f"{place}/{file.relative_to(entry)}": file for file in below(entry, set())})
+            files.update({f"{place}/{file.relative_to(entry)}": file for file in below(entry)})
         elif entry.is_file():
             files[place] = entry
     return files
@@ -50,14 +50,20 @@ def entry_name(number: int, entry: Path) -> str:
     return f"{number:03}/{entry.name}"
 
 
-def project(files: list[Path], folders: dict[Path, set[Path]]) -> dict[str, Path]:
-    """Return files by their absolute paths, so that they refer to each other as before.
+@dataclass(frozen=True)
+class Folder:
+    """A folder with all that is in it, except for what is left out."""
 
-    ``folders`` has folders with all that is in them, each with the files and folders that are left out.
-    """
+    path: Path
+    without: frozenset[Path] = frozenset()
+    hidden: bool = True  # whether names that begin with a dot are sent, too
+
+
+def project(files: list[Path], folders: list[Folder]) -> dict[str, Path]:
+    """Return files by their absolute paths, so that they refer to each other as before."""
     found = {place(file): file for file in files}
-    for folder, without in folders.items():
-        found.update({place(file): file for file in below(folder, without)})
+    for folder in folders:
+        found.update({place(file): file for file in below(folder.path, folder.without, folder.hidden)})
     return found
 
 
@@ -66,15 +72,17 @@ def place(file: Path) -> str:
     return str(file).lstrip("/")
 
 
-def below(folder: Path, without: set[Path], above: frozenset[str] = frozenset()) -> Iterator[Path]:
+def below(
+    folder: Path, without: frozenset[Path] = frozenset(), hidden: bool = True, above: frozenset[str] = frozenset()
+) -> Iterator[Path]:
     """Return the files of a folder and of those in it; links are followed, except for those that lead in a circle."""
     real = os.path.realpath(folder)
     if real in above:
         return
     for entry in sorted(folder.iterdir()):
-        if entry.name in NEVER or entry in without:
+        if entry.name in NEVER or entry in without or (entry.name.startswith(".") and not hidden):
             continue
         if entry.is_dir():
-            yield from below(entry, without, above | {real})
+            yield from below(entry, without, hidden, above | {real})
         elif entry.is_file():
             yield entry
