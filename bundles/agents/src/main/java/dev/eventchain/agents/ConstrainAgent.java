@@ -26,8 +26,11 @@ public final class ConstrainAgent {
   /** Features that are newer than the prompt, and are constrained by hand. */
   private static final Set<String> UNASKED =
       Set.of(
+          Literals.EVENT_CHAIN__PROCESSORS.getName(),
           Literals.SOFTWARE_NODE__SYNCHRONIZED.getName(),
-          Literals.SOFTWARE_NODE__TOLERANCE.getName());
+          Literals.SOFTWARE_NODE__TOLERANCE.getName(),
+          Literals.SOFTWARE_NODE__MAPPED_TO.getName(),
+          Literals.SOFTWARE_NODE__PRIORITY.getName());
 
   private final AgentContext context;
 

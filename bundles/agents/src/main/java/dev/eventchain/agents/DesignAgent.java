@@ -122,6 +122,8 @@ public final class DesignAgent {
         EventChainReader.read(text, "chain", requirements.items(), OptionalDouble.empty());
     List<Diagnostic> diagnostics = new ArrayList<>(chain.diagnostics());
     base.addUnasked(chain.root(), chain.root());
+    // No answer is asked for processors, so that none is refused for their load.
+    chain.root().getSoftware().forEach(node -> node.setMappedTo(null));
     diagnostics.addAll(base.check(chain.root(), chain.origins()::locate));
     diagnostics.addAll(
         ChainAnalysis.of(messages, base.signals())

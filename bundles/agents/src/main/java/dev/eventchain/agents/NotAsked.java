@@ -10,9 +10,9 @@ import dev.eventchain.jsonmodels.JsonDocument;
 import java.util.Set;
 
 /**
- * Properties of components in chain descriptions that prompts leave out: budgets, and which inputs
- * are synchronized. They do not affect what a component computes from its inputs, so changing them
- * needs no new answer.
+ * Properties of components in chain descriptions that prompts leave out: budgets, which inputs are
+ * synchronized, and what executes a component. They do not affect what a component computes from
+ * its inputs, so changing them needs no new answer.
  */
 final class NotAsked {
   private static final Set<String> KEYS =
@@ -21,7 +21,9 @@ final class NotAsked {
           ChainNames.WORST_CASE_EXECUTION_TIME,
           ChainNames.MEMORY,
           ChainNames.SYNCHRONIZED,
-          ChainNames.TOLERANCE);
+          ChainNames.TOLERANCE,
+          ChainNames.PROCESSOR,
+          ChainNames.PRIORITY);
 
   private NotAsked() {}
 

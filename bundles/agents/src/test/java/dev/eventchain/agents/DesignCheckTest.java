@@ -42,6 +42,19 @@ class DesignCheckTest {
     FindingLines.check(file, found);
   }
 
+  /** Processors are stated by hand: an answer that is asked for none is not refused for them. */
+  @Test
+  void noDesignIsRefusedForAProcessor() {
+    String component =
+        "{\"name\": \"%s\", \"frequency\": 20, \"worst_case_execution_time\": 40, \"processor\": \"ecu\"}";
+    SourceText chain =
+        SourceText.of(
+            "chain.json", "[" + component.formatted("A") + "," + component.formatted("B") + "]");
+    List<Diagnostic> found = DesignAgent.check(chain, REQUIREMENTS, SOFTWARE, MESSAGES);
+    assertEquals(
+        List.of(), found.stream().filter(it -> it.id().startsWith("chain.processor")).toList());
+  }
+
   static List<Path> eachFaultIsFoundWhereItIs() throws IOException {
     return ExpectedFile.inputs(RESOURCES.resolve("design"), ".json");
   }

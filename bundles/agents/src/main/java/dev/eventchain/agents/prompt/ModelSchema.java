@@ -25,12 +25,15 @@ public final class ModelSchema {
       List.of(
           Literals.EVENT_CHAIN__DESCRIPTION,
           Literals.EVENT_CHAIN__LATENCY_CONSTRAINTS,
+          Literals.EVENT_CHAIN__PROCESSORS,
           Literals.EVENT_CHAIN__MEASURED,
           Literals.SOFTWARE_NODE__BEST_CASE_EXECUTION_TIME,
           Literals.SOFTWARE_NODE__WORST_CASE_EXECUTION_TIME,
           Literals.SOFTWARE_NODE__MEMORY,
           Literals.SOFTWARE_NODE__SYNCHRONIZED,
           Literals.SOFTWARE_NODE__TOLERANCE,
+          Literals.SOFTWARE_NODE__MAPPED_TO,
+          Literals.SOFTWARE_NODE__PRIORITY,
           Literals.SOFTWARE_NODE__MEASURED);
 
   private static final List<EStructuralFeature> ALWAYS =

@@ -57,6 +57,10 @@ class MetamodelTextTest {
             "memory",
             "synchronized",
             "tolerance",
+            "processors",
+            "mappedTo",
+            "priority",
+            "class Processor",
             "class Statistics",
             "percentile")) {
       assertFalse(text.contains(left), left);

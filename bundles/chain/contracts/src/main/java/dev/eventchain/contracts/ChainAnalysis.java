@@ -76,6 +76,7 @@ public final class ChainAnalysis {
     new SynchronizationContracts(types, findings).check(chain);
     new FlowRules(chain, flow, findings).check();
     new LatencyContracts(chain, findings).check();
+    new ProcessorContracts(findings).check(chain);
     return findings.result();
   }
 }

@@ -29,7 +29,10 @@ public enum ContractRule {
   FLOW_CYCLE(Rule.warning("chain.flow.cycle")),
   LATENCY_UNCONNECTED(Rule.error("chain.latency.unconnected")),
   LATENCY_BOUND(Rule.error("chain.latency.bound")),
-  LATENCY_UNKNOWN(Rule.info("chain.latency.unknown"));
+  LATENCY_UNKNOWN(Rule.info("chain.latency.unknown")),
+  PROCESSOR_OVERLOADED(Rule.error("chain.processor.overloaded")),
+  PROCESSOR_LATE(Rule.warning("chain.processor.late")),
+  PROCESSOR_UNKNOWN(Rule.info("chain.processor.unknown"));
 
   private final Rule rule;
 

@@ -3,7 +3,6 @@ package dev.eventchain.contracts;
 import dev.eventchain.contracts.latency.ChainTiming;
 import dev.eventchain.contracts.latency.LatencyEstimate;
 import dev.eventchain.contracts.latency.Stimuli;
-import dev.eventchain.contracts.timing.Method;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage.Literals;
@@ -82,7 +81,6 @@ final class LatencyContracts {
   }
 
   private void possible(LatencyConstraint constraint, LatencyEstimate estimate) {
-    Method method = estimate.slowest().orElseThrow().method();
     findings.warning(
         ContractRule.LATENCY_BOUND,
         at(constraint),
@@ -92,7 +90,7 @@ final class LatencyContracts {
                 LatencyEstimate.milliseconds(estimate.bound().orElseThrow()),
                 estimate.shares()),
         "Execute components on the way more often or faster, or allow more time. The bound: "
-            + method.assumption()
+            + estimate.assumption(estimate.slowest().orElseThrow())
             + ".");
   }
 

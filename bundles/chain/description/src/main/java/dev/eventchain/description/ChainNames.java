@@ -39,6 +39,12 @@ public final class ChainNames {
   /** Of a component with synchronized inputs, in ms. */
   public static final String TOLERANCE = "tolerance";
 
+  /** Of a component: the name of what executes it. */
+  public static final String PROCESSOR = "processor";
+
+  /** Of a component on a processor; larger numbers go first. */
+  public static final String PRIORITY = "priority";
+
   /** Of a component of a software base: {@code component} or {@code node}. */
   public static final String IMPLEMENTATION = "implementation";
 
@@ -126,6 +132,8 @@ public final class ChainNames {
     BY_FEATURE.put(Literals.SOFTWARE_NODE__OUTPUT, OUTPUT);
     BY_FEATURE.put(Literals.SOFTWARE_NODE__SYNCHRONIZED, SYNCHRONIZED);
     BY_FEATURE.put(Literals.SOFTWARE_NODE__TOLERANCE, TOLERANCE);
+    BY_FEATURE.put(Literals.SOFTWARE_NODE__MAPPED_TO, PROCESSOR);
+    BY_FEATURE.put(Literals.SOFTWARE_NODE__PRIORITY, PRIORITY);
     BY_FEATURE.put(Literals.DATA__NAME, NAME);
     BY_FEATURE.put(Literals.DATA__FIELD_NAME, FIELD);
     BY_FEATURE.put(Literals.DATA__TYPE, TYPE);

@@ -14,6 +14,7 @@ import dev.eventchain.jsonmodels.JsonDocument;
 import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.jsonmodels.Names;
 import dev.eventchain.messages.RosNames;
+import dev.eventchain.model.Processors;
 import dev.eventchain.model.PythonNames;
 import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.WrittenRequirement;
@@ -21,6 +22,7 @@ import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainFactory;
 import dev.eventchain.model.eventchain.EventchainPackage.Literals;
+import dev.eventchain.model.eventchain.Processor;
 import dev.eventchain.model.eventchain.QosProfile;
 import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
@@ -50,7 +52,8 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
  * maximum_age} (ms) and {@code safe_value} of values, {@code consumer} ("external") and {@code
  * requirements} of outputs that leave the chain, and {@code worst_case_execution_time}, {@code
  * best_case_execution_time} (ms) and {@code memory} (MiB) of components, and {@code synchronized}
- * topics of their inputs with a {@code tolerance} (ms), all optional.
+ * topics of their inputs with a {@code tolerance} (ms), and the {@code processor} that executes
+ * them with their {@code priority} on it, all optional.
  *
  * <p>Each element's origin is its JSON pointer in the description, so that later findings in the
  * model point back to it.
@@ -60,6 +63,9 @@ public final class EventChainReader {
   private static final EventchainFactory FACTORY = EventchainFactory.eINSTANCE;
 
   private static final NumberRange NOT_NEGATIVE = NumberRange.atLeast(0);
+
+  private static final NumberRange PRIORITIES =
+      NumberRange.of(Integer.MIN_VALUE, Integer.MAX_VALUE);
 
   /** Features of values that their port states. */
   private static final Set<EStructuralFeature> OF_PORTS =
@@ -159,7 +165,21 @@ public final class EventChainReader {
     readPorts(json, ChainNames.INPUT, node.getInput(), port -> value -> {});
     readPorts(json, ChainNames.OUTPUT, node.getOutput(), this::readConsumer);
     SynchronizationReader.read(json, text, node);
+    readDeployment(json, node);
     json.refuseOthers();
+  }
+
+  private void readDeployment(ObjectReader json, SoftwareNode node) {
+    String name = json.has(ChainNames.PROCESSOR) ? json.requiredText(ChainNames.PROCESSOR) : "";
+    if (!name.isBlank()) {
+      int known = chain.getProcessors().size();
+      Processor processor = Processors.map(node, name, chain);
+      if (chain.getProcessors().size() > known) {
+        origins.put(processor, json.at(ChainNames.PROCESSOR));
+      }
+    }
+    json.wholeNumber(ChainNames.PRIORITY, PRIORITIES)
+        .ifPresent(priority -> node.setPriority((int) priority));
   }
 
   private List<Requirement> readRequirements(ObjectReader json) {

@@ -52,6 +52,12 @@ public final class EventChainWriter {
     if (node.isSetTolerance()) {
       json.put(ChainNames.TOLERANCE, node.getTolerance());
     }
+    if (node.getMappedTo() != null) {
+      text(json, ChainNames.PROCESSOR, node.getMappedTo().getName());
+    }
+    if (node.isSetPriority()) {
+      json.put(ChainNames.PRIORITY, node.getPriority());
+    }
     ArrayNode requirements = json.putArray(ChainNames.REQUIREMENTS);
     node.getSatisfies().stream().map(Requirement::getId).forEach(requirements::add);
     json.set(ChainNames.INPUT, ports(node.getInput()));

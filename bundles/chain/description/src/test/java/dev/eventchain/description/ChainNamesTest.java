@@ -27,6 +27,8 @@ class ChainNamesTest {
           "implementation",
           "memory",
           "node",
+          "priority",
+          "processor",
           "synchronized",
           "tolerance");
 

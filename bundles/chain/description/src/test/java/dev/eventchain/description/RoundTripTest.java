@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.jsonmodels.ModelComparison;
 import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.model.EventChainMetamodel;
+import dev.eventchain.model.Processors;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainFactory;
@@ -91,6 +92,8 @@ class RoundTripTest {
       if (random.nextBoolean()) {
         node.getSynchronized().addAll(node.getInput());
         node.setTolerance(random.nextInt(100) + 0.5);
+        Processors.map(node, "ecu" + random.nextInt(2), chain);
+        node.setPriority(random.nextInt(100) - 50);
       }
     }
     linkAsTheReaderDoes(chain);

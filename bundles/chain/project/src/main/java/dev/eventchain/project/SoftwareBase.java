@@ -188,7 +188,8 @@ public final class SoftwareBase {
 
   /**
    * Adds what language models are not asked for, from the description or else from this software
-   * base: the budgets of components, and which of their inputs are synchronized.
+   * base: the budgets of components, which of their inputs are synchronized, and what executes
+   * them.
    *
    * @param described the chain read directly from its description
    */

@@ -1,6 +1,8 @@
 package dev.eventchain.project;
 
+import dev.eventchain.model.Processors;
 import dev.eventchain.model.TopicIndex;
+import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage.Literals;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import java.util.List;
@@ -14,7 +16,8 @@ final class UnaskedFacts {
           Literals.SOFTWARE_NODE__BEST_CASE_EXECUTION_TIME,
           Literals.SOFTWARE_NODE__WORST_CASE_EXECUTION_TIME,
           Literals.SOFTWARE_NODE__MEMORY,
-          Literals.SOFTWARE_NODE__TOLERANCE);
+          Literals.SOFTWARE_NODE__TOLERANCE,
+          Literals.SOFTWARE_NODE__PRIORITY);
 
   private UnaskedFacts() {}
 
@@ -30,6 +33,16 @@ final class UnaskedFacts {
       node.getInput().stream()
           .filter(it -> TopicIndex.nameOf(it, node).filter(topics::contains).isPresent())
           .forEach(node.getSynchronized()::add);
+    }
+    addProcessor(node, from);
+  }
+
+  private static void addProcessor(SoftwareNode node, SoftwareNode from) {
+    if (node.getMappedTo() == null
+        && from.getMappedTo() != null
+        && from.getMappedTo().getName() != null
+        && node.eContainer() instanceof EventChain chain) {
+      Processors.map(node, from.getMappedTo().getName(), chain);
     }
   }
 }

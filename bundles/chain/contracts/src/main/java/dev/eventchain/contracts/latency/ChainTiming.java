@@ -3,12 +3,12 @@ package dev.eventchain.contracts.latency;
 import dev.eventchain.contracts.timing.Gap;
 import dev.eventchain.contracts.timing.LatencyType;
 import dev.eventchain.contracts.timing.PathLatency;
+import dev.eventchain.contracts.timing.ResponseTimes.Outcome;
 import dev.eventchain.contracts.timing.Task;
 import dev.eventchain.contracts.timing.TaskGraph;
 import dev.eventchain.contracts.timing.Trigger;
 import dev.eventchain.model.DataFlowIndex;
 import dev.eventchain.model.TopicIndex;
-import dev.eventchain.model.eventchain.ComponentImplementation;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.LatencyConstraint;
@@ -23,35 +23,35 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.Set;
 
 /**
- * Bounds on the latencies of an event chain. Each component is a periodic task of any phase on a
- * processor of its own, as the generated nodes are in a simulation: its timer has the model's
- * frequency, it reads the last messages when it starts, and publishes after its worst-case
- * execution time. What activates a node that is given whole is not in the model, so that no bound
- * is known of a path with one: its timer may have any period, and its messages may queue. Nor is
- * how long a message waits for those that a component takes together with it.
+ * Bounds on the latencies of an event chain. Each component is a periodic task of any phase: its
+ * timer has the model's frequency, it reads the last messages when it starts, and publishes when it
+ * has ended. That is after its worst-case execution time on a processor of its own, as in a
+ * simulation, and after its response time on one that it shares. What activates a node that is
+ * given whole is not in the model, so that no bound is known of a path with one: its timer may have
+ * any period, and its messages may queue. Nor is how long a message waits for those that a
+ * component takes together with it.
  */
 public final class ChainTiming {
 
-  private static final double SECOND = 1e9;
   private static final double MILLISECOND = 1e6;
-
-  /** Times that are longer, some days, are as good as unknown, and sums of shorter ones exact. */
-  private static final double LONGEST = 1e15;
 
   private final EventChain chain;
   private final DataFlowIndex flow;
   private final TopicIndex topics;
   private final Stimuli stimuli;
+  private final Deployment deployment;
   private final TaskGraph graph = new TaskGraph();
   private final Map<SoftwareNode, String> names = new HashMap<>();
 
   private ChainTiming(EventChain chain, Stimuli stimuli) {
     this.chain = chain;
     this.stimuli = stimuli;
+    deployment = Deployment.of(chain);
     flow = DataFlowIndex.of(chain);
     topics = TopicIndex.of(chain);
     // Names may be missing or occur twice, which other rules report.
@@ -72,42 +72,44 @@ public final class ChainTiming {
     return known ? node.getName() : node.getName() + " (" + names.size() + ")";
   }
 
-  private static Task task(SoftwareNode node, String name) {
-    boolean timer = isComponent(node);
+  private Task task(SoftwareNode node, String name) {
+    boolean timer = NodeTimes.isComponent(node);
     return new Task(
         name,
         timer ? Trigger.PERIODIC : Trigger.SPORADIC,
-        timer ? period(node) : OptionalLong.empty(),
+        timer ? NodeTimes.period(node) : OptionalLong.empty(),
         OptionalLong.empty(),
         response(node),
         0,
-        Task.Placement.UNKNOWN);
+        placement(node));
   }
 
-  private static boolean isComponent(SoftwareNode node) {
-    return node.getImplementation() == ComponentImplementation.COMPONENT;
+  /** Returns the worst-case response time; empty if it is unknown or may exceed the period. */
+  private OptionalLong response(SoftwareNode node) {
+    Optional<Deployment.Share> share = share(node);
+    if (share.isPresent()) {
+      return share.get().response().bound();
+    }
+    return NodeTimes.isOverloaded(node) ? OptionalLong.empty() : NodeTimes.execution(node);
   }
 
-  private static OptionalLong period(SoftwareNode node) {
-    double period = SECOND / node.getFrequency();
-    return node.isSetFrequency() && period > 0 && period < LONGEST
-        ? OptionalLong.of((long) Math.ceil(period))
-        : OptionalLong.empty();
+  /** Returns the share of a component in a processor that others use, too. */
+  private Optional<Deployment.Share> share(SoftwareNode node) {
+    return deployment
+        .shared(node)
+        .flatMap(load -> load.shares().stream().filter(it -> it.node() == node).findFirst());
   }
 
-  /** Returns the worst-case response time; empty if it is unknown or exceeds the period. */
-  private static OptionalLong response(SoftwareNode node) {
-    double time = node.getWorstCaseExecutionTime() * MILLISECOND;
-    boolean stated = node.isSetWorstCaseExecutionTime() && time > 0;
-    return stated && !isOverloaded(node) && time < LONGEST
-        ? OptionalLong.of((long) Math.ceil(time))
-        : OptionalLong.empty();
-  }
-
-  private static boolean isOverloaded(SoftwareNode node) {
-    OptionalLong period = period(node);
-    return period.isPresent()
-        && node.getWorstCaseExecutionTime() * MILLISECOND > period.getAsLong();
+  /** Returns the place of a component; unknown where it has a processor of its own. */
+  private Task.Placement placement(SoftwareNode node) {
+    return deployment
+        .shared(node)
+        .map(
+            load ->
+                new Task.Placement(
+                    "processor " + deployment.loads().indexOf(load),
+                    load.ordered() ? OptionalInt.of(node.getPriority()) : OptionalInt.empty()))
+        .orElse(Task.Placement.UNKNOWN);
   }
 
   /** Returns the estimate of a constraint with both ends. */
@@ -156,14 +158,48 @@ public final class ChainTiming {
       }
     }
     paths.forEach(path -> addUnknown(path, unknown));
-    return new LatencyEstimate(type, outside, paths, List.copyOf(unknown));
+    return new LatencyEstimate(
+        type, outside, paths, unavoidable(paths), placed(paths), List.copyOf(unknown));
+  }
+
+  /** Returns the sum of the stated worst cases on the shortest path. */
+  private long unavoidable(List<PathLatency> paths) {
+    return paths.stream()
+        .mapToLong(
+            path ->
+                path.path().stream()
+                    .map(task -> node(task.name()))
+                    .filter(node -> !NodeTimes.isOverloaded(node))
+                    .mapToLong(node -> NodeTimes.execution(node).orElse(0))
+                    .sum())
+        .min()
+        .orElse(0);
+  }
+
+  /** Returns what is taken to execute the components on paths, in words. */
+  private String placed(List<PathLatency> paths) {
+    List<String> alone =
+        paths.stream()
+            .flatMap(path -> path.path().stream())
+            .map(Task::name)
+            .distinct()
+            .filter(name -> node(name).getMappedTo() == null)
+            .map(name -> "'" + name + "'")
+            .toList();
+    boolean none = chain.getSoftware().stream().allMatch(node -> node.getMappedTo() == null);
+    if (none) {
+      return "each component runs on a processor of its own";
+    }
+    return alone.isEmpty()
+        ? "nothing else runs on the processors"
+        : String.join(", ", alone) + " on processors of their own, and nothing else on the others";
   }
 
   /** Adds what is not known of a path, also where the sum would need no period. */
   private void addUnknown(PathLatency path, Set<String> unknown) {
     for (Task task : path.path()) {
       SoftwareNode node = node(task.name());
-      if (!isComponent(node)) {
+      if (!NodeTimes.isComponent(node)) {
         unknown.add(activation(task.name()));
       }
       if (TopicIndex.synchronizedBy(node).size() > 1) {
@@ -225,7 +261,8 @@ public final class ChainTiming {
       intervals.add(stimuli.interval(topic));
     }
     for (SoftwareNode writer : writers) {
-      OptionalLong period = isComponent(writer) ? period(writer) : OptionalLong.empty();
+      OptionalLong period =
+          NodeTimes.isComponent(writer) ? NodeTimes.period(writer) : OptionalLong.empty();
       OptionalLong response = response(writer);
       intervals.add(
           period.isPresent() && response.isPresent()
@@ -261,10 +298,22 @@ public final class ChainTiming {
     SoftwareNode node = node(gap.task());
     String name = "'" + gap.task() + "'";
     if (gap.kind() == Gap.Kind.PERIOD) {
-      return isComponent(node) ? name + " states no frequency" : activation(gap.task());
+      return NodeTimes.isComponent(node) ? name + " states no frequency" : activation(gap.task());
     }
-    return isOverloaded(node)
-        ? name + " may execute longer than its period"
-        : name + " states no worst-case execution time";
+    if (NodeTimes.isOverloaded(node)) {
+      return name + " may execute longer than its period";
+    }
+    return NodeTimes.execution(node).isEmpty()
+        ? name + " states no worst-case execution time"
+        : waiting(node, name);
+  }
+
+  /** Returns why the response time on a shared processor is not known. */
+  private String waiting(SoftwareNode node, String name) {
+    boolean late = share(node).filter(it -> it.response().outcome() == Outcome.LATE).isPresent();
+    String on = " on '" + node.getMappedTo().getName() + "'";
+    return late
+        ? name + " may end after its period" + on
+        : "how long " + name + " waits for others" + on + " is not known";
   }
 }

@@ -18,10 +18,18 @@ import java.util.stream.Collectors;
  *     arrival; what is not known of it counts as 0
  * @param paths along all paths of the data; none if nothing leads from the first to the last
  *     component, or if there are too many
+ * @param unavoidable the longest latency that no phases avoid: the worst-case execution times that
+ *     are known, on the shortest path
+ * @param placed what executes the components on these paths, in words
  * @param unknown what is not known and would be needed for a bound, in words
  */
 public record LatencyEstimate(
-    LatencyType type, long outside, List<PathLatency> paths, List<String> unknown) {
+    LatencyType type,
+    long outside,
+    List<PathLatency> paths,
+    long unavoidable,
+    String placed,
+    List<String> unknown) {
 
   /** Copies the lists. */
   public LatencyEstimate {
@@ -51,9 +59,9 @@ public record LatencyEstimate(
     return outside + paths.stream().mapToLong(PathLatency::known).max().orElse(0);
   }
 
-  /** Returns the longest latency that no phases avoid: the worst cases on the shortest path. */
-  public long unavoidable() {
-    return paths.stream().mapToLong(PathLatency::unavoidable).min().orElse(0);
+  /** Returns the source of a bound and what it assumes, for users. */
+  public String assumption(Bound bound) {
+    return bound.method().assumption() + "; " + placed;
   }
 
   /**

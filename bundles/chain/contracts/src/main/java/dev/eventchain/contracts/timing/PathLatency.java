@@ -75,9 +75,4 @@ public record PathLatency(List<Task> path, List<Bound> bounds, List<Gap> gaps, l
   public Optional<Bound> bound() {
     return bounds.stream().findFirst();
   }
-
-  /** Returns the sum of the known worst-case response times: what cannot be avoided, in ns. */
-  public long unavoidable() {
-    return path.stream().mapToLong(task -> task.response().orElse(0)).sum();
-  }
 }

@@ -44,12 +44,20 @@ public final class Sensitivity {
     long bound = sensitivity.bound(tasks);
     for (List<Task> path : tasks) {
       for (Task task : path) {
-        if (task.trigger() == Trigger.PERIODIC && sensitivity.matters(task, bound)) {
+        if (isAlone(task) && sensitivity.matters(task, bound)) {
           effects.computeIfAbsent(task.name(), none -> sensitivity.effect(task, bound));
         }
       }
     }
     return effects;
+  }
+
+  /**
+   * Returns whether a timer's period has no effect on the response times of other tasks, as one on
+   * a shared processor has.
+   */
+  private static boolean isAlone(Task task) {
+    return task.trigger() == Trigger.PERIODIC && task.placement().processor().isEmpty();
   }
 
   /**

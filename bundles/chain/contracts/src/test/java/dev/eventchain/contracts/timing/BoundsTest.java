@@ -66,9 +66,9 @@ class BoundsTest {
     List<Long> executions = new ArrayList<>();
     for (long period : numbers(periods)) {
       long execution = period == 4 ? 1 : period == 8 ? 2 : 3;
+      int number = period == 4 ? 0 : period == 8 ? 1 : 2;
       OptionalLong response =
-          ResponseTimes.of(List.of(demand(4, 1), demand(8, 2), demand(16, 3)))
-              .preemptive(demand(period, execution));
+          ResponseTimes.of(List.of(demand(4, 1), demand(8, 2), demand(16, 3))).get(number).bound();
       executions.add(execution);
       path.add(
           Task.periodic("T" + period, period, response.orElseThrow())
@@ -83,7 +83,12 @@ class BoundsTest {
   }
 
   private static ResponseTimes.Demand demand(long period, long execution) {
-    return new ResponseTimes.Demand(period, execution, (int) -period);
+    return demand(period, execution, (int) -period);
+  }
+
+  private static ResponseTimes.Demand demand(long period, long execution, int priority) {
+    return new ResponseTimes.Demand(
+        OptionalLong.of(period), OptionalLong.of(execution), OptionalInt.of(priority));
   }
 
   /** Returns a source by which each job takes its worst case. */
@@ -160,7 +165,7 @@ class BoundsTest {
       } else {
         demands
             .computeIfAbsent(processor, none -> new ArrayList<>())
-            .add(new ResponseTimes.Demand(period, execution, priority));
+            .add(demand(period, execution, priority));
         long phase = random.nextInt((int) period);
         Task task = Task.periodic("T" + i, period, execution).withPhase(phase);
         path.add(task.on(processor, priority));
@@ -176,9 +181,11 @@ class BoundsTest {
       return task;
     }
     int priority = task.placement().priority().orElseThrow();
-    ResponseTimes.Demand own =
-        demands.stream().filter(it -> it.priority() == priority).findFirst().orElseThrow();
-    OptionalLong response = ResponseTimes.of(demands).preemptive(own);
+    int number = 0;
+    while (demands.get(number).priority().getAsInt() != priority) {
+      number++;
+    }
+    OptionalLong response = ResponseTimes.of(demands).get(number).bound();
     return new Task(
         task.name(), task.trigger(), task.period(), task.phase(), response, 0, task.placement());
   }

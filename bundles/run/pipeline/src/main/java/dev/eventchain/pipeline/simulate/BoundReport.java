@@ -35,7 +35,7 @@ final class BoundReport {
         bounded.last(),
         maximum(bounded),
         milliseconds(bound),
-        slowest.map(it -> it.method().assumption()),
+        slowest.map(estimate::assumption),
         milliseconds(estimate.known()),
         milliseconds(estimate.outside()),
         slowest.map(it -> parts(bounded, it)).orElse(List.of()),
