@@ -82,6 +82,7 @@ public final class ReportData {
     set("conversations", conversations());
     diagnostics(found);
     set("latencies", simulated().map(Simulated::latencies).orElse(List.of()));
+    set("processors", simulated().map(Simulated::processors).orElse(List.of()));
     data.set("scenarios", before.beside(simulated().map(Simulated::scenarios).orElse(List.of())));
     set("faults", simulated().map(Simulated::faults).orElse(List.of()));
     set("nodes", simulated().map(Simulated::nodes).orElse(List.of()));

@@ -14,6 +14,7 @@ import java.util.OptionalLong;
  * @param driver the driver and its speed
  * @param attached the driver of nodes that were started elsewhere, if they were
  * @param latencies that of the chain, and those of the constraints
+ * @param processors those to which components are mapped
  * @param untested the qualified names of constraints that implement a requirement and were not
  *     tested
  * @param requirements the outcome of each requirement; empty in a simulation of some scenarios
@@ -32,13 +33,14 @@ public record Simulated(
     List<Hop> hops,
     List<Topic> topics,
     List<BoundedLatency> latencies,
+    @JsonInclude(JsonInclude.Include.NON_EMPTY) List<LoadedProcessor> processors,
     List<String> untested,
     List<RequirementOutcome> requirements,
     Optional<String> strength,
     Validation validation)
     implements StageReport {
 
-  /** Copies the lists; JSON omits an empty one of faults. */
+  /** Copies the lists; JSON omits empty ones of faults and processors. */
   public Simulated {
     scenarios = List.copyOf(scenarios);
     faults = faults == null ? List.of() : List.copyOf(faults);
@@ -46,6 +48,7 @@ public record Simulated(
     hops = List.copyOf(hops);
     topics = List.copyOf(topics);
     latencies = List.copyOf(latencies);
+    processors = processors == null ? List.of() : List.copyOf(processors);
     untested = List.copyOf(untested);
     requirements = List.copyOf(requirements);
   }

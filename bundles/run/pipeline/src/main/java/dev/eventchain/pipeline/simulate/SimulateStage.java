@@ -175,6 +175,7 @@ public final class SimulateStage implements StageWork {
     return SimulationReport.of(
         result,
         latencies,
+        ProcessorReport.of(run.chain().chain()),
         evidence.untestedConstraints(),
         run.options().isPartial() ? List.of() : outcomes,
         RequirementStrength.limited(run, result),

@@ -11,6 +11,7 @@ import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.pipeline.results.BoundedLatency;
 import dev.eventchain.pipeline.results.Criterion;
+import dev.eventchain.pipeline.results.LoadedProcessor;
 import dev.eventchain.pipeline.results.RequirementOutcome;
 import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.results.Simulated;
@@ -47,6 +48,7 @@ public final class SimulationReport {
    * Returns the simulation's part of the report.
    *
    * @param latencies with their bounds
+   * @param processors those to which components are mapped
    * @param untested the qualified names of untested constraints
    * @param outcomes the outcome of each requirement; empty in a simulation of some scenarios
    * @param strength why the strength of requirements was not measured, or the size of its sample;
@@ -56,6 +58,7 @@ public final class SimulationReport {
   static Simulated of(
       SimulationResult result,
       List<BoundedLatency> latencies,
+      List<LoadedProcessor> processors,
       List<String> untested,
       List<RequirementOutcome> outcomes,
       Optional<String> strength,
@@ -74,6 +77,7 @@ public final class SimulationReport {
         flow.hops().stream().map(SimulationReport::hop).toList(),
         flow.topics().stream().map(SimulationReport::topic).toList(),
         latencies,
+        processors,
         untested,
         outcomes,
         strength,

@@ -101,7 +101,33 @@ function completeDelays(latency) {
       delayedTable(latency)];
 }
 
-/** Adds the bounds, which are no part of the model. */
+function processorTable(processor) {
+  const columns = [{ name: "Component", row: true }, { name: "Priority", number: true }, { name: "Utilisation", number: true }, { name: "Response time in ms, at most", number: true }];
+  const share = (one) => number(one.percent) === null ? "not known" : figure(one.percent, 1, "%");
+  const response = (one) => number(one.response) !== null ? milliseconds(one.response)
+    : one.tardy === true ? html("strong", { class: "bad" }, "may be after its period") : "not known";
+  const rows = records(processor.components).map((one) => ({ cells: [code(text(one.component)), number(one.priority) === null ? "\u2013" : String(one.priority), share(one), response(one)] }));
+  return table(`Components on ${text(processor.name)}`, columns, rows);
+}
+
+function processorFigure(processor) {
+  const used = number(processor.percent) === null ? `at least ${figure(processor.known, 1, "%")} used, the rest is not known` : `${figure(processor.percent, 1, "%")} used`;
+  return html("figure", { class: "passage" },
+    html("figcaption", null, html("strong", null, text(processor.name)), ": ", processor.known > 100 ? html("strong", { class: "bad" }, used) : used,
+      processor.ordered === true ? "" : ", any component may go first"),
+    processorTable(processor));
+}
+
+function completeProcessors(place) {
+  const all = records(data.processors);
+  if (all.length > 0) {
+    place.append(html("h3", null, "Processors"),
+      html("p", { class: "lead" }, "What the components on each processor need at most, by the worst-case execution times and frequencies of the model. In the simulation each has a processor of its own."),
+      ...all.map(processorFigure));
+  }
+}
+
+/** Adds bounds and processors, which are not measured. */
 function completeBounds() {
   const place = document.getElementById("measurements");
   const all = records(data.latencies);
@@ -110,5 +136,8 @@ function completeBounds() {
       html("p", { class: "lead" }, "What the periods and worst-case execution times of the model make possible, for all phases of the timers. The second bar is what the longest measured time consists of; "
         + "a simulation has some phases, and may stay below. The largest period that holds is that of one component while the others keep theirs."),
       ...all.map(boundFigure), ...all.flatMap(completeDelays));
+  }
+  if (place) {
+    completeProcessors(place);
   }
 }

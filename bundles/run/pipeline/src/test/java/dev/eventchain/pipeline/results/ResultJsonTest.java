@@ -70,7 +70,12 @@ class ResultJsonTest {
           "period of parts",
           "saved of parts",
           "largest of parts",
-          "after of margins");
+          "after of margins",
+          "processors",
+          "percent of processors",
+          "priority",
+          "percent of components",
+          "response");
 
   private static final Set<Stage> SAMPLES =
       Set.of(Stage.IMPLEMENT, Stage.VALIDATE, Stage.GENERATE, Stage.SIMULATE);
@@ -132,7 +137,8 @@ class ResultJsonTest {
         });
     // Lists that JSON omits where they are empty.
     assertEquals(
-        List.of(), accepted.stream().filter(key -> !key.matches("faults|judges|limits")).toList());
+        List.of(),
+        accepted.stream().filter(key -> !key.matches("faults|judges|limits|processors")).toList());
   }
 
   @Test
