@@ -4,6 +4,7 @@ import dev.eventchain.model.eventchain.ComponentOrigin;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.LatencyConstraint;
+import dev.eventchain.model.eventchain.Processor;
 import dev.eventchain.model.eventchain.QosProfile;
 import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
@@ -29,6 +30,7 @@ public enum Icon {
   QOS(0x7A5BA8, bars(11, 7, 9)),
   REQUIREMENT(0x8A6D3B, page()),
   LATENCY(0xB23A48, clock()),
+  PROCESSOR(0x5A6B3B, chip()),
   MEASURED(0x46808A, bars(5, 8, 12)),
   GROUP(0xC9A227, folder()),
   UP(0x4A5560, triangle(11, 4)),
@@ -65,6 +67,8 @@ public enum Icon {
       return QOS;
     } else if (element instanceof Requirement) {
       return REQUIREMENT;
+    } else if (element instanceof Processor) {
+      return PROCESSOR;
     }
     return element instanceof LatencyConstraint ? LATENCY : MEASURED;
   }
@@ -132,6 +136,16 @@ public enum Icon {
     Area area = new Area(new Rectangle2D.Double(2, 14 - first, 3, first));
     area.add(new Area(new Rectangle2D.Double(6.5, 14 - second, 3, second)));
     area.add(new Area(new Rectangle2D.Double(11, 14 - third, 3, third)));
+    return area;
+  }
+
+  /** Returns a square with pins on all sides. */
+  private static Shape chip() {
+    Area area = new Area(new Rectangle2D.Double(4, 4, 8, 8));
+    for (int pin = 5; pin < 12; pin += 2) {
+      area.add(new Area(new Rectangle2D.Double(pin, 1, 1, 14)));
+      area.add(new Area(new Rectangle2D.Double(1, pin, 14, 1)));
+    }
     return area;
   }
 

@@ -9,6 +9,7 @@ import dev.eventchain.model.eventchain.LatencyMeasurement;
 import dev.eventchain.model.eventchain.LatencyPart;
 import dev.eventchain.model.eventchain.Measurement;
 import dev.eventchain.model.eventchain.NodeMeasurement;
+import dev.eventchain.model.eventchain.Processor;
 import dev.eventchain.model.eventchain.QosProfile;
 import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
@@ -47,6 +48,8 @@ public final class Labels {
       return new Label(named(requirement.getId(), requirement), text(requirement.getText()));
     } else if (element instanceof LatencyConstraint constraint) {
       return new Label(named(constraint.getName(), constraint), bound(constraint));
+    } else if (element instanceof Processor processor) {
+      return new Label(named(processor.getName(), processor), "");
     } else if (element instanceof QosProfile qos) {
       return new Label("Quality of service", text(qos.getName()));
     }

@@ -49,6 +49,7 @@ public final class Structure {
       add(children, MODEL.getEventChain_Software());
       add(children, MODEL.getEventChain_Requirements());
       add(children, MODEL.getEventChain_LatencyConstraints());
+      add(children, MODEL.getEventChain_Processors());
     } else if (parent instanceof SoftwareNode) {
       add(children, MODEL.getSoftwareNode_Input());
       add(children, MODEL.getSoftwareNode_Output());
@@ -103,6 +104,8 @@ public final class Structure {
     String start = isNode ? "Component" : name == MODEL.getRequirement_Id() ? "REQ" : "value";
     if (element.eClass() == MODEL.getLatencyConstraint()) {
       start = "latency";
+    } else if (element.eClass() == MODEL.getProcessor()) {
+      start = "processor";
     }
     String base = had == null ? start : had.toString();
     String separator = name == MODEL.getRequirement_Id() ? "-" : "_";

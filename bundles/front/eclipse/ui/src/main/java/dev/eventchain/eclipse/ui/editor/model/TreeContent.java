@@ -56,6 +56,7 @@ public final class TreeContent implements ITreeContentProvider {
             MODEL.getEventChain_Data(),
             MODEL.getEventChain_Requirements(),
             MODEL.getEventChain_LatencyConstraints(),
+            MODEL.getEventChain_Processors(),
             MODEL.getEventChain_Measured())
         .map(feature -> new Group(chain, feature))
         .filter(group -> !members(group).isEmpty())
