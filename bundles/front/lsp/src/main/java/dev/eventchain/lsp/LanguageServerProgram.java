@@ -51,7 +51,7 @@ public final class LanguageServerProgram {
           new LSPLauncher.Builder<LanguageClient>()
               .setLocalService(server)
               .setRemoteInterface(LanguageClient.class)
-              .setInput(new Watched(in, () -> end.complete(LEFT)))
+              .setInput(new Watched(in, () -> end.complete(LEFT), log))
               .setOutput(out)
               .setExecutorService(threads)
               .create();
@@ -75,27 +75,39 @@ public final class LanguageServerProgram {
     return thread;
   }
 
-  /** An input that says when it ends. */
+  /** An input that says when it ends. One that cannot be read has ended: nothing more will come. */
   private static final class Watched extends FilterInputStream {
 
     private final Runnable end;
+    private final PrintWriter log;
 
-    Watched(InputStream in, Runnable end) {
+    Watched(InputStream in, Runnable end, PrintWriter log) {
       super(in);
       this.end = end;
+      this.log = log;
+    }
+
+    private interface Reading {
+      int read() throws IOException;
     }
 
     @Override
-    public int read() throws IOException {
-      return watched(super.read());
+    public int read() {
+      return watched(super::read);
     }
 
     @Override
-    public int read(byte[] bytes, int offset, int length) throws IOException {
-      return watched(super.read(bytes, offset, length));
+    public int read(byte[] bytes, int offset, int length) {
+      return watched(() -> super.read(bytes, offset, length));
     }
 
-    private int watched(int result) {
+    private int watched(Reading reading) {
+      int result = -1;
+      try {
+        result = reading.read();
+      } catch (IOException e) {
+        log.println("eventchain: the client can no longer be heard: " + e);
+      }
       if (result < 0) {
         end.run();
       }

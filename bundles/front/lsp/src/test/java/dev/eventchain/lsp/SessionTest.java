@@ -1,22 +1,35 @@
 package dev.eventchain.lsp;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.fixtures.EditorClient;
+import dev.eventchain.lsp.session.EditorServer;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.lang.reflect.Proxy;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import org.eclipse.lsp4j.Diagnostic;
 import org.eclipse.lsp4j.DidChangeWatchedFilesParams;
 import org.eclipse.lsp4j.FileChangeType;
 import org.eclipse.lsp4j.FileEvent;
 import org.eclipse.lsp4j.InitializeParams;
+import org.eclipse.lsp4j.InitializedParams;
 import org.eclipse.lsp4j.Position;
 import org.eclipse.lsp4j.Range;
 import org.eclipse.lsp4j.ServerInfo;
+import org.eclipse.lsp4j.WorkspaceFolder;
+import org.eclipse.lsp4j.services.LanguageClient;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -47,6 +60,49 @@ class SessionTest {
     try (TestSession session = new TestSession(folder)) {
       session.client.leave();
       assertEquals(LanguageServerProgram.LEFT, session.exitCode());
+    }
+  }
+
+  @Test
+  @Timeout(60)
+  void endsWhenTheClientCanNoLongerBeHeard() {
+    InputStream broken =
+        new InputStream() {
+          @Override
+          public int read() throws IOException {
+            throw new IOException("a broken pipe");
+          }
+        };
+    StringWriter log = new StringWriter();
+    PrintWriter writer = new PrintWriter(log);
+    OutputStream nobody = OutputStream.nullOutputStream();
+    assertEquals(
+        LanguageServerProgram.LEFT, LanguageServerProgram.serve(broken, nobody, writer, "1.2.3"));
+    assertTrue(log.toString().contains("a broken pipe"), log.toString());
+  }
+
+  /** Before that, a client may not be sent anything but the answer to its first question. */
+  @Test
+  void checksBeginWhenTheClientIsReady() throws Exception {
+    Files.writeString(folder.resolve("rules.ocl"), "context Nothing inv A: true");
+    CountDownLatch told = new CountDownLatch(1);
+    LanguageClient client =
+        (LanguageClient)
+            Proxy.newProxyInstance(
+                getClass().getClassLoader(),
+                new Class<?>[] {LanguageClient.class},
+                (proxy, method, arguments) -> {
+                  told.countDown();
+                  return null;
+                });
+    try (EditorServer server = new EditorServer("1.2.3", code -> {})) {
+      server.connect(client);
+      InitializeParams params = new InitializeParams();
+      params.setWorkspaceFolders(List.of(new WorkspaceFolder(EditorClient.uri(folder), "here")));
+      EditorClient.get(server.initialize(params));
+      assertFalse(told.await(500, TimeUnit.MILLISECONDS));
+      server.initialized(new InitializedParams());
+      assertTrue(told.await(60, TimeUnit.SECONDS));
     }
   }
 

@@ -122,8 +122,7 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
             .map(all -> all.getCodeLens())
             .map(all -> all.getRefreshSupport())
             .orElse(false);
-    workspace.begin(
-        folders(params), Settings.of(params.getInitializationOptions(), Settings.USUAL));
+    workspace.set(folders(params), Settings.of(params.getInitializationOptions(), Settings.USUAL));
     ServerInfo info = new ServerInfo("eventchain", version);
     return CompletableFuture.completedFuture(new InitializeResult(Capabilities.all(), info));
   }
@@ -157,8 +156,10 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
         .orElse(false);
   }
 
+  /** Begins to check: before, an editor may not be told anything but the answer. */
   @Override
   public void initialized(InitializedParams params) {
+    workspace.begin();
     if (watches) {
       FileSystemWatcher all = new FileSystemWatcher(Either.forLeft("**/*"));
       DidChangeWatchedFilesRegistrationOptions options =

@@ -68,10 +68,14 @@ final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
     this.disk = new DiskWatch(checks);
   }
 
-  /** Checks what is in folders. */
-  synchronized void begin(List<Path> given, Settings set) {
+  /** Takes the folders that are checked when the session begins. */
+  synchronized void set(List<Path> given, Settings set) {
     folders = List.copyOf(given);
     settings = set;
+  }
+
+  /** Checks what is in the folders. */
+  synchronized void begin() {
     checks.open(folders, settings);
   }
 
@@ -82,7 +86,8 @@ final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
 
   @Override
   public synchronized void didChangeConfiguration(DidChangeConfigurationParams params) {
-    begin(folders, Settings.of(params.getSettings(), settings));
+    set(folders, Settings.of(params.getSettings(), settings));
+    begin();
   }
 
   @Override
@@ -90,7 +95,8 @@ final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
     List<Path> now = new ArrayList<>(folders);
     now.removeAll(paths(params.getEvent().getRemoved()));
     now.addAll(paths(params.getEvent().getAdded()));
-    begin(now.stream().distinct().toList(), settings);
+    set(now.stream().distinct().toList(), settings);
+    begin();
   }
 
   private static List<Path> paths(List<WorkspaceFolder> given) {
