@@ -71,6 +71,22 @@ class ActionTest {
     }
   }
 
+  /** Suppressions are read by the check of the project, and a template has one of its own. */
+  @Test
+  void nothingIsSuppressedThatTheProjectDoesNotCheck() throws Exception {
+    Path example = Repository.ROOT.resolve("examples/radar-aeb");
+    Path project = Projects.copy(example, folder.resolve("radar-aeb"));
+    Path template =
+        Files.writeString(
+            project.resolve("own.mtl"), "[module own('http://nowhere.example/none')/]\n");
+    try (TestSession session = new TestSession(project)) {
+      Diagnostic found = session.client.await(template, each -> !each.isEmpty()).get(0);
+      assertEquals(
+          List.of("Explain " + found.getCode().getLeft()),
+          actions(session.client, template, found).stream().map(CodeAction::getTitle).toList());
+    }
+  }
+
   @Test
   void aFindingOfAProjectCanBeSuppressedWithAReason() throws Exception {
     Path example = Repository.ROOT.resolve("examples/radar-aeb");

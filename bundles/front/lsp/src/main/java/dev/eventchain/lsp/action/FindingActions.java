@@ -8,6 +8,7 @@ import dev.eventchain.editing.TextLines;
 import dev.eventchain.editing.Workspace;
 import dev.eventchain.lsp.check.Findings;
 import dev.eventchain.lsp.text.Edits;
+import dev.eventchain.project.ProjectFolder;
 import java.nio.file.Path;
 import java.time.LocalDate;
 import java.util.ArrayList;
@@ -58,7 +59,7 @@ public final class FindingActions {
                 action.setIsPreferred(true);
                 actions.add(action);
               });
-      suppression(finding, today)
+      suppression(shown, today)
           .ifPresent(
               edit -> {
                 String title = "Suppress this " + finding.id() + " for 30 days, with a reason";
@@ -111,8 +112,11 @@ public final class FindingActions {
     return name.substring(name.lastIndexOf('.') + 1);
   }
 
-  private Optional<WorkspaceEdit> suppression(Diagnostic finding, LocalDate today) {
-    return Suppression.of(finding, today)
+  private Optional<WorkspaceEdit> suppression(Findings.Shown shown, LocalDate today) {
+    return shown
+        .project()
+        .map(ProjectFolder::new)
+        .flatMap(project -> Suppression.of(shown.finding(), project, today))
         .map(
             entry ->
                 edits.appended(

@@ -18,18 +18,26 @@ record Suppression(Path file, String text) {
 
   private static final int DAYS = 30;
 
-  /** Returns the entry for a finding; empty if it is in no project, or cannot be suppressed. */
-  static Optional<Suppression> of(Diagnostic finding, LocalDate today) {
+  /**
+   * Returns the entry for a finding of a project; empty if it is about no file, or cannot be
+   * suppressed.
+   */
+  static Optional<Suppression> of(Diagnostic finding, ProjectFolder project, LocalDate today) {
     if (finding.kind().has(CommonTrait.UNSUPPRESSIBLE) || finding.location().file().isEmpty()) {
       return Optional.empty();
     }
     Path place = Path.of(finding.location().file());
-    return ProjectFolder.around(place)
-        .map(
-            project ->
-                new Suppression(
-                    project.suppressionsFile(),
-                    entry(finding, project.folder().relativize(place), today)));
+    return place.isAbsolute() == project.folder().isAbsolute()
+        ? Optional.of(
+            new Suppression(
+                project.suppressionsFile(),
+                entry(finding, named(project.folder().relativize(place)), today)))
+        : Optional.empty();
+  }
+
+  /** Returns a file of a project as suppressions name it: one from elsewhere by its name. */
+  private static Path named(Path inside) {
+    return inside.startsWith("..") ? inside.getFileName() : inside;
   }
 
   private static String entry(Diagnostic finding, Path file, LocalDate today) {

@@ -22,7 +22,8 @@ import java.util.function.Consumer;
 /**
  * The checks of a workspace, one after the other in the background. A unit is checked again when a
  * file changes that it has read, on disk or in the editor, once nothing has been typed for a
- * moment; units with open files come first. Thread-safe.
+ * moment; units with open files come first. Nothing is checked, looked for or shown under the lock,
+ * so that nobody waits for that. Thread-safe.
  */
 public final class Checks implements AutoCloseable {
 
@@ -93,19 +94,27 @@ public final class Checks implements AutoCloseable {
   }
 
   /** Checks what may read files now, or has read them, after they came or went on disk. */
-  public synchronized void appearedOrGone(Collection<Path> changed) {
-    revisit(changed);
-    for (CheckUnit unit : reads.keySet()) {
-      if (changed.stream().anyMatch(file -> mayRead(unit, file))) {
-        waiting.add(unit);
+  public void appearedOrGone(Collection<Path> changed) {
+    List<Path> where = folders();
+    List<Path> written =
+        changed.stream().filter(file -> !WorkspaceFiles.isPassedOver(file, where)).toList();
+    synchronized (this) {
+      revisit(changed);
+      for (CheckUnit unit : reads.keySet()) {
+        if (written.stream().anyMatch(file -> mayRead(unit, file))) {
+          waiting.add(unit);
+        }
+      }
+      if (!written.isEmpty()) {
+        list();
       }
     }
-    list();
   }
 
   private static boolean mayRead(CheckUnit unit, Path file) {
     return unit instanceof ProjectUnit project
         ? file.startsWith(project.folder())
+            && !WorkspaceFiles.isPassedOver(file, List.of(project.folder()))
         : WorkspaceFiles.isKnown(file);
   }
 
@@ -130,8 +139,8 @@ public final class Checks implements AutoCloseable {
   }
 
   /** Returns the metamodels that a file may name. */
-  public synchronized List<Path> metamodels(Path file) {
-    return files.metamodels(file, settings.metamodelsIn(folders));
+  public List<Path> metamodels(Path file) {
+    return files().metamodels(file, settings().metamodelsIn(folders()));
   }
 
   /** Returns the files on which the findings depend. */
@@ -202,20 +211,20 @@ public final class Checks implements AutoCloseable {
     List<Path> open = texts.all().stream().map(OpenText::path).toList();
     WorkspaceFiles found = WorkspaceFiles.of(where, open);
     List<Path> named = with.metamodelsIn(where);
-    list(found, UnsavedTexts.during(texts.overlay(), () -> found.units(named, with.timeLimit())));
+    List<CheckUnit> units =
+        UnsavedTexts.during(texts.overlay(), () -> found.units(named, with.timeLimit()));
+    list(found, units).forEach(findings::remove);
   }
 
-  private synchronized void list(WorkspaceFiles found, List<CheckUnit> units) {
+  /** Takes over what was found, and returns the units that are gone. */
+  private synchronized List<CheckUnit> list(WorkspaceFiles found, List<CheckUnit> units) {
     files = found;
     Set<CheckUnit> now = new LinkedHashSet<>(units);
-    for (CheckUnit gone : Set.copyOf(reads.keySet())) {
-      if (!now.contains(gone)) {
-        reads.remove(gone);
-        findings.remove(gone);
-      }
-    }
+    List<CheckUnit> gone = reads.keySet().stream().filter(each -> !now.contains(each)).toList();
+    gone.forEach(reads::remove);
     waiting.retainAll(now);
     now.stream().filter(unit -> reads.putIfAbsent(unit, Set.of()) == null).forEach(waiting::add);
+    return gone;
   }
 
   /**
@@ -260,17 +269,22 @@ public final class Checks implements AutoCloseable {
                     () ->
                         FileChecks.attempt(
                             unit.subject(), () -> new Validation(Coverage.NONE, unit.check()))));
-    synchronized (this) {
-      if (!reads.containsKey(unit)) {
-        return; // its file is gone meanwhile
-      }
-      reads.put(unit, checked.files());
-      if (isAbout(unit, checked.files(), changedMeanwhile)) {
-        waiting.add(unit);
-      } else {
-        findings.replace(unit, checked.value().diagnostics());
-      }
+    if (isPresent(unit, checked.files())) {
+      findings.replace(unit, checked.value().diagnostics());
     }
+  }
+
+  /** Notes what the check of a unit has read, and returns whether none of it has changed since. */
+  private synchronized boolean isPresent(CheckUnit unit, Set<Path> read) {
+    if (!reads.containsKey(unit)) {
+      return false; // its file is gone meanwhile
+    }
+    reads.put(unit, read);
+    if (isAbout(unit, read, changedMeanwhile)) {
+      waiting.add(unit);
+      return false;
+    }
+    return true;
   }
 
   /** Ends the checks; one that is being made is not waited for. */

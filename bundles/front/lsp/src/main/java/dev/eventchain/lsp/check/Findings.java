@@ -30,7 +30,8 @@ import org.eclipse.lsp4j.Range;
 
 /**
  * The findings of all units, and those that the editor shows of each file. A file is published when
- * its findings change, with none when the last one is gone. Thread-safe.
+ * its findings change, with none when the last one is gone. What is known of findings can be asked
+ * while others are published. Thread-safe.
  */
 public final class Findings {
 
@@ -44,10 +45,16 @@ public final class Findings {
   /** Findings of the units by the files at which they are shown. */
   private final Map<CheckUnit, Map<Path, List<Diagnostic>>> units = new HashMap<>();
 
+  /** Lock of one publication after the other, always taken before that of the findings. */
+  private final Object publishing = new Object();
+
   private final Map<Path, Set<CheckUnit>> unitsOf = new HashMap<>();
   private final Map<Path, List<Diagnostic>> shown = new HashMap<>();
 
-  /** The addresses under which files were published: an editor may write others than we do. */
+  /**
+   * The addresses under which files were published: an editor may write others than we do. Used
+   * while publishing.
+   */
   private final Map<Path, String> addresses = new HashMap<>();
 
   /** Creates an empty set of findings. */
@@ -59,12 +66,17 @@ public final class Findings {
   }
 
   /** Replaces the findings of a unit. */
-  synchronized void replace(CheckUnit unit, List<Diagnostic> found) {
+  void replace(CheckUnit unit, List<Diagnostic> found) {
     Map<Path, List<Diagnostic>> now = new HashMap<>();
     for (Diagnostic each : found) {
       now.computeIfAbsent(fileOf(each, unit), key -> new ArrayList<>()).add(each);
     }
-    Map<Path, List<Diagnostic>> before = units.put(unit, now);
+    put(unit, now).forEach(this::publish);
+  }
+
+  /** Takes over the findings of a unit, and returns the files about which it has said something. */
+  private synchronized Set<Path> put(CheckUnit unit, Map<Path, List<Diagnostic>> now) {
+    Map<Path, List<Diagnostic>> before = now.isEmpty() ? units.remove(unit) : units.put(unit, now);
     Set<Path> files = new TreeSet<>(now.keySet());
     if (before != null) {
       files.addAll(before.keySet());
@@ -76,25 +88,33 @@ public final class Findings {
       } else {
         about.remove(unit);
       }
-      publish(file);
+      if (about.isEmpty()) {
+        unitsOf.remove(file);
+      }
     }
+    return files;
   }
 
   /** Forgets a unit, with its findings. */
-  synchronized void remove(CheckUnit unit) {
+  void remove(CheckUnit unit) {
     replace(unit, List.of());
-    units.remove(unit);
   }
 
   /** Shows the findings of a file as the editor counts and addresses its text now. */
-  public synchronized void showAgain(Path file) {
-    String before = addresses.get(file);
-    if (before != null && !before.equals(address(file))) {
-      publisher.accept(new PublishDiagnosticsParams(before, List.of()));
+  public void showAgain(Path file) {
+    synchronized (publishing) {
+      String before = addresses.get(file);
+      if (before != null && !before.equals(address(file))) {
+        publisher.accept(new PublishDiagnosticsParams(before, List.of()));
+      }
+      if (before != null) {
+        publisher.accept(params(file, shown(file)));
+      }
     }
-    if (before != null) {
-      publisher.accept(params(file, shown.getOrDefault(file, List.of())));
-    }
+  }
+
+  private synchronized List<Diagnostic> shown(Path file) {
+    return shown.getOrDefault(file, List.of());
   }
 
   private String address(Path file) {
@@ -105,15 +125,18 @@ public final class Findings {
    * A finding that the editor shows.
    *
    * @param asSent as the editor has been told
+   * @param project the folder of the project whose check has found it; empty if another check has
+   *     found it, too, or only others
    */
-  public record Shown(Diagnostic finding, org.eclipse.lsp4j.Diagnostic asSent) {}
+  public record Shown(
+      Diagnostic finding, org.eclipse.lsp4j.Diagnostic asSent, Optional<Path> project) {}
 
   /** Returns the findings that are shown of a file and touch a range. */
-  public synchronized List<Shown> in(Path file, Range range) {
+  public List<Shown> in(Path file, Range range) {
     boolean marked = texts.of(file).map(OpenText::hasMark).orElse(false);
     TextRange wanted = Positions.of(range);
-    return shown.getOrDefault(file, List.of()).stream()
-        .map(each -> new Shown(each, converted(each, file, marked)))
+    return shown(file).stream()
+        .map(each -> new Shown(each, converted(each, file, marked), project(file, each)))
         .filter(
             each -> {
               TextRange place = Positions.of(each.asSent().getRange());
@@ -122,18 +145,32 @@ public final class Findings {
         .toList();
   }
 
+  private synchronized Optional<Path> project(Path file, Diagnostic finding) {
+    List<CheckUnit> finders =
+        unitsOf.getOrDefault(file, Set.of()).stream()
+            .filter(unit -> units.get(unit).get(file).contains(finding))
+            .toList();
+    return finders.size() == 1 && finders.get(0) instanceof ProjectUnit project
+        ? Optional.of(project.folder())
+        : Optional.empty();
+  }
+
   private void publish(Path file) {
+    synchronized (publishing) {
+      changed(file).ifPresent(found -> publisher.accept(params(file, found)));
+    }
+  }
+
+  /** Returns the present findings of a file from now on shown; empty if they are shown already. */
+  private synchronized Optional<List<Diagnostic>> changed(Path file) {
     Set<Diagnostic> all = new LinkedHashSet<>();
     Set<CheckUnit> about = unitsOf.getOrDefault(file, Set.of());
-    about.forEach(unit -> all.addAll(units.get(unit).getOrDefault(file, List.of())));
-    if (about.isEmpty()) {
-      unitsOf.remove(file);
-    }
+    about.forEach(unit -> all.addAll(units.get(unit).get(file)));
     List<Diagnostic> found = List.copyOf(all);
     List<Diagnostic> before = found.isEmpty() ? shown.remove(file) : shown.put(file, found);
-    if (!found.equals(before == null ? List.of() : before)) {
-      publisher.accept(params(file, found));
-    }
+    return found.equals(before == null ? List.of() : before)
+        ? Optional.empty()
+        : Optional.of(found);
   }
 
   private PublishDiagnosticsParams params(Path file, List<Diagnostic> found) {

@@ -3,6 +3,7 @@ package dev.eventchain.lsp.check;
 import dev.eventchain.check.CheckRules;
 import dev.eventchain.check.ProjectValidation;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.FileReads;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.Pipeline;
 import dev.eventchain.pipeline.Today;
@@ -34,6 +35,9 @@ record ProjectUnit(Path folder, Duration timeLimit) implements CheckUnit {
   public List<Diagnostic> check() {
     Project project = Project.open(folder);
     Path output = project.defaultOutput();
+    // Results of a run that count as soon as they are there; changes of others mean nothing.
+    List.of(ProjectFolder.MODEL, ProjectFolder.DESCRIPTION, ProjectFolder.GENERATED)
+        .forEach(each -> FileReads.note(output.resolve(each)));
     List<Diagnostic> found =
         new ArrayList<>(Pipeline.run(project, options(project), Progress.NONE).diagnostics());
     if (project.model(output).isEmpty()) {

@@ -104,6 +104,26 @@ public final class WorkspaceFiles {
     return name.startsWith(".") || BUILT.contains(name);
   }
 
+  /**
+   * Returns whether a file, which may be gone, is left out in each of the folders that it is in;
+   * one that is in none of them is not.
+   */
+  static boolean isPassedOver(Path file, List<Path> folders) {
+    List<Path> around = folders.stream().filter(file::startsWith).toList();
+    return !around.isEmpty() && around.stream().allMatch(each -> isPassedOverIn(each, file));
+  }
+
+  private static boolean isPassedOverIn(Path folder, Path file) {
+    Path inside = file;
+    while (!inside.equals(folder)) {
+      if (isPassedOver(inside) || isOutput(inside)) {
+        return true;
+      }
+      inside = inside.getParent();
+    }
+    return false;
+  }
+
   private static boolean isOutput(Path folder) {
     return folder.endsWith("out") && Files.isRegularFile(folder.resolveSibling(PROJECT));
   }
