@@ -7,6 +7,7 @@ import java.util.ArrayDeque;
 import java.util.Collections;
 import java.util.Deque;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.WeakHashMap;
@@ -20,6 +21,11 @@ public final class EcorePlaces {
   private static final int DEEPEST = 100;
 
   private final Workspace workspace;
+
+  /** Files of a list as the workspace names them, by their absolute paths. */
+  private record Named(List<Path> files, Map<Path, Path> byAbsolute) {}
+
+  private volatile Named named = new Named(List.of(), Map.of());
 
   /** The places of names by qualified name, for each text. */
   private final Map<SourceText, Map<String, TextRange>> known =
@@ -45,11 +51,15 @@ public final class EcorePlaces {
 
   /** Returns the file as the workspace names it. */
   private Path inWorkspace(Path file) {
-    Path absolute = file.toAbsolutePath().normalize();
-    return workspace.files().stream()
-        .filter(each -> each.toAbsolutePath().normalize().equals(absolute))
-        .findFirst()
-        .orElse(file);
+    List<Path> files = workspace.files();
+    Named present = named;
+    if (present.files() != files) {
+      Map<Path, Path> byAbsolute = new HashMap<>();
+      files.forEach(each -> byAbsolute.putIfAbsent(each.toAbsolutePath().normalize(), each));
+      present = new Named(files, byAbsolute);
+      named = present;
+    }
+    return present.byAbsolute().getOrDefault(file.toAbsolutePath().normalize(), file);
   }
 
   private static String qualified(EObject element) {

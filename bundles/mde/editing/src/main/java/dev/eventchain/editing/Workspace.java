@@ -17,8 +17,24 @@ public interface Workspace {
   /** Returns all files, in a stable order; also those that are open and not yet saved. */
   List<Path> files();
 
+  /**
+   * Returns a value that equals an earlier one only if no change of a file or of the list of files
+   * has been noticed since.
+   */
+  default Object state() {
+    return new Object();
+  }
+
   /** Returns the text of a file: that of an open editor, or else of the disk; empty without one. */
   Optional<SourceText> text(Path file);
+
+  /**
+   * Returns the text of a file as {@link #text} does, without looking at a file again of which no
+   * change was noticed: for who looks through all of them.
+   */
+  default Optional<SourceText> lastText(Path file) {
+    return text(file);
+  }
 
   /** Returns the metamodels that a file may name, outermost packages only, in a stable order. */
   List<EPackage> metamodels(Path file);

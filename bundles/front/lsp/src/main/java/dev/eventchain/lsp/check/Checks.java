@@ -49,6 +49,7 @@ public final class Checks implements AutoCloseable {
   private List<Path> folders = List.of();
   private Settings settings = Settings.USUAL;
   private WorkspaceFiles files = WorkspaceFiles.of(List.of(), List.of());
+  private long reports;
   private boolean isListed = true;
   private boolean isBusy;
   private boolean isClosed;
@@ -90,6 +91,7 @@ public final class Checks implements AutoCloseable {
 
   /** Checks what has read files, after they have changed on disk. */
   public synchronized void changedOnDisk(Collection<Path> changed) {
+    reports++;
     revisit(changed);
   }
 
@@ -99,6 +101,7 @@ public final class Checks implements AutoCloseable {
     List<Path> written =
         changed.stream().filter(file -> !WorkspaceFiles.isPassedOver(file, where)).toList();
     synchronized (this) {
+      reports++;
       revisit(changed);
       for (CheckUnit unit : reads.keySet()) {
         if (written.stream().anyMatch(file -> mayRead(unit, file))) {
@@ -136,6 +139,11 @@ public final class Checks implements AutoCloseable {
   /** Returns the files of the workspace as they were last looked for. */
   public synchronized WorkspaceFiles files() {
     return files;
+  }
+
+  /** Returns how often changes on disk were reported: another number means that there were more. */
+  public synchronized long reports() {
+    return reports;
   }
 
   /** Returns the metamodels that a file may name. */

@@ -1,6 +1,5 @@
 package dev.eventchain.lsp.check;
 
-import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.project.ProjectFolder;
 import java.io.IOException;
 import java.nio.file.FileVisitResult;
@@ -12,13 +11,16 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -34,39 +36,79 @@ public final class WorkspaceFiles {
 
   private static final Set<String> BUILT = Set.of("node_modules", "target", "__pycache__");
 
-  private final Set<Path> projects = new TreeSet<>();
-  private final Set<Path> files = new TreeSet<>();
-  private int seen;
+  /** The nearest metamodels come first. */
+  private static final Comparator<Path> NEAREST =
+      Comparator.comparingInt(Path::getNameCount).thenComparing(Comparator.naturalOrder());
 
-  private WorkspaceFiles() {}
+  private final List<Path> projects;
+  private final List<Path> files;
+  private final Map<String, List<Path>> byExtension;
+
+  /** The files of each folder by their endings. */
+  private final Map<Path, Map<String, List<Path>>> byFolder = new HashMap<>();
+
+  /** The metamodels in each folder, and in folders directly in it. */
+  private final Map<Path, List<Path>> metamodels = new HashMap<>();
+
+  private WorkspaceFiles(Found found) {
+    projects = List.copyOf(found.projects);
+    files = List.copyOf(found.files);
+    byExtension = files.stream().collect(Collectors.groupingBy(WorkspaceFiles::extension));
+    for (Path file : files) {
+      byFolder
+          .computeIfAbsent(file.getParent(), folder -> new HashMap<>())
+          .computeIfAbsent(extension(file), extension -> new ArrayList<>())
+          .add(file);
+    }
+    for (Path ecore : with("ecore")) {
+      for (Path folder : above(ecore)) {
+        metamodels.computeIfAbsent(folder, key -> new ArrayList<>()).add(ecore);
+      }
+    }
+    metamodels.values().forEach(each -> each.sort(NEAREST));
+  }
+
+  /** Returns the folder of a file, and the one around it. */
+  private static List<Path> above(Path file) {
+    return Stream.iterate(file.getParent(), Objects::nonNull, Path::getParent).limit(2).toList();
+  }
 
   /** Looks for the files of folders, and adds open ones. */
   public static WorkspaceFiles of(List<Path> folders, Collection<Path> open) {
-    WorkspaceFiles all = new WorkspaceFiles();
-    folders.forEach(all::walk);
+    Found found = new Found();
+    folders.forEach(found::walk);
     for (Path file : open) {
-      all.files.add(file);
-      ProjectFolder.around(file).ifPresent(project -> all.projects.add(project.folder()));
+      found.files.add(file);
+      ProjectFolder.around(file).ifPresent(project -> found.projects.add(project.folder()));
     }
-    return all;
+    return new WorkspaceFiles(found);
   }
 
-  private void walk(Path folder) {
-    try {
-      Path real = folder.toRealPath(); // A walk does not follow its start.
-      Files.walkFileTree(real, new Collector(folder, real));
-    } catch (IOException e) {
-      // What can be read of the folder is checked; open files are, anyway.
-      return;
+  private static final class Found {
+
+    private final Set<Path> projects = new TreeSet<>();
+    private final Set<Path> files = new TreeSet<>();
+    private int seen;
+
+    private void walk(Path folder) {
+      try {
+        Path real = folder.toRealPath(); // A walk does not follow its start.
+        Files.walkFileTree(real, new Collector(this, folder, real));
+      } catch (IOException e) {
+        // What can be read of the folder is checked; open files are, anyway.
+        return;
+      }
     }
   }
 
-  private final class Collector extends SimpleFileVisitor<Path> {
+  private static final class Collector extends SimpleFileVisitor<Path> {
 
+    private final Found found;
     private final Path named;
     private final Path root;
 
-    Collector(Path named, Path root) {
+    Collector(Found found, Path named, Path root) {
+      this.found = found;
       this.named = named;
       this.root = root;
     }
@@ -85,11 +127,11 @@ public final class WorkspaceFiles {
     @Override
     public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
       if (file.getFileName().toString().equals(PROJECT)) {
-        projects.add(named(file).getParent());
+        found.projects.add(named(file).getParent());
       } else if (attributes.isRegularFile() && isKnown(file)) {
-        files.add(named(file));
+        found.files.add(named(file));
       }
-      return ++seen < MOST_FILES ? FileVisitResult.CONTINUE : FileVisitResult.TERMINATE;
+      return ++found.seen < MOST_FILES ? FileVisitResult.CONTINUE : FileVisitResult.TERMINATE;
     }
 
     @Override
@@ -143,17 +185,17 @@ public final class WorkspaceFiles {
 
   /** Returns the files with an ending, in the order of their paths. */
   public List<Path> with(String extension) {
-    return files.stream().filter(file -> extension(file).equals(extension)).toList();
+    return byExtension.getOrDefault(extension, List.of());
   }
 
   /** Returns all files that are checked one by one, in the order of their paths. */
   public List<Path> all() {
-    return List.copyOf(files);
+    return files;
   }
 
   /** Returns the folders of projects. */
   public List<Path> projects() {
-    return List.copyOf(projects);
+    return projects;
   }
 
   /**
@@ -164,54 +206,31 @@ public final class WorkspaceFiles {
   List<CheckUnit> units(List<Path> named, Duration timeLimit) {
     List<CheckUnit> units = new ArrayList<>();
     projects.forEach(folder -> units.add(new ProjectUnit(folder, timeLimit)));
+    ProjectParts parts = new ProjectParts();
     for (Path file : files) {
-      unit(file, named, timeLimit).ifPresent(units::add);
+      unit(file, named, parts, timeLimit).ifPresent(units::add);
     }
     return units;
   }
 
-  private Optional<CheckUnit> unit(Path file, List<Path> named, Duration timeLimit) {
+  private Optional<CheckUnit> unit(
+      Path file, List<Path> named, ProjectParts parts, Duration timeLimit) {
     List<Path> metamodels = metamodels(file, named);
     return switch (extension(file)) {
       case "mtl" -> Optional.of(new TemplateUnit(file, metamodels));
       case "ecore" -> Optional.of(new MetamodelUnit(file, beside(file, "ecore")));
       case "ocl" ->
-          isPartOfProject(file) ? Optional.empty() : Optional.of(new RulesUnit(file, metamodels));
+          parts.contains(file) ? Optional.empty() : Optional.of(new RulesUnit(file, metamodels));
       case "xmi", "eventchain" ->
-          isPartOfProject(file)
+          parts.contains(file)
               ? Optional.empty()
               : Optional.of(new ModelUnit(file, metamodels, beside(file, "ocl"), timeLimit));
       default -> Optional.empty();
     };
   }
 
-  /** Returns whether a file is the model, or a document of rules, that its project is about. */
-  private static boolean isPartOfProject(Path file) {
-    return ProjectFolder.around(file).stream()
-        .flatMap(WorkspaceFiles::parts)
-        .anyMatch(each -> each.toAbsolutePath().normalize().equals(file));
-  }
-
-  private static Stream<Path> parts(ProjectFolder project) {
-    Path output = project.defaultOutput();
-    return Stream.concat(project.model(output).stream(), rules(project, output).stream());
-  }
-
-  /** Returns a project's documents of rules; if one cannot be read, without their imports. */
-  private static List<Path> rules(ProjectFolder project, Path output) {
-    try {
-      return project.constraintFiles(output);
-    } catch (DiagnosticException e) {
-      // The check of the project says why.
-      return List.of(
-          project.folder().resolve("constraints.ocl"), output.resolve(ProjectFolder.GENERATED));
-    }
-  }
-
   private List<Path> beside(Path file, String extension) {
-    return with(extension).stream()
-        .filter(each -> Objects.equals(each.getParent(), file.getParent()))
-        .toList();
+    return byFolder.getOrDefault(file.getParent(), Map.of()).getOrDefault(extension, List.of());
   }
 
   /**
@@ -220,20 +239,10 @@ public final class WorkspaceFiles {
    */
   public List<Path> metamodels(Path file, List<Path> named) {
     Set<Path> found = new LinkedHashSet<>(named);
-    List<Path> all = with("ecore");
-    for (Path around = file.getParent(); around != null; around = around.getParent()) {
-      Path folder = around;
-      List<Path> inside =
-          all.stream()
-              .filter(each -> each.startsWith(folder))
-              .filter(each -> folder.relativize(each).getNameCount() <= 2)
-              .sorted(Comparator.<Path>comparingInt(Path::getNameCount).thenComparing(each -> each))
-              .toList();
-      if (!inside.isEmpty()) {
-        found.addAll(inside);
-        break;
-      }
-    }
+    Stream.iterate(file.getParent(), Objects::nonNull, Path::getParent)
+        .filter(metamodels::containsKey)
+        .findFirst()
+        .ifPresent(folder -> found.addAll(metamodels.get(folder)));
     return List.copyOf(found);
   }
 }

@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.diagnostics.UnsavedTexts;
 import dev.eventchain.editing.Workspace;
 import dev.eventchain.lsp.check.Checks;
+import dev.eventchain.lsp.check.WorkspaceFiles;
 import dev.eventchain.lsp.text.OpenText;
 import dev.eventchain.lsp.text.OpenTexts;
 import dev.eventchain.project.ProjectFolder;
@@ -27,8 +28,17 @@ public final class EditorWorkspace implements Workspace {
 
   private static final String CONSTRAINTS = "constraints.ocl";
 
-  /** A text, and what it was made from: an open text, or the state of a file. */
-  private record Known(Object state, SourceText text) {}
+  /**
+   * A text, and what it was made from: an open text, or the state of a file.
+   *
+   * @param reports the reports of changes on disk before somebody last looked at the file
+   */
+  private record Known(Object state, SourceText text, long reports) {}
+
+  /** A list of files, and what it was made from. */
+  private record Listed(WorkspaceFiles found, Set<Path> open, List<Path> files) {}
+
+  private record State(List<Path> files, long revision, long reports) {}
 
   /** Metamodels, and the texts that they were read from. */
   private record Loaded(List<SourceText> from, List<EPackage> packages) {}
@@ -36,6 +46,7 @@ public final class EditorWorkspace implements Workspace {
   private final OpenTexts texts;
   private final Checks checks;
   private final Map<Path, Known> known = new HashMap<>();
+  private Listed listed;
   private final Map<List<Path>, Loaded> loaded = new HashMap<>();
 
   /** Creates the workspace of a session. */
@@ -45,23 +56,49 @@ public final class EditorWorkspace implements Workspace {
   }
 
   @Override
-  public List<Path> files() {
-    Set<Path> all = new TreeSet<>(checks.files().all());
-    texts.all().stream().map(OpenText::path).forEach(all::add);
-    return List.copyOf(all);
+  public synchronized List<Path> files() {
+    WorkspaceFiles found = checks.files();
+    Set<Path> open = texts.paths();
+    if (listed == null || listed.found() != found || listed.open() != open) {
+      Set<Path> all = new TreeSet<>(found.all());
+      all.addAll(open);
+      listed = new Listed(found, open, List.copyOf(all));
+    }
+    return listed.files();
+  }
+
+  @Override
+  public Object state() {
+    return new State(files(), texts.revision(), checks.reports());
   }
 
   @Override
   public synchronized Optional<SourceText> text(Path file) {
+    return text(file, checks.reports(), false);
+  }
+
+  /** Returns the text that is open, or else that of the disk when a change was last reported. */
+  @Override
+  public synchronized Optional<SourceText> lastText(Path file) {
+    return text(file, checks.reports(), true);
+  }
+
+  private Optional<SourceText> text(Path file, long reports, boolean trusted) {
     Optional<OpenText> open = texts.of(file);
-    Object state = open.isPresent() ? open.get() : stateOf(file);
     Known before = known.get(file);
+    boolean sameOnDisk = trusted && before != null && before.reports() == reports;
+    if (sameOnDisk && open.isEmpty() && !(before.state() instanceof OpenText)) {
+      return Optional.of(before.text());
+    }
+    Object state = open.isPresent() ? open.get() : stateOf(file);
     if (before != null && before.state().equals(state)) {
+      known.put(file, new Known(state, before.text(), reports));
       return Optional.of(before.text());
     }
     Optional<SourceText> text =
         open.map(each -> SourceText.of(file.toString(), each.withoutMark())).or(() -> read(file));
-    text.ifPresentOrElse(it -> known.put(file, new Known(state, it)), () -> known.remove(file));
+    text.ifPresentOrElse(
+        it -> known.put(file, new Known(state, it, reports)), () -> known.remove(file));
     return text;
   }
 

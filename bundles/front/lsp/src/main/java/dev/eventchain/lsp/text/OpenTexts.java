@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.eclipse.lsp4j.TextDocumentContentChangeEvent;
 
 /** The texts that are open in the editor. Thread-safe. */
@@ -17,9 +18,14 @@ public final class OpenTexts {
   /** The texts by all paths that lead to them; made anew after a change. */
   private Map<Path, String> overlay = Map.of();
 
+  private Set<Path> paths = Set.of();
+  private long revision;
+
   /** Opens a text; another one of the same file is closed. */
   public synchronized void open(OpenText text) {
     open.put(text.path(), text);
+    paths = Set.copyOf(open.keySet());
+    revision++;
     overlay = null;
   }
 
@@ -32,6 +38,7 @@ public final class OpenTexts {
         text = text.with(version, change);
       }
       open.put(path, text);
+      revision++;
       overlay = null;
     }
   }
@@ -39,12 +46,24 @@ public final class OpenTexts {
   /** Closes a text: its file counts again. */
   public synchronized void close(Path path) {
     open.remove(path);
+    paths = Set.copyOf(open.keySet());
+    revision++;
     overlay = null;
   }
 
   /** Returns the open text of a file. */
   public synchronized Optional<OpenText> of(Path path) {
     return Optional.ofNullable(open.get(path));
+  }
+
+  /** Returns the files of all open texts; the same set until one is opened or closed. */
+  public synchronized Set<Path> paths() {
+    return paths;
+  }
+
+  /** Returns the number of changes of all kinds so far. */
+  public synchronized long revision() {
+    return revision;
   }
 
   /** Returns all open texts. */

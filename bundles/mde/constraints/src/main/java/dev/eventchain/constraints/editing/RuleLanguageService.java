@@ -1,6 +1,5 @@
 package dev.eventchain.constraints.editing;
 
-import dev.eventchain.constraints.document.DocumentImports;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.editing.Analysis;
 import dev.eventchain.editing.Call;
@@ -15,7 +14,6 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -31,29 +29,26 @@ import org.eclipse.emf.ecore.EPackage;
  */
 public final class RuleLanguageService implements LanguageService {
 
-  private static final String DOCUMENT = ".ocl";
   private static final String METAMODEL = ".ecore";
 
   private final Workspace workspace;
   private final EcorePlaces places;
-  private final Map<Path, RuleText> texts = new HashMap<>();
+  private final RuleDocuments documents;
   private final Map<Path, RuleWorld> worlds = new HashMap<>();
   private final Map<Path, MetamodelText> metamodels = new HashMap<>();
   private final Map<Path, AssistedText> analyses = new HashMap<>();
+  private List<Path> files = List.of();
 
   /** The service for the documents of a workspace. */
   public RuleLanguageService(Workspace workspace) {
     this.workspace = workspace;
     this.places = new EcorePlaces(workspace);
+    this.documents = new RuleDocuments(workspace);
   }
 
   @Override
   public boolean handles(Path file) {
-    return isDocument(file) || file.toString().endsWith(METAMODEL);
-  }
-
-  private static boolean isDocument(Path file) {
-    return file.toString().endsWith(DOCUMENT);
+    return RuleDocuments.isDocument(file) || file.toString().endsWith(METAMODEL);
   }
 
   @Override
@@ -64,11 +59,10 @@ public final class RuleLanguageService implements LanguageService {
   /** Returns the analysis of the present text; the same one until something changes. */
   synchronized Optional<AssistedText> find(Path file) {
     Optional<AssistedText> found =
-        isDocument(file)
-            ? text(file).map(text -> document(text, declarations(file)))
+        RuleDocuments.isDocument(file)
+            ? documents.text(file).map(text -> document(text, declarations(file)))
             : workspace.text(file).map(text -> metamodel(file, text, declarations(file)));
     if (found.isEmpty()) {
-      texts.remove(file);
       analyses.remove(file);
     }
     return found;
@@ -112,10 +106,21 @@ public final class RuleLanguageService implements LanguageService {
             .filter(each -> each.isOf(present, signatures))
             .findFirst()
             .orElseGet(() -> new RuleWorld(present, together));
-    worlds.keySet().retainAll(workspace.files());
+    forgetOthers(workspace.files());
     worlds.put(file, world);
     together.forEach(each -> worlds.put(each.file(), world));
     return world;
+  }
+
+  /** Forgets what is known of files that are gone. */
+  private void forgetOthers(List<Path> present) {
+    if (present != files) {
+      files = present;
+      Set<Path> all = new HashSet<>(present);
+      worlds.keySet().retainAll(all);
+      metamodels.keySet().retainAll(all);
+      analyses.keySet().retainAll(all);
+    }
   }
 
   /** Returns how many languages are kept. */
@@ -142,36 +147,22 @@ public final class RuleLanguageService implements LanguageService {
 
   /** Returns the texts of the documents that are checked together with a file, in their order. */
   private List<RuleText> together(Path file, List<EPackage> present) {
-    Map<Path, RuleText> documents = new LinkedHashMap<>();
-    for (Path each : Stream.concat(workspace.files().stream(), Stream.of(file)).toList()) {
-      if (isDocument(each) && workspace.metamodels(each).equals(present)) {
-        text(each).ifPresent(text -> documents.put(each, text));
-      }
-    }
     Set<Path> reached = new LinkedHashSet<>(Set.of(file));
     Deque<Path> next = new ArrayDeque<>(reached);
     while (!next.isEmpty()) {
       Path one = next.remove();
       Set<Path> near = new LinkedHashSet<>(workspace.checkedTogether(one));
-      documents.values().stream()
-          .filter(each -> imports(each, one) || imports(documents.get(one), each.file()))
-          .forEach(each -> near.add(each.file()));
-      near.retainAll(documents.keySet());
-      near.stream().filter(reached::add).forEach(next::add);
+      near.removeIf(each -> !documents.isListed(each));
+      near.addAll(documents.near(one));
+      near.stream()
+          .filter(each -> !reached.contains(each) && workspace.metamodels(each).equals(present))
+          .forEach(
+              each -> {
+                reached.add(each);
+                next.add(each);
+              });
     }
-    return documents.values().stream().filter(each -> reached.contains(each.file())).toList();
-  }
-
-  private static boolean imports(RuleText text, Path other) {
-    return text != null && DocumentImports.named(text.document(), text.file()).contains(other);
-  }
-
-  private Optional<RuleText> text(Path file) {
-    Optional<SourceText> source = workspace.text(file);
-    source
-        .filter(each -> !texts.containsKey(file) || texts.get(file).source() != each)
-        .ifPresent(each -> texts.put(file, RuleText.of(file, each)));
-    return source.map(each -> texts.get(file));
+    return documents.inOrder(reached.stream().filter(RuleDocuments::isDocument).toList());
   }
 
   @Override

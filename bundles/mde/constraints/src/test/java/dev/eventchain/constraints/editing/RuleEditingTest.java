@@ -127,6 +127,28 @@ class RuleEditingTest {
     assertEquals(2, service.worlds());
   }
 
+  /** An import counts as long as it is written, whoever writes it. */
+  @Test
+  void noticesImports() {
+    MemoryWorkspace workspace = new MemoryWorkspace(List.of(LIBRARY));
+    RuleLanguageService service = new RuleLanguageService(workspace);
+    Path other = Path.of("other/rules.ocl");
+    String uses = "context Book inv A: self.long";
+    TextPosition end = new TextPosition(1, uses.length());
+    workspace.put(RULES, "\n" + uses);
+    workspace.put(other, "\ncontext Book def: long : Boolean = true");
+    assertEquals(List.of(), Answers.to("definitions", service, RULES, end));
+    List<String> declared = List.of("rules.ocl 1:18-1:22");
+    workspace.put(RULES, "import 'other/rules.ocl'\n" + uses);
+    assertEquals(declared, Answers.to("definitions", service, RULES, end));
+    workspace.put(RULES, "\n" + uses);
+    assertEquals(List.of(), Answers.to("definitions", service, RULES, end));
+    workspace.put(other, "import '../rules.ocl'\ncontext Book def: long : Boolean = true");
+    assertEquals(declared, Answers.to("definitions", service, RULES, end));
+    workspace.remove(other);
+    assertEquals(List.of(), Answers.to("definitions", service, RULES, end));
+  }
+
   /** An attribute that becomes an operation is proposed as one. */
   @Test
   void noticesParentheses() {
