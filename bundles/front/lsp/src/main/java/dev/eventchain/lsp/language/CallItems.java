@@ -4,6 +4,7 @@ import com.google.gson.JsonPrimitive;
 import dev.eventchain.editing.Call;
 import dev.eventchain.editing.ElementKind;
 import dev.eventchain.editing.FileRange;
+import dev.eventchain.lsp.text.Edits;
 import dev.eventchain.lsp.text.Positions;
 import java.nio.file.Path;
 import java.util.List;
@@ -17,23 +18,30 @@ import org.eclipse.lsp4j.Range;
 /** Call hierarchy in the words of the protocol. */
 public final class CallItems {
 
-  private CallItems() {}
+  private final Languages languages;
+  private final Edits edits;
+
+  /** Creates the items of a session. */
+  public CallItems(Languages languages, Edits edits) {
+    this.languages = languages;
+    this.edits = edits;
+  }
 
   /** Returns an item that the editor can ask about later. */
-  public static CallHierarchyItem of(Call.Item item) {
+  public CallHierarchyItem of(Call.Item item) {
     CallHierarchyItem converted =
         new CallHierarchyItem(
             item.name(),
             Protocol.symbolKind(item.kind()),
             item.place().file().toUri().toString(),
-            Positions.of(item.place().range()),
-            Positions.of(item.nameRange()));
+            edits.range(fileOf(item), item.place().range()),
+            edits.range(fileOf(item), item.nameRange()));
     converted.setDetail(item.detail());
     converted.setData(item.kind().name());
     return converted;
   }
 
-  private static Optional<Call.Item> item(CallHierarchyItem item) {
+  private Optional<Call.Item> item(CallHierarchyItem item) {
     // An editor sends back what it was given, as JSON.
     String kind =
         item.getData() instanceof JsonPrimitive text
@@ -46,34 +54,37 @@ public final class CallItems {
                     item.getName(),
                     Optional.ofNullable(item.getDetail()).orElse(""),
                     ElementKind.valueOf(kind),
-                    new FileRange(path, Positions.of(item.getRange())),
-                    Positions.of(item.getSelectionRange())));
+                    new FileRange(path, edits.range(path, item.getRange())),
+                    edits.range(path, item.getSelectionRange())));
   }
 
   /** Returns who calls an item. */
-  public static List<CallHierarchyIncomingCall> incoming(
-      Languages languages, CallHierarchyItem item) {
+  public List<CallHierarchyIncomingCall> incoming(CallHierarchyItem item) {
     return calls(
-        languages,
         item,
         (service, asked) -> service.incomingCalls(asked),
+        (asked, call) -> call.other(),
         (call, ranges) -> new CallHierarchyIncomingCall(of(call.other()), ranges));
   }
 
   /** Returns what an item calls. */
-  public static List<CallHierarchyOutgoingCall> outgoing(
-      Languages languages, CallHierarchyItem item) {
+  public List<CallHierarchyOutgoingCall> outgoing(CallHierarchyItem item) {
     return calls(
-        languages,
         item,
         (service, asked) -> service.outgoingCalls(asked),
+        (asked, call) -> asked,
         (call, ranges) -> new CallHierarchyOutgoingCall(of(call.other()), ranges));
   }
 
-  private static <T> List<T> calls(
-      Languages languages,
+  /**
+   * Returns the calls of an item.
+   *
+   * @param caller who calls, in whose file the places are
+   */
+  private <T> List<T> calls(
       CallHierarchyItem item,
       BiFunction<dev.eventchain.editing.LanguageService, Call.Item, List<Call>> question,
+      BiFunction<Call.Item, Call, Call.Item> caller,
       BiFunction<Call, List<Range>, T> converted) {
     Optional<Call.Item> asked = item(item);
     return asked
@@ -81,7 +92,12 @@ public final class CallItems {
         .map(service -> question.apply(service, asked.orElseThrow()))
         .orElse(List.of())
         .stream()
-        .map(call -> converted.apply(call, call.places().stream().map(Positions::of).toList()))
+        .map(
+            call -> {
+              Path file = fileOf(caller.apply(asked.orElseThrow(), call));
+              return converted.apply(
+                  call, call.places().stream().map(each -> edits.range(file, each)).toList());
+            })
         .toList();
   }
 

@@ -3,6 +3,7 @@ package dev.eventchain.lsp.language;
 import dev.eventchain.editing.Analysis;
 import dev.eventchain.editing.LanguageService;
 import dev.eventchain.editing.TextPosition;
+import dev.eventchain.lsp.text.OpenTexts;
 import dev.eventchain.lsp.text.Positions;
 import java.nio.file.Path;
 import java.util.List;
@@ -26,6 +27,7 @@ public final class Languages implements AutoCloseable {
   private static final long STACK = 16L << 20;
 
   private final List<LanguageService> services;
+  private final OpenTexts texts;
   private final ExecutorService thread =
       Executors.newSingleThreadExecutor(
           work -> {
@@ -35,8 +37,9 @@ public final class Languages implements AutoCloseable {
           });
 
   /** Creates the languages of a session. */
-  public Languages(List<LanguageService> services) {
+  public Languages(List<LanguageService> services, OpenTexts texts) {
     this.services = List.copyOf(services);
+    this.texts = texts;
   }
 
   /** Answers a question about a text; what nobody knows is answered by the given value. */
@@ -61,9 +64,14 @@ public final class Languages implements AutoCloseable {
         });
   }
 
-  /** Returns what is known about a text. */
+  /** Returns what is known about a text, in the columns in which the editor counts it. */
   public Optional<Analysis> analysis(String uri) {
-    return Positions.path(uri).flatMap(path -> of(path).flatMap(each -> each.analysis(path)));
+    return Positions.path(uri)
+        .flatMap(
+            path ->
+                of(path)
+                    .flatMap(each -> each.analysis(path))
+                    .map(it -> texts.mark(path) == 0 ? it : new MarkedAnalysis(it)));
   }
 
   /** Returns the service of the language of a file. */

@@ -54,7 +54,8 @@ public final class ProjectLenses {
         ? lenses(
             project.get(),
             Optional.of(name.group(1)),
-            new TextLines(text).range(name.start(), name.end()))
+            Positions.shifted(
+                new TextLines(text).range(name.start(), name.end()), texts.mark(file)))
         : List.of();
   }
 

@@ -94,6 +94,7 @@ final class DocumentRequests implements TextDocumentService {
   private final Findings findings;
   private final Languages languages;
   private final Edits edits;
+  private final CallItems calls;
   private final FindingActions actions;
   private final ProjectLenses lenses;
 
@@ -111,6 +112,7 @@ final class DocumentRequests implements TextDocumentService {
     this.findings = findings;
     this.languages = languages;
     this.edits = edits;
+    this.calls = new CallItems(languages, edits);
     this.actions = actions;
   }
 
@@ -263,7 +265,7 @@ final class DocumentRequests implements TextDocumentService {
         (analysis, position) ->
             analysis.references(position, true).stream()
                 .filter(each -> file.equals(Optional.of(each.file())))
-                .map(each -> new DocumentHighlight(Positions.of(each.range())))
+                .map(each -> new DocumentHighlight(edits.range(each.file(), each.range())))
                 .toList());
   }
 
@@ -353,19 +355,19 @@ final class DocumentRequests implements TextDocumentService {
     return at(
         params,
         List.of(),
-        (analysis, position) -> analysis.callItems(position).stream().map(CallItems::of).toList());
+        (analysis, position) -> analysis.callItems(position).stream().map(calls::of).toList());
   }
 
   @Override
   public CompletableFuture<List<CallHierarchyIncomingCall>> callHierarchyIncomingCalls(
       CallHierarchyIncomingCallsParams params) {
-    return languages.later(() -> CallItems.incoming(languages, params.getItem()));
+    return languages.later(() -> calls.incoming(params.getItem()));
   }
 
   @Override
   public CompletableFuture<List<CallHierarchyOutgoingCall>> callHierarchyOutgoingCalls(
       CallHierarchyOutgoingCallsParams params) {
-    return languages.later(() -> CallItems.outgoing(languages, params.getItem()));
+    return languages.later(() -> calls.outgoing(params.getItem()));
   }
 
   private <T> CompletableFuture<T> at(

@@ -85,7 +85,8 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
             List.of(
                 new RuleLanguageService(files),
                 new TemplateLanguageService(files),
-                new ProjectLanguageService(files, texts)));
+                new ProjectLanguageService(files, texts)),
+            texts);
     this.documents =
         new DocumentRequests(
             texts,

@@ -26,7 +26,6 @@ import org.eclipse.lsp4j.DidChangeWorkspaceFoldersParams;
 import org.eclipse.lsp4j.ExecuteCommandParams;
 import org.eclipse.lsp4j.FileChangeType;
 import org.eclipse.lsp4j.FileEvent;
-import org.eclipse.lsp4j.Location;
 import org.eclipse.lsp4j.SymbolInformation;
 import org.eclipse.lsp4j.WorkspaceFolder;
 import org.eclipse.lsp4j.WorkspaceSymbol;
@@ -161,7 +160,7 @@ final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
     return new WorkspaceSymbol(
         symbol.name(),
         Protocol.symbolKind(symbol.kind()),
-        Either.forLeft(new Location(edits.uri(file), Positions.of(symbol.nameRange()))));
+        Either.forLeft(edits.location(file, symbol.nameRange())));
   }
 
   @Override

@@ -3,6 +3,7 @@ package dev.eventchain.lsp.text;
 import dev.eventchain.editing.FileEdit;
 import dev.eventchain.editing.FileRange;
 import dev.eventchain.editing.TextLines;
+import dev.eventchain.editing.TextRange;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -12,6 +13,7 @@ import java.util.Optional;
 import org.eclipse.lsp4j.CreateFile;
 import org.eclipse.lsp4j.CreateFileOptions;
 import org.eclipse.lsp4j.Location;
+import org.eclipse.lsp4j.Range;
 import org.eclipse.lsp4j.ResourceOperation;
 import org.eclipse.lsp4j.SnippetTextEdit;
 import org.eclipse.lsp4j.TextDocumentEdit;
@@ -20,7 +22,7 @@ import org.eclipse.lsp4j.VersionedTextDocumentIdentifier;
 import org.eclipse.lsp4j.WorkspaceEdit;
 import org.eclipse.lsp4j.jsonrpc.messages.Either;
 
-/** Places and changes in files, under the addresses that the editor uses. */
+/** Places and changes in files, under the addresses and in the columns that the editor uses. */
 public final class Edits {
 
   private final OpenTexts texts;
@@ -43,9 +45,22 @@ public final class Edits {
 
   /** Returns places as locations. */
   public List<Location> locations(List<FileRange> places) {
-    return places.stream()
-        .map(each -> new Location(uri(each.file()), Positions.of(each.range())))
-        .toList();
+    return places.stream().map(each -> location(each.file(), each.range())).toList();
+  }
+
+  /** Returns a place as a location. */
+  public Location location(Path file, TextRange range) {
+    return new Location(uri(file), range(file, range));
+  }
+
+  /** Returns a range of a file as the editor counts it. */
+  public Range range(Path file, TextRange range) {
+    return Positions.of(Positions.shifted(range, texts.mark(file)));
+  }
+
+  /** Returns a range of a file as the engine counts it. */
+  public TextRange range(Path file, Range range) {
+    return Positions.shifted(Positions.of(range), -texts.mark(file));
   }
 
   /** Returns edits of any files as one. */
@@ -54,7 +69,7 @@ public final class Edits {
     for (FileEdit each : edits) {
       files
           .computeIfAbsent(each.file(), key -> new ArrayList<>())
-          .add(new TextEdit(Positions.of(each.range()), each.newText()));
+          .add(new TextEdit(range(each.file(), each.range()), each.newText()));
     }
     if (!versioned) {
       Map<String, List<TextEdit>> changes = new LinkedHashMap<>();

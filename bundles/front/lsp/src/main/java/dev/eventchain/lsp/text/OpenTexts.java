@@ -56,6 +56,14 @@ public final class OpenTexts {
     return Optional.ofNullable(open.get(path));
   }
 
+  /**
+   * Returns how many columns the editor counts on the first line of a file before what the engine
+   * reads: that of a byte order mark that it has kept, or none.
+   */
+  public int mark(Path path) {
+    return of(path).filter(OpenText::hasMark).isPresent() ? 1 : 0;
+  }
+
   /** Returns the files of all open texts; the same set until one is opened or closed. */
   public synchronized Set<Path> paths() {
     return paths;

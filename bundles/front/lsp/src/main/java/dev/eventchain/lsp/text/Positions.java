@@ -34,6 +34,18 @@ public final class Positions {
     return new Range(of(range.start()), of(range.end()));
   }
 
+  /** Returns a position some columns further, if it is on the first line. */
+  public static TextPosition shifted(TextPosition position, int columns) {
+    return position.line() == 0 && columns != 0
+        ? new TextPosition(0, Math.max(0, position.column() + columns))
+        : position;
+  }
+
+  /** Returns a range some columns further, as far as it is on the first line. */
+  public static TextRange shifted(TextRange range, int columns) {
+    return new TextRange(shifted(range.start(), columns), shifted(range.end(), columns));
+  }
+
   /** Returns the path of a file's address; empty if it is not about a file on this machine. */
   public static Optional<Path> path(String uri) {
     try {
