@@ -4,6 +4,10 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.RulePage;
 import dev.eventchain.diagnostics.Suppressions;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.LocalDate;
 import java.util.Optional;
@@ -19,6 +23,16 @@ public final class SuppressionFile {
   private static final Rule INVALID = ProjectRules.SUPPRESSION_INVALID;
 
   private SuppressionFile() {}
+
+  /** Returns the JSON Schema of the file. */
+  public static String schema() {
+    try (InputStream input =
+        SuppressionFile.class.getResourceAsStream("suppressions.schema.json")) {
+      return new String(input.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
 
   /** As {@link #read(Path, LocalDate, Function)} with the pages on the class path. */
   public static Suppressions read(Path file, LocalDate today) {

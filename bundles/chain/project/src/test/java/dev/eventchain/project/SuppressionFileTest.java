@@ -1,14 +1,23 @@
 package dev.eventchain.project;
 
+import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.NullNode;
+import com.networknt.schema.JsonSchema;
+import com.networknt.schema.JsonSchemaFactory;
+import com.networknt.schema.SpecVersion;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.DocumentFormat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -91,6 +100,55 @@ class SuppressionFileTest {
     assertEquals(true, all.startsWith("suppression.invalid "), all);
     assertEquals(true, all.contains(":" + place + " "), all);
     assertEquals(true, all.contains(problem), all);
+  }
+
+  /** What the reader takes, the schema accepts; what the reader refuses, it refuses. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "# nothing yet|true",
+        "[]|true",
+        "- id: a.b;  reason: r;  expires: 2027-03-31|true",
+        "- id: a.b;  reason: r;  expires: ' 2027-03-31 '|true",
+        "- {id: a.b, reason: r, expires: 2027-03-31, rule: '', element: e, file: f, message: m}|true",
+        "- id: a.b;  expires: 2027-03-31|false",
+        "- id: ' ';  reason: r;  expires: 2027-03-31|false",
+        "- id: a.b;  reason: ' ';  expires: 2027-03-31|false",
+        "- id: a.b;  reason: r|false",
+        "- reason: r;  expires: 2027-03-31|false",
+        "- id: a.b;  reason: r;  expires: soon|false",
+        "- id: a.b;  reason: r;  expires: 2027-13-01|false",
+        "- id: a.b;  reason: r;  expires: ~|false",
+        "- id: a.b;  reason: r;  expires: 2027|false",
+        "- id: a.b;  rul: x;  reason: r;  expires: 2027-03-31|false",
+        "- id: a.b;  rule: 5;  reason: r;  expires: 2027-03-31|false",
+        "- a|false",
+        "id: a.b|false",
+      })
+  void theSchemaAgreesWithTheReader(String written, boolean isRead) {
+    String text = written.replace(';', '\n') + "\n";
+    SourceText source = SourceText.of("s.yaml", text);
+    JsonNode value =
+        Document.parseIfAny(source, DocumentFormat.YAML, ProjectSettings.RULES, problem -> {})
+            .map(Document::root)
+            .orElse(NullNode.instance);
+    JsonSchema schema =
+        JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012)
+            .getSchema(SuppressionFile.schema());
+    assertEquals(isRead, schema.validate(value).isEmpty(), text);
+    assertEquals(
+        isRead,
+        assertDoesNotThrow(
+            () -> {
+              try {
+                read(text);
+                return true;
+              } catch (DiagnosticException e) {
+                return false;
+              }
+            }),
+        text);
   }
 
   private Suppressions read(String text) throws IOException {

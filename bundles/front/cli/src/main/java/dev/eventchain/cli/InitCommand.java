@@ -3,8 +3,10 @@ package dev.eventchain.cli;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.pipeline.ExitCode;
 import dev.eventchain.pipeline.ProjectBench;
+import dev.eventchain.pipeline.project.Configuration;
 import dev.eventchain.pipeline.start.ProjectStart;
 import dev.eventchain.pipeline.start.WorkspaceStart;
+import dev.eventchain.project.SuppressionFile;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -37,7 +39,7 @@ import picocli.CommandLine.Spec;
     })
 final class InitCommand implements Callable<Integer> {
 
-  @Parameters(paramLabel = "DIR", description = "The project's folder.")
+  @Parameters(arity = "0..1", paramLabel = "DIR", description = "The project's folder.")
   private Path folder;
 
   @Option(
@@ -78,6 +80,14 @@ final class InitCommand implements Callable<Integer> {
               + " or as a colcon workspace; may be repeated.")
   private List<Path> messages = List.of();
 
+  @Option(names = "--schema", description = "Print the JSON Schema of eventchain.yaml instead.")
+  private boolean schema;
+
+  @Option(
+      names = "--suppressions-schema",
+      description = "Print the JSON Schema of files of suppressions instead.")
+  private boolean suppressionsSchema;
+
   @Spec private CommandSpec spec;
 
   private final Console console;
@@ -88,6 +98,14 @@ final class InitCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
+    if ((folder == null ? 0 : 1) + (schema ? 1 : 0) + (suppressionsSchema ? 1 : 0) != 1) {
+      throw wrongUsage("name a project's folder, or use --schema or --suppressions-schema");
+    }
+    if (folder == null) {
+      console.out().print(schema ? Configuration.schema() : SuppressionFile.schema());
+      console.out().flush();
+      return ExitCode.FINE;
+    }
     ProjectStart.Started started = start();
     started.files().forEach(file -> console.out().println(folder.resolve(file)));
     console.out().println();

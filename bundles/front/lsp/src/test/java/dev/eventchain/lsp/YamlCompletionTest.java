@@ -136,6 +136,17 @@ class YamlCompletionTest {
   @CsvSource(
       delimiter = '|',
       value = {
+        "eventchain.yaml   | ^                                       | frequency",
+        "eventchain.yaml   | name: a\\nros_distro: ^                  | jazzy",
+        "eventchain.yaml   | models:\\n  ^                            | implement",
+        "eventchain.yaml   | services:\\n  ours:\\n    wire: ^          | ollama",
+        "eventchain.yaml   | requirements:\\n  - ^                    | file",
+        "eventchain.yaml   | strength: ^                             | whole",
+        "eventchain.yaml   | strength:\\n  ^                          | minimum_percent",
+        "eventchain.yaml   | strength:\\n  requirements:\\n    ^        | RAD-1",
+        "eventchain-suppressions.yaml | - ^                          | expires",
+        "eventchain-suppressions.yaml | - id: a.b\\n  ^               | reason",
+        "eventchain-suppressions.yaml | - id: ^                      | ocl.violated",
         "bench.yaml        | ^                                       | provides",
         "bench.yaml        | consumes:\\n  ^                          | /brake/request",
         "bench.yaml        | consumes:\\n  /a:\\n    fields:\\n      b: ^ | hand_brake",
@@ -168,6 +179,28 @@ class YamlCompletionTest {
       })
   void nothingIsProposedWhereNothingIsKnown(String marked) {
     assertEquals(List.of(), labels(SCENARIO, marked.replace("\\n", "\n")));
+  }
+
+  @Test
+  void findingsThatCannotBeSuppressedAreNotProposed() {
+    List<String> labels = labels("eventchain-suppressions.yaml", "- id: ^");
+    assertFalse(labels.contains("ocl.nothing-evaluated"), labels.toString());
+    assertFalse(labels.contains("suppression.invalid"), labels.toString());
+  }
+
+  @Test
+  void settingsAndSuppressionsAreDescribed() {
+    String settings = "name: aeb\nrep^airs: 2\n";
+    assertEquals(
+        "How often an answer that failed its checks goes back. Default: 3.",
+        analysis("eventchain.yaml", settings).hover(cursor(settings)).orElseThrow().markdown());
+    String suppressions = "- id: a.b\n  rea^son: r\n";
+    assertEquals(
+        "Required. Why they do not count.",
+        analysis("eventchain-suppressions.yaml", suppressions)
+            .hover(cursor(suppressions))
+            .orElseThrow()
+            .markdown());
   }
 
   @Test

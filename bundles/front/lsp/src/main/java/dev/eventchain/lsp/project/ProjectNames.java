@@ -1,5 +1,6 @@
 package dev.eventchain.lsp.project;
 
+import dev.eventchain.diagnostics.RulePage;
 import dev.eventchain.lsp.project.ProjectSchemas.Kind;
 import dev.eventchain.model.WrittenRequirement;
 import java.util.LinkedHashMap;
@@ -34,7 +35,8 @@ final class ProjectNames {
           path.equals(List.of("provides")) || path.equals(List.of("consumes"))
               ? project.topics()
               : Map.of();
-      case FAULTS, CAMPAIGN -> Map.of();
+      case SETTINGS -> path.equals(List.of("strength", "requirements")) ? requirements() : Map.of();
+      case SUPPRESSIONS, FAULTS, CAMPAIGN -> Map.of();
     };
   }
 
@@ -50,8 +52,19 @@ final class ProjectNames {
       return project.topics();
     } else if (kind == Kind.SCENARIO && last.equals("requirements")) {
       return requirements();
+    } else if (kind == Kind.SUPPRESSIONS && last.equals("id")) {
+      return suppressible();
     }
     return Map.of();
+  }
+
+  /** Returns the ids of the findings that may be suppressed. */
+  private static Map<String, String> suppressible() {
+    Map<String, String> found = new LinkedHashMap<>();
+    RulePage.all().stream()
+        .filter(RulePage::mayBeSuppressed)
+        .forEach(page -> found.put(page.id(), page.firstSentence()));
+    return found;
   }
 
   /** Returns the requirements that criteria judge: below a criterion, or that of a formula. */

@@ -2,6 +2,8 @@ package dev.eventchain.lsp.project;
 
 import dev.eventchain.pipeline.ProjectBench;
 import dev.eventchain.pipeline.campaign.Campaigns;
+import dev.eventchain.pipeline.project.Configuration;
+import dev.eventchain.project.SuppressionFile;
 import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.Map;
@@ -13,11 +15,25 @@ final class ProjectSchemas {
 
   /** A kind of files with a schema. */
   enum Kind {
+    SETTINGS,
+    SUPPRESSIONS,
     BENCH,
     SCENARIO,
     FAULTS,
     CAMPAIGN
   }
+
+  /** The kinds of the files in the folder of a project that have one name. */
+  private static final Map<String, Kind> BY_NAME =
+      Map.of(
+          "eventchain.yaml",
+          Kind.SETTINGS,
+          "eventchain-suppressions.yaml",
+          Kind.SUPPRESSIONS,
+          "bench.yaml",
+          Kind.BENCH,
+          "faults.yaml",
+          Kind.FAULTS);
 
   private static final Pattern CAMPAIGN = Pattern.compile("(?m)^(factors|campaigns):");
 
@@ -29,10 +45,8 @@ final class ProjectSchemas {
     String first = inside.getName(0).toString();
     if (!file.toString().matches(".*\\.ya?ml")) {
       return Optional.empty();
-    } else if (inside.getNameCount() == 1 && first.equals("bench.yaml")) {
-      return Optional.of(Kind.BENCH);
-    } else if (inside.getNameCount() == 1 && first.equals("faults.yaml")) {
-      return Optional.of(Kind.FAULTS);
+    } else if (inside.getNameCount() == 1 && BY_NAME.containsKey(first)) {
+      return Optional.of(BY_NAME.get(first));
     } else if (inside.getNameCount() > 1 && first.equals("scenarios")) {
       return Optional.of(Kind.SCENARIO);
     }
@@ -48,6 +62,8 @@ final class ProjectSchemas {
 
   private static String text(Kind kind) {
     return switch (kind) {
+      case SETTINGS -> Configuration.schema();
+      case SUPPRESSIONS -> SuppressionFile.schema();
       case BENCH -> ProjectBench.schema();
       case SCENARIO -> ProjectBench.scenarioSchema();
       case FAULTS -> ProjectBench.faultsSchema();

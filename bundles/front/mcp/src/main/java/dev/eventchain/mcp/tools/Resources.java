@@ -32,6 +32,8 @@ public final class Resources {
   private static final Map<String, List<String>> SCHEMAS =
       new TreeMap<>(
           Map.of(
+              "settings", List.of("init", "--schema"),
+              "suppressions", List.of("init", "--suppressions-schema"),
               "bench", List.of("bench", "--schema"),
               "scenario", List.of("bench", "--scenario-schema"),
               "faults", List.of("bench", "--faults-schema"),

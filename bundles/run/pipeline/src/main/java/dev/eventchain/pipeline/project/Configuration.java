@@ -14,6 +14,10 @@ import dev.eventchain.messages.RosDistribution;
 import dev.eventchain.project.CatalogueSettings;
 import dev.eventchain.project.ProjectSettings;
 import dev.eventchain.project.RequirementSources;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -71,6 +75,15 @@ public record Configuration(
   private static final List<String> TASKS =
       List.of("design", TEST, IMPLEMENT, "model", "constrain", DIAGNOSE);
   private static final List<String> PACKAGE_FACTS = List.of("license", "maintainer", "email");
+
+  /** Returns the JSON Schema of {@code eventchain.yaml}. */
+  public static String schema() {
+    try (InputStream input = Configuration.class.getResourceAsStream("settings.schema.json")) {
+      return new String(input.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
 
   /**
    * Reads the configuration.
