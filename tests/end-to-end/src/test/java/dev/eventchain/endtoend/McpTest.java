@@ -15,6 +15,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -132,6 +133,38 @@ class McpTest {
           said.at("/content/0/text").asText().endsWith(text.replace(folder + "/", "")),
           said.toString());
     }
+  }
+
+  /** A project would be as good as its author's: with findings suppressed and texts accepted. */
+  @Test
+  void aTemplateMakesNoProject() throws Exception {
+    Path template = Files.createDirectories(folder.resolve("made")).resolve("t.mtl");
+    Files.writeString(
+        template,
+        """
+        [module t('http://www.eclipse.org/emf/2002/Ecore')]
+        [template public t(p : EPackage)]
+        [comment @main/]
+        [file ('new/eventchain.yaml', false)]name: new[/file]
+        [file ('new/accepted.yaml', false)][/file]
+        [/template]
+        """);
+    Path model = Files.copy(Path.of("metamodel/eventchain.ecore"), folder.resolve("made/m.ecore"));
+    String arguments =
+        JSON.writeValueAsString(
+            Map.of(
+                "template", folder.relativize(template).toString(),
+                "models", List.of(folder.relativize(model).toString()),
+                "output", "made/text"));
+    try (Session session = new Session()) {
+      session.call(1, "generate", arguments);
+      JsonNode said = session.answer(1);
+      assertEquals(1, said.at("/structuredContent/exitCode").asInt(), said.toString());
+      assertEquals(
+          List.of("output.path.refused", "output.path.refused"),
+          said.at("/structuredContent/report/findings").findValuesAsText("id"));
+    }
+    assertFalse(Files.exists(folder.resolve("made/text/new")));
   }
 
   @Test

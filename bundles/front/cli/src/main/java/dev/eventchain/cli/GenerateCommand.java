@@ -65,6 +65,14 @@ final class GenerateCommand extends ProjectCommand {
               + " Acceleo. The last such block wins.")
   private boolean lenient;
 
+  @Option(
+      names = "--refuse",
+      paramLabel = "NAME",
+      description =
+          "With --template: write nothing if a written file, or a folder of one, has this name;"
+              + " '*' stands for any characters. For templates of others; may be repeated.")
+  private List<String> refused = List.of();
+
   @Mixin private TemplateOptions with;
 
   @Option(
@@ -100,6 +108,9 @@ final class GenerateCommand extends ProjectCommand {
     if (lenient) {
       throw wrongUsage("undefined values are errors in a project: --lenient is only for templates");
     }
+    if (!refused.isEmpty()) {
+      throw wrongUsage("--refuse needs a template: --template FILE");
+    }
     if (!with.services.isEmpty() || !with.sources.isEmpty() || !properties.isEmpty()) {
       throw wrongUsage("--services, --source and --properties need a template: --template FILE");
     }
@@ -133,7 +144,8 @@ final class GenerateCommand extends ProjectCommand {
                 printsResult() ? Optional.empty() : Optional.of(output()),
                 overwrite(),
                 trace,
-                Optional.empty()),
+                Optional.empty(),
+                refused),
             lenient,
             suppressions,
             timeLimit());

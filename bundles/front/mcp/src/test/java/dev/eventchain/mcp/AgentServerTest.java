@@ -221,6 +221,31 @@ class AgentServerTest {
     assertFalse(failed.has("verdict"), "the exit code contradicts what is printed");
   }
 
+  @ParameterizedTest
+  @CsvSource({
+    "un-r152, PASSED: search p p/c.yaml --only=un-r152",
+    "@x, PASSED: search p p/c.yaml --only=@x"
+  })
+  void aSearchIsACommand(String only, String said) throws Exception {
+    String text =
+        client.begun().text("search", Map.of("project", "p", "file", "p/c.yaml", "only", only));
+    assertTrue(text.contains(said), text);
+  }
+
+  @Test
+  void aSuiteIsAName() throws Exception {
+    client.begun();
+    Files.createSymbolicLink(folder.resolve("un-r152"), Path.of("/etc"));
+    for (String outside : List.of("/etc/passwd", "../x.yaml", "un-r152")) {
+      String text = client.text("simulate", Map.of("project", "p", "suite", outside));
+      assertTrue(text.contains("[mcp.outside]"), text);
+    }
+    String text = client.text("simulate", Map.of("project", "p", "suite", "un-r157-alks"));
+    assertFalse(text.contains("[mcp."), text);
+    Map<String, Object> wrong = Map.of("project", "p", "driver", "ros2");
+    assertTrue(client.text("simulate", wrong).contains("[mcp.argument]"));
+  }
+
   @Test
   void aCommandThatSaysNothingIsNoSuccess() throws Exception {
     JsonNode result = client.begun().call("simulate", project());
@@ -572,6 +597,23 @@ class AgentServerTest {
     assertFalse(text.contains("[mcp.protected]"), text);
   }
 
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "out",
+        "recordings",
+        "accepted.yaml",
+        "mutants.yaml",
+        "eventchain-suppressions.yaml"
+      })
+  void noProjectStartsAroundWhatWouldDecideAboutIt(String name) throws Exception {
+    client.begun();
+    Files.createDirectories(folder.resolve("new"));
+    assertFalse(client.text("init", Map.of("project", "new")).contains("[mcp.protected]"));
+    Files.writeString(folder.resolve("new/" + name), "");
+    assertTrue(client.text("init", Map.of("project", "new")).contains("[mcp.protected]"));
+  }
+
   private static Map<String, Object> template(String output) {
     return Map.of("template", "t.mtl", "models", List.of("m.xmi"), "output", output);
   }
@@ -586,7 +628,7 @@ class AgentServerTest {
   @Test
   void schemasOfToolsAreStrict() throws Exception {
     JsonNode tools = client.begun().request("tools/list", Map.of()).at("/result/tools");
-    assertEquals(13, tools.size());
+    assertEquals(14, tools.size());
     for (JsonNode tool : tools) {
       assertFalse(tool.at("/inputSchema/additionalProperties").asBoolean(true));
       assertTrue(tool.has("outputSchema") && tool.has("annotations"), tool.toString());

@@ -15,6 +15,8 @@ import dev.eventchain.m2t.generation.GenerationRules;
 import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.output.OutputFolder.OnEdit;
+import dev.eventchain.output.OutputPath;
+import dev.eventchain.output.OutputRules;
 import dev.eventchain.pipeline.files.WrittenFiles;
 import dev.eventchain.pipeline.generate.MessageModel;
 import dev.eventchain.pipeline.generate.TraceFile;
@@ -25,6 +27,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
 import java.util.EnumSet;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -32,6 +36,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.Pattern;
 import org.eclipse.emf.ecore.EPackage;
 
 /** Generation from models of any Ecore metamodel, without a project. */
@@ -65,9 +70,53 @@ public final class AnyModel {
    * @param trace true to write {@code trace.json}, too, which gives the origin of each line
    * @param producer the identifier of this generation among others into the same folder; files that
    *     its previous run wrote, and this one does not, are removed. Without it, they stay
+   * @param refused the names that no written file and no folder of one may have, in any case of
+   *     letters; {@code *} stands for any characters
    */
   public record Target(
-      Optional<Path> folder, boolean overwrite, boolean trace, Optional<String> producer) {}
+      Optional<Path> folder,
+      boolean overwrite,
+      boolean trace,
+      Optional<String> producer,
+      List<String> refused) {
+
+    /** Copies the list. */
+    public Target {
+      refused = List.copyOf(refused);
+    }
+
+    /** A target in which files may have any names. */
+    public Target(
+        Optional<Path> folder, boolean overwrite, boolean trace, Optional<String> producer) {
+      this(folder, overwrite, trace, producer, List.of());
+    }
+
+    /** Returns a finding for each file whose name is refused. */
+    private List<Diagnostic> refusals(Collection<String> files) {
+      List<Pattern> patterns = refused.stream().map(Target::pattern).toList();
+      return files.stream()
+          .filter(
+              file ->
+                  Arrays.stream(file.split("/"))
+                      .anyMatch(
+                          part -> patterns.stream().anyMatch(it -> it.matcher(part).matches())))
+          .map(Target::refusal)
+          .toList();
+    }
+
+    private static Pattern pattern(String name) {
+      String regex = Pattern.quote(name).replace("*", "\\E.*\\Q");
+      return Pattern.compile(regex, Pattern.CASE_INSENSITIVE | Pattern.UNICODE_CASE);
+    }
+
+    private static Diagnostic refusal(String file) {
+      return Diagnostic.of(
+              OutputRules.OUTPUT_PATH_REFUSED,
+              "The file name '" + OutputPath.shown(file) + "' is refused here.",
+              SourceLocation.NONE)
+          .withHint("Let the template write a file of another name.");
+    }
+  }
 
   private AnyModel() {}
 
@@ -240,8 +289,10 @@ public final class AnyModel {
     try (OutputFolder output = OutputFolder.open(target.folder().orElseThrow())) {
       GenerationResult result = generate(any, module, context.withEarlier(output::read), files);
       boolean taken = target.trace() && result.files().containsKey(TraceFile.NAME);
-      if (taken || !result.isWhole()) {
+      List<Diagnostic> refusals = target.refusals(result.files().keySet());
+      if (taken || !refusals.isEmpty() || !result.isWhole()) {
         files.found(result.diagnosticsIfUnwritten());
+        files.found(refusals);
         files.found(taken ? List.of(traceTaken()) : List.of());
         files.wroteNothing();
         return;

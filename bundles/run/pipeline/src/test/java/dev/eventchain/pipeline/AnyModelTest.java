@@ -22,6 +22,8 @@ import javax.tools.ToolProvider;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests generation from several models and with Java services. */
 class AnyModelTest {
@@ -123,6 +125,42 @@ class AnyModelTest {
     Files.writeString(folder.resolve("out/bakery"), "mine");
     assertEquals(
         "1 file in " + where + ": 1 kept", write(template, List.of(), "bakery.xmi").summary());
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "x/eventchain.yaml, 0",
+    "x/EVENTCHAIN.YAML, 0",
+    "./eventchain.yaml, 0",
+    "recordings/a/b.json, 0",
+    ".git/hooks/pre-commit, 0",
+    "x/.hidden, 0",
+    "x/eventchain.yaml.txt, 2",
+    "my-recordings/b.json, 2",
+    "x.y/z, 2"
+  })
+  void nothingIsWrittenIfANameIsRefused(String name, int written) throws IOException {
+    String body = "[file ('a.txt', false)]a[/file][file ('" + name + "', false)]b[/file]";
+    Path template = Files.writeString(folder.resolve("main.mtl"), TEMPLATE.replace("BODY", body));
+    WrittenFiles files =
+        AnyModel.generate(
+            List.of(folder.resolve("shop.ecore")),
+            ReferenceFolders.NONE,
+            new AnyModel.Template(template, List.of(), List.of(), List.of()),
+            List.of(folder.resolve("bakery.xmi")),
+            new AnyModel.Target(
+                Optional.of(folder.resolve("out")),
+                true,
+                false,
+                Optional.empty(),
+                List.of("eventchain.yaml", "recordings", ".*")),
+            false,
+            Suppressions.NONE,
+            Duration.ofSeconds(30));
+    assertEquals(
+        written == 0 ? List.of("output.path.refused") : List.of(),
+        files.diagnostics().stream().map(Diagnostic::id).toList());
+    assertEquals(written > 0, Files.exists(folder.resolve("out/a.txt")));
   }
 
   @Test

@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
@@ -25,6 +26,20 @@ public final class Protection {
 
   /** Files of a project in which a person decides what is tried, and what is accepted. */
   private static final Set<String> DECISIONS = Set.of("mutants.yaml", "accepted.yaml");
+
+  /** Whatever would decide about a project that is started around it. */
+  private static final List<String> BEFORE_PROJECTS =
+      List.of(RESULTS, RECORDINGS, "eventchain-suppressions.yaml", "mutants.yaml", "accepted.yaml");
+
+  /** Names that no file of a template, and no folder of one, has; {@code *} for any characters. */
+  private static final List<String> NOT_GENERATED =
+      List.of(
+          SETTINGS,
+          "eventchain-suppressions.yaml",
+          "mutants.yaml",
+          "accepted.yaml",
+          RECORDINGS,
+          ".*");
 
   /** Files that say what is right. */
   private static final Pattern JUDGES =
@@ -72,8 +87,14 @@ public final class Protection {
     return JUDGES.matcher(name).matches();
   }
 
+  /** Returns the names that no file of a template, and no folder of one, may have. */
+  public static List<String> notGenerated() {
+    return NOT_GENERATED;
+  }
+
   /**
-   * Fails if no project may be started in a folder: it is hidden, or part of another project.
+   * Fails if no project may be started in a folder: it is hidden, part of another project, or holds
+   * what would decide about the project, which a template may have written.
    *
    * @throws dev.eventchain.diagnostics.DiagnosticException if so
    */
@@ -82,6 +103,11 @@ public final class Protection {
     requirePlain(boundary, folder, named);
     if (!folder.equals(boundary.root())) {
       requireOutsideProjects(boundary, folder, folder.getParent(), named);
+    }
+    for (String name : isProject(folder) ? List.<String>of() : BEFORE_PROJECTS) {
+      if (Files.exists(folder.resolve(name), LinkOption.NOFOLLOW_LINKS)) {
+        throw refusal(named, "It holds '" + name + "' already; a person starts a project there.");
+      }
     }
   }
 

@@ -6,6 +6,7 @@ import dev.eventchain.mcp.tools.Parameter.ArgumentType;
 import dev.eventchain.mcp.tools.Tool.Call;
 import dev.eventchain.mcp.tools.Tool.Effect;
 import dev.eventchain.mcp.tools.Tool.Result;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -38,7 +39,15 @@ final class CommandTools {
   /** Returns the tools. */
   List<Tool> all() {
     return List.of(
-        init(), validate(), explain(), generate(), simulate(), run(), campaign(), mutate());
+        init(),
+        validate(),
+        explain(),
+        generate(),
+        simulate(),
+        run(),
+        campaign(),
+        search(),
+        mutate());
   }
 
   private Tool init() {
@@ -152,6 +161,7 @@ final class CommandTools {
                         "A template writes into a folder that you name."));
     Protection.requireOutput(boundary, boundary.inside(output));
     command.add("--output=" + closed(output));
+    Protection.notGenerated().forEach(name -> command.add("--refuse=" + name));
     return commands.report(command, call);
   }
 
@@ -162,9 +172,30 @@ final class CommandTools {
         "Simulates scenarios of a project whose nodes were generated, in the closed loop, and comes"
             + " to a verdict. After a change of the model or a component, use 'run'.",
         Effect.ADDS,
-        List.of(PROJECT, SCENARIOS),
+        List.of(
+            PROJECT,
+            SCENARIOS,
+            Parameter.of(
+                "suite",
+                ArgumentType.TEXT,
+                "Instead of the project's scenarios, a suite by its name, or a campaign file about"
+                    + " scenarios of its own. A wrong name is answered by all names."),
+            Parameter.oneOf(
+                "driver",
+                "How nodes run: all in one process (default), or each in its own, over DDS.",
+                List.of("lockstep", "dds"))),
         Commands.OUTPUT,
-        (arguments, call) -> commands.report(withScenarios("simulate", arguments), call));
+        (arguments, call) -> {
+          List<String> command = withScenarios("simulate", arguments);
+          arguments.text("suite").ifPresent(name -> command.add("--suite=" + suite(name)));
+          arguments.text("driver").ifPresent(driver -> command.add("--driver=" + driver));
+          return commands.report(command, call);
+        });
+  }
+
+  /** Returns a suite as an argument: its name, or a file inside that no link leads out of. */
+  private String suite(String name) {
+    return name.matches("[a-z0-9-]+") && !Files.exists(boundary.inside(name)) ? name : closed(name);
   }
 
   private Tool run() {
@@ -203,6 +234,27 @@ final class CommandTools {
           if (arguments.flag("dryRun")) {
             command.add("--dry-run");
           }
+          return commands.report(command, call);
+        });
+  }
+
+  private Tool search() {
+    return new Tool(
+        "search",
+        "Search for failures",
+        "Searches for cases of a campaign file that fail, by minimising margins. Takes minutes to"
+            + " hours. That nothing was found proves nothing.",
+        Effect.ADDS,
+        List.of(
+            PROJECT,
+            Parameter.required(
+                "file", ArgumentType.TEXT, "The campaign file, relative to the server's folder."),
+            Parameter.of("only", ArgumentType.TEXT, "Of several campaigns, the one of this name.")),
+        Commands.OUTPUT,
+        (arguments, call) -> {
+          List<String> command = command("search", arguments);
+          command.add(closed(arguments.text("file", "")));
+          arguments.text("only").ifPresent(name -> command.add("--only=" + name));
           return commands.report(command, call);
         });
   }
