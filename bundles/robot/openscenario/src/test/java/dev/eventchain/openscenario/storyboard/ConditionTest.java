@@ -77,6 +77,8 @@ class ConditionTest {
         "<TraveledDistanceCondition value='0'/>",
         "<ReachPositionCondition tolerance='2'><Position><LanePosition roadId='1' laneId='-1'"
             + " s='102'/></Position></ReachPositionCondition>",
+        "<DistanceCondition freespace='true' rule='equalTo' value='0'><Position>"
+            + "<LanePosition roadId='1' laneId='-1' s='101'/></Position></DistanceCondition>",
         "<DistanceCondition freespace='false' rule='equalTo' value='50'><Position>"
             + "<LanePosition roadId='1' laneId='-1' s='150'/></Position></DistanceCondition>",
         "<DistanceCondition freespace='true' rule='equalTo' value='47'><Position>"

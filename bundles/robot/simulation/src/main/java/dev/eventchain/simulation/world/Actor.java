@@ -1,5 +1,6 @@
 package dev.eventchain.simulation.world;
 
+import dev.eventchain.roads.Rectangle;
 import java.util.List;
 import java.util.Optional;
 
@@ -12,7 +13,13 @@ import java.util.Optional;
 public final class Actor {
 
   /** Length, width, and the heights of its lower and its upper side above the road, in m. */
-  public record Size(double length, double width, double bottom, double top) {}
+  public record Size(double length, double width, double bottom, double top) {
+
+    /** Returns how far it reaches from its middle in a direction relative to its own, in m. */
+    double extent(double direction) {
+      return new Rectangle(0, 0, 0, length, width).extent(direction);
+    }
+  }
 
   private final String name;
   private final ActorKind kind;
@@ -38,11 +45,7 @@ public final class Actor {
         name,
         kind,
         size,
-        new ScriptedCourse(
-            gap + Body.extent(size.length(), size.width(), heading),
-            heading,
-            Motion.of(speed, offset),
-            true));
+        new ScriptedCourse(gap + size.extent(heading), heading, Motion.of(speed, offset), true));
   }
 
   /** Creates an actor that something else moves along a track. */
@@ -174,12 +177,12 @@ public final class Actor {
 
   /** Returns the distance from its middle to its ends along the road, in m. */
   public double reach(double seconds) {
-    return Body.extent(size.length(), size.width(), heading(seconds));
+    return size.extent(heading(seconds));
   }
 
   /** Returns the distance from its middle to its sides across the road, in m. */
   public double breadth(double seconds) {
-    return Body.extent(size.length(), size.width(), heading(seconds) - Math.PI / 2);
+    return size.extent(heading(seconds) - Math.PI / 2);
   }
 
   /** Returns its speed along the road, in m/s; negative if it is oncoming. */
