@@ -28,6 +28,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.IntFunction;
+import java.util.stream.Stream;
 
 /**
  * Simulates many cases of a scenario in lock-step, on all processors. A case is judged by its
@@ -134,13 +135,15 @@ public final class CaseSimulation {
 
   /**
    * Returns the result of a case: failed if a criterion failed, passed if one of the scenario was
-   * met and none failed. Where the premise of another one never came true, this case is none of it.
+   * met, none failed and none was left open. Where the premise of another one never came true, this
+   * case is none of it.
    */
   private static CaseResult judged(ScenarioJudge judge, ScenarioRun run) {
     List<CriterionMargin> criteria = new ArrayList<>();
-    List<String> failures = new ArrayList<>();
+    List<String> failed = new ArrayList<>();
+    List<String> open = new ArrayList<>();
     List<String> untested = new ArrayList<>();
-    Label label = Label.UNTESTED;
+    boolean met = false;
     for (CriterionResult each : judge.criteriaWithoutEvidence(run)) {
       Expectation criterion = criterion(run, each);
       if (judge.isUnasked(criterion, run)) {
@@ -148,19 +151,19 @@ public final class CaseSimulation {
       }
       Label own = label(criterion, each, run);
       criteria.add(margin(each, own));
-      if (own == Label.FAILED || (own == Label.PASSED && !criterion.isOfEveryScenario())) {
-        label = label == Label.FAILED ? label : own;
-      }
+      met |= own == Label.PASSED && !criterion.isOfEveryScenario();
       if (own != Label.PASSED) {
-        (own == Label.FAILED ? failures : untested).add(each.text() + ": " + each.measured());
+        List<String> others = judge.isOpen(criterion, run) ? open : untested;
+        (own == Label.FAILED ? failed : others).add(each.text() + ": " + each.measured());
       }
     }
-    if (label == Label.PASSED && isUnjudgedImpact(run)) {
-      label = Label.UNTESTED;
-      failures.add("an impact, of which no criterion says anything");
+    if (isUnjudgedImpact(run)) {
+      open.add(0, "an impact, of which no criterion says anything");
     }
-    failures.addAll(untested);
-    String reason = label == Label.PASSED || failures.isEmpty() ? "" : failures.get(0);
+    Label label = !failed.isEmpty() ? Label.FAILED : Label.UNTESTED;
+    label = failed.isEmpty() && open.isEmpty() && met ? Label.PASSED : label;
+    List<String> reasons = Stream.of(failed, open, untested).flatMap(List::stream).toList();
+    String reason = label == Label.PASSED || reasons.isEmpty() ? "" : reasons.get(0);
     return result(run, label, reason, criteria);
   }
 

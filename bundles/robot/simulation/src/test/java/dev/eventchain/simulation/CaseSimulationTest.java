@@ -106,4 +106,17 @@ class CaseSimulationTest {
     assertTrue(result.impactSpeed().isPresent(), result::toString);
     assertTrue(result.label() != Label.PASSED, result::toString);
   }
+
+  /** Neither braking nor an impact is due when the car is still 44 m ahead at the end. */
+  @Test
+  void aCriterionThatTheRunLeavesOpenIsNoPassBesideOneThatHolds() throws Exception {
+    String car = "{gap_m: 100, speed_kmh: 0}";
+    CaseResult result = run(scenario(car, "never_brakes: true\nno_impact: true")).get(0);
+    assertEquals(Label.UNTESTED, result.label(), result::toString);
+    assertTrue(result.reason().startsWith("no impact: the run ended "), result::reason);
+    assertTrue(
+        result.criteria().stream()
+            .anyMatch(it -> it.label() == Label.PASSED && it.name().equals("no braking at all")),
+        result::toString);
+  }
 }

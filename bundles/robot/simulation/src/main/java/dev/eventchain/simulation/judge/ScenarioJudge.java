@@ -135,6 +135,18 @@ public final class ScenarioJudge {
         && criterion.signals().stream().noneMatch(signal -> isSilent(signal, run.trace()));
   }
 
+  /**
+   * Returns whether a criterion is about a run that does not tell if it holds: the run ended too
+   * soon, or software sent nothing of what the criterion reads. A premise that never came true is
+   * none of that.
+   */
+  public boolean isOpen(Expectation criterion, ScenarioRun run) {
+    Outcome outcome = withoutEvidence(criterion, run);
+    return outcome.undecided()
+        || (!outcome.tested()
+            && criterion.signals().stream().anyMatch(signal -> isSilent(signal, run.trace())));
+  }
+
   private boolean isSilent(Signal signal, Trace trace) {
     return signal.topic().filter(chain.topicsWritten()::contains).isPresent()
         && signal.absence().apply(trace).isPresent();
