@@ -28,5 +28,7 @@ final class SimulateRules {
   static final Rule SIMULATION_STRENGTH_NONE =
       Rule.error("simulation.strength.none", CommonTrait.UNTESTED);
 
+  static final Rule SIMULATION_TIME_MEASURED = Rule.info("simulation.time.measured");
+
   private SimulateRules() {}
 }

@@ -109,6 +109,7 @@ public final class SimulateStage implements StageWork {
     Coverage ecore = Coverage.NONE;
     if (!run.options().isPartial()) {
       writeMeasurements(run, chain, result, measured);
+      found.addAll(MeasuredTimes.propose(run, result));
       ChainModel reread = run.loadChain(run.file(MEASURED_MODEL));
       measured = reread.chain();
       locator = reread::locate;
