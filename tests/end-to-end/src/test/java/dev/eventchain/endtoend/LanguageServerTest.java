@@ -18,6 +18,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.eclipse.lsp4j.Diagnostic;
 import org.eclipse.lsp4j.InitializeParams;
@@ -38,6 +40,8 @@ class LanguageServerTest {
     {"requirements.md", "- RAD-2", "- RAD-1"},
     {"eventchain.yaml", "name: radar_aeb", "name: Radar"},
   };
+
+  private static final Pattern WORD = Pattern.compile("<?(?=[:./@-]*\\w)[\\w:./@-]*[\\w@]");
 
   @TempDir private Path folder;
 
@@ -168,17 +172,38 @@ class LanguageServerTest {
     List<String> lines = new ArrayList<>();
     for (JsonNode each : new ObjectMapper().readTree(json).path("findings")) {
       lines.add(
-          Stream.of("severity", "id", "file", "line", "message", "hint", "rule")
-              .map(name -> each.path(name).asText())
+          Stream.concat(
+                  Stream.of("severity", "id", "file", "line", "message", "hint", "rule")
+                      .map(name -> each.path(name).asText()),
+                  Stream.of(marked(each)))
               .reduce((left, right) -> left + " | " + right)
               .orElseThrow());
     }
     return lines.stream().sorted().toList();
   }
 
+  /**
+   * Returns the line and the columns that an editor should mark: the word at the column that the
+   * command line names or, if that is none, the line without its indentation. Words are names,
+   * paths, numbers and start tags; a sign alone is marked with the rest of its line.
+   */
+  private static String marked(JsonNode finding) throws IOException {
+    int line = finding.path("line").asInt();
+    if (line == 0) {
+      return "1:1-1";
+    }
+    String text = Files.readAllLines(Path.of(finding.path("file").asText())).get(line - 1);
+    int column = finding.path("column").asInt();
+    int start = column > 0 ? column - 1 : text.length() - text.stripLeading().length();
+    Matcher word = WORD.matcher(text);
+    int end = column > 0 && word.find(start) && word.start() == start ? word.end() : text.length();
+    return line + ":" + (start + 1) + "-" + (end + 1);
+  }
+
   private static String line(Path file, Diagnostic shown) {
     JsonObject data = (JsonObject) shown.getData();
     Position start = shown.getRange().getStart();
+    Position end = shown.getRange().getEnd();
     return Stream.of(
             shown.getSeverity().toString().toLowerCase(Locale.ROOT),
             shown.getCode().getLeft(),
@@ -186,7 +211,8 @@ class LanguageServerTest {
             Integer.toString(start.getLine() + 1),
             data.get("message").getAsString(),
             data.get("hint").getAsString(),
-            data.get("rule").getAsString())
+            data.get("rule").getAsString(),
+            end.getLine() + 1 + ":" + (start.getCharacter() + 1) + "-" + (end.getCharacter() + 1))
         .reduce((left, right) -> left + " | " + right)
         .orElseThrow();
   }

@@ -4,7 +4,10 @@ import dev.eventchain.diagnostics.SourceLocation;
 import org.eclipse.lsp4j.Position;
 import org.eclipse.lsp4j.Range;
 
-/** The part of a line that a finding marks: the word at its place, or else the whole line. */
+/**
+ * The part of a line that a finding marks: the word at its place, the rest of the line if there is
+ * only a sign such as that of a list, or else the whole line.
+ */
 final class FindingRange {
 
   private FindingRange() {}
@@ -28,7 +31,7 @@ final class FindingRange {
         new Position(place.line() - 1, Math.max(start, end) + shift));
   }
 
-  /** Returns the end of the name, start tag or text at an offset. */
+  /** Returns the end of the name, start tag or text at an offset; of the line if there is none. */
   private static int endOfWord(String line, int from) {
     int end = from;
     if (end < line.length() && line.charAt(end) == '<') {
@@ -40,7 +43,9 @@ final class FindingRange {
     while (end > from + 1 && "./:-".indexOf(line.charAt(end - 1)) >= 0) {
       end--;
     }
-    return end > from ? end : line.length();
+    boolean isWord =
+        end > from && line.substring(from, end).chars().anyMatch(Character::isLetterOrDigit);
+    return isWord ? end : line.length();
   }
 
   private static boolean isPart(char c) {
