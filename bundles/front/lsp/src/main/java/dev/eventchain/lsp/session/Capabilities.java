@@ -7,6 +7,7 @@ import org.eclipse.lsp4j.CodeActionKind;
 import org.eclipse.lsp4j.CodeActionOptions;
 import org.eclipse.lsp4j.CodeLensOptions;
 import org.eclipse.lsp4j.CompletionOptions;
+import org.eclipse.lsp4j.DocumentLinkOptions;
 import org.eclipse.lsp4j.ExecuteCommandOptions;
 import org.eclipse.lsp4j.RenameOptions;
 import org.eclipse.lsp4j.SemanticTokensWithRegistrationOptions;
@@ -58,6 +59,7 @@ final class Capabilities {
     capabilities.setSelectionRangeProvider(true);
     capabilities.setInlayHintProvider(true);
     capabilities.setCallHierarchyProvider(true);
+    capabilities.setDocumentLinkProvider(new DocumentLinkOptions(false));
     capabilities.setCodeLensProvider(new CodeLensOptions(false));
   }
 }

@@ -10,6 +10,7 @@ import dev.eventchain.lsp.action.FindingActions;
 import dev.eventchain.lsp.check.Checks;
 import dev.eventchain.lsp.check.Findings;
 import dev.eventchain.lsp.language.CallItems;
+import dev.eventchain.lsp.language.FileLinks;
 import dev.eventchain.lsp.language.Languages;
 import dev.eventchain.lsp.language.Protocol;
 import dev.eventchain.lsp.project.ProjectLenses;
@@ -47,6 +48,8 @@ import org.eclipse.lsp4j.DidOpenTextDocumentParams;
 import org.eclipse.lsp4j.DidSaveTextDocumentParams;
 import org.eclipse.lsp4j.DocumentHighlight;
 import org.eclipse.lsp4j.DocumentHighlightParams;
+import org.eclipse.lsp4j.DocumentLink;
+import org.eclipse.lsp4j.DocumentLinkParams;
 import org.eclipse.lsp4j.DocumentSymbol;
 import org.eclipse.lsp4j.DocumentSymbolParams;
 import org.eclipse.lsp4j.FoldingRange;
@@ -97,6 +100,7 @@ final class DocumentRequests implements TextDocumentService {
   private final CallItems calls;
   private final FindingActions actions;
   private final ProjectLenses lenses;
+  private final FileLinks links;
 
   DocumentRequests(
       OpenTexts texts,
@@ -105,8 +109,10 @@ final class DocumentRequests implements TextDocumentService {
       Languages languages,
       Edits edits,
       FindingActions actions,
-      ProjectLenses lenses) {
+      ProjectLenses lenses,
+      FileLinks links) {
     this.lenses = lenses;
+    this.links = links;
     this.texts = texts;
     this.checks = checks;
     this.findings = findings;
@@ -347,6 +353,12 @@ final class DocumentRequests implements TextDocumentService {
   public CompletableFuture<List<? extends CodeLens>> codeLens(CodeLensParams params) {
     return languages.later(
         () -> Positions.path(params.getTextDocument().getUri()).map(lenses::of).orElse(List.of()));
+  }
+
+  @Override
+  public CompletableFuture<List<DocumentLink>> documentLink(DocumentLinkParams params) {
+    return languages.later(
+        () -> Positions.path(params.getTextDocument().getUri()).map(links::of).orElse(List.of()));
   }
 
   @Override

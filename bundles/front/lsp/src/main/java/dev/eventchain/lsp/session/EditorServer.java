@@ -8,6 +8,7 @@ import dev.eventchain.lsp.check.Findings;
 import dev.eventchain.lsp.check.RulePageFiles;
 import dev.eventchain.lsp.check.Settings;
 import dev.eventchain.lsp.language.EditorWorkspace;
+import dev.eventchain.lsp.language.FileLinks;
 import dev.eventchain.lsp.language.Languages;
 import dev.eventchain.lsp.project.ProjectLanguageService;
 import dev.eventchain.lsp.project.ProjectLenses;
@@ -95,7 +96,8 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
             languages,
             edits,
             new FindingActions(files, findings, edits),
-            new ProjectLenses(files, texts));
+            new ProjectLenses(files, texts),
+            new FileLinks(files, checks));
     this.workspace =
         new WorkspaceRequests(texts, checks, languages, files, edits, this::explain, this::refresh);
   }
