@@ -10,6 +10,7 @@ import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -42,6 +43,29 @@ class LatencyBoundTest {
         .expect(1)
         .says("error: 'list_to_brake' allows 1 ms from 'Crossing_Prediction' to 'Brake_Arbiter'")
         .says("but the worst cases alone are 12 ms. [chain.latency.bound]");
+  }
+
+  /** Without priorities, both components on the way wait for the two others: 10 + 2 + 2 ms. */
+  @Test
+  void componentsOnOneProcessorWaitForEachOther() throws IOException {
+    ProjectCopy project = pedestrianBrake();
+    project.replace(CHAIN, "maximum=\"150\"/>", "maximum=\"80\"/><processors name=\"ecu\"/>");
+    for (String name : List.of("Crossing_Prediction", "Brake_Arbiter", "Crossing_Warning")) {
+      String component = "<software name=\"" + name + "\"";
+      project.replace(CHAIN, component, component + " mappedTo=\"//@processors.0\"");
+    }
+    new Program()
+        .run("validate", project.path())
+        .expect(0)
+        .says("but up to 98 ms are possible")
+        .says("(waiting + execution: Crossing_Prediction 50 + 14, Brake_Arbiter 20 + 14)")
+        .says("nothing else runs on the processors");
+    project.replace(CHAIN, "worstCaseExecutionTime=\"10.0\"", "worstCaseExecutionTime=\"44.0\"");
+    new Program()
+        .run("validate", project.path())
+        .expect(1)
+        .says("error: The components on 'ecu' need 102 %")
+        .says("[chain.processor.overloaded]");
   }
 
   @InTurn
