@@ -27,6 +27,11 @@ final class UnitTable {
   private static final int CANDELA = 7;
   private static final int DIMENSIONS = 8;
 
+  /** The international pound in kg, and standard gravity in m/s2; both are exact. */
+  private static final double POUND = 0.45359237;
+
+  private static final double GRAVITY = 9.80665;
+
   private static final Map<String, Unit> PLAIN = new HashMap<>();
   private static final Map<String, Unit> PREFIXED = new HashMap<>();
   private static final Map<String, Double> PREFIXES =
@@ -70,6 +75,7 @@ final class UnitTable {
     derived(1.0, "V", 2, 1, -3, -1);
     derived(1.0, "Ohm", 2, 1, -3, -2);
     derived(1.0, "\u03a9", 2, 1, -3, -2);
+    derived(1.0, "ohm", 2, 1, -3, -2);
     derived(1.0, "T", 0, 1, -2, -1);
     derived(3600.0, "Ah", 0, 0, 1, 1);
     derived(3600.0, "Wh", 2, 1, -2, 0);
@@ -80,10 +86,12 @@ final class UnitTable {
     plain(0.3048, METRE, "ft");
     plain(1609.344, METRE, "mi");
     plain(1000.0, KILOGRAM, "t");
+    plain(POUND, KILOGRAM, "lb", "lbs");
     plain(1.0, SECOND, "sec", "second", "seconds");
     plain(60.0, SECOND, "min");
     plain(3600.0, SECOND, "h", "hour", "hours");
-    plain(86400.0, SECOND, "d");
+    plain(86400.0, SECOND, "d", "day", "days");
+    plain(604800.0, SECOND, "week", "weeks");
     plain(1.0, ANGLE, "radian", "radians");
     plain(Math.PI / 180.0, ANGLE, "deg", "degree", "degrees", "\u00b0");
     plain(1.0, BYTE, "bytes");
@@ -94,6 +102,11 @@ final class UnitTable {
     speed(1.0, "mps");
     speed(1.0 / 3.6, "kmh", "kph");
     speed(0.44704, "mph");
+    PLAIN.put("ratio", ONE);
+    PLAIN.put("PS", new Unit(exponents(METRE, 2, KILOGRAM, 1, SECOND, -3), 75 * GRAVITY, 0.0));
+    double inch = 0.0254;
+    double psi = POUND * GRAVITY / (inch * inch);
+    PLAIN.put("psi", new Unit(exponents(METRE, -1, KILOGRAM, 1, SECOND, -2), psi, 0.0));
     PLAIN.put("rpm", new Unit(exponents(ANGLE, 1, SECOND, -1), Math.PI / 30.0, 0.0));
   }
 

@@ -1,10 +1,13 @@
 package dev.eventchain.messages;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.EnumSet;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvFileSource;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -110,6 +113,28 @@ class UnitTest {
   @CsvSource({"29, %, 0.29", "250, ms, 0.25", "36, km/h, 10", "0, degC, 273.15", "7, cm, 0.07"})
   void numbersInCoherentUnits(double number, String unit, double expected) {
     assertEquals(expected, Unit.parse(unit).orElseThrow().coherent(number));
+  }
+
+  @ParameterizedTest
+  @CsvFileSource(resources = "/units.csv")
+  void unitsAreThoseOfTheirDefinitions(String text, String si, double number, double coherent) {
+    Unit unit = unit(text);
+    Unit other = unit(si);
+    assertTrue(
+        EnumSet.of(Unit.Relation.SAME, Unit.Relation.CONVERTIBLE).contains(unit.relationTo(other)));
+    assertEquals(coherent, other.coherent(coherent), "the second unit is coherent");
+    assertEquals(coherent, unit.coherent(number), 1e-12 * Math.abs(coherent));
+    assertEquals(number, unit.ofCoherent(coherent), 1e-12 * Math.max(273.15, Math.abs(number)));
+  }
+
+  @ParameterizedTest
+  @CsvFileSource(resources = "/units.csv")
+  void numbersComeBackFromTheCoherentUnit(String text) {
+    Unit unit = unit(text);
+    for (double number : new double[] {-273, -40, -1, 0, 1e-6, 0.1, 1, 29, 100, 255, 65535, 1e9}) {
+      double back = unit.ofCoherent(unit.coherent(number));
+      assertEquals(number, back, 1e-12 * Math.max(1000, Math.abs(number)), text);
+    }
   }
 
   @Test
