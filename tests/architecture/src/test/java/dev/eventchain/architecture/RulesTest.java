@@ -120,6 +120,7 @@ class RulesTest {
                 "simulation.latency.unmeasured",
                 "simulation.node.silent",
                 "simulation.not-repeatable",
+                "simulation.output.range",
                 "simulation.rule.untested",
                 "simulation.strength.idle",
                 "simulation.strength.low",

@@ -73,6 +73,11 @@ public record Signal(
 
     /** Returns whether a number or a text is one of them; other values are not judged. */
     public boolean hold(Object value) {
+      if (value instanceof Float number) {
+        // The limit of a float is the nearest one: 0.1f is more than 0.1.
+        return number >= (float) least.orElse(Double.NEGATIVE_INFINITY)
+            && number <= (float) most.orElse(Double.POSITIVE_INFINITY);
+      }
       if (value instanceof Number number) {
         return number.doubleValue() >= least.orElse(Double.NEGATIVE_INFINITY)
             && number.doubleValue() <= most.orElse(Double.POSITIVE_INFINITY);

@@ -19,6 +19,7 @@ import dev.eventchain.simulation.measure.InputAges;
 import dev.eventchain.simulation.measure.MessageFlows;
 import dev.eventchain.simulation.measure.Silence;
 import dev.eventchain.simulation.measure.ValueLatencies;
+import dev.eventchain.simulation.measure.ValueRanges;
 import dev.eventchain.simulation.run.FaultRun;
 import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.verdict.FaultVerdict;
@@ -71,6 +72,7 @@ final class ResultBuilder {
                 attached(),
                 ignored(),
                 tooOld(),
+                ValueRanges.in(runs, chain),
                 values.findings(),
                 impacts(),
                 runs.stream().flatMap(run -> ScenarioJudge.openEnd(run).stream()).toList(),

@@ -41,11 +41,7 @@ public final class AebProject {
 
   private static final Path RESOURCES = Path.of("src/test/resources");
   public static final Path EXAMPLE = Path.of("../../../examples/aeb");
-  public static final Bench BENCH =
-      Bench.read(
-          Optional.of(EXAMPLE.resolve(Bench.FILE)),
-          declared(),
-          MessageCatalog.of(List.of(messages())));
+  public static final Bench BENCH = bench(declared());
 
   private static final Set<String> SCENARIOS =
       Set.of(
@@ -79,12 +75,18 @@ public final class AebProject {
     copyComponents(EXAMPLE.resolve("software-base/components"));
   }
 
+  /** Returns the example's bench with other descriptions of its topics. */
+  public static Bench bench(List<Signal> declared) {
+    return Bench.read(
+        Optional.of(EXAMPLE.resolve(Bench.FILE)), declared, MessageCatalog.of(List.of(messages())));
+  }
+
   private static Path messages() {
     return EXAMPLE.resolve("software-base/msg");
   }
 
   /** Returns the topics that formulas of the example's scenarios read, with their units. */
-  private static List<Signal> declared() {
+  public static List<Signal> declared() {
     List<Signal> signals = new ArrayList<>();
     SourceText text = SourceText.read(EXAMPLE.resolve("software-base/signals.json"));
     try {
@@ -188,12 +190,17 @@ public final class AebProject {
   }
 
   public SimulationRequest request(List<Scenario> scenarios) {
+    return request(scenarios, BENCH);
+  }
+
+  /** Returns a request with another bench. */
+  public SimulationRequest request(List<Scenario> scenarios, Bench bench) {
     return SimulationRequest.of(
         chain,
         folder.resolve("aeb"),
         manifest(),
         MessageCatalog.of(List.of(messages())),
-        BENCH,
+        bench,
         scenarios);
   }
 

@@ -370,6 +370,11 @@ public final class Bench {
     return VehicleQos.requested(declared.quality(topic));
   }
 
+  /** Returns the fields of a topic whose signal states which values they have. */
+  public List<dev.eventchain.model.Signal.Field> limited(String topic) {
+    return declared.limited(topic);
+  }
+
   DeclaredSignals declared() {
     return declared;
   }

@@ -78,6 +78,14 @@ final class DeclaredSignals {
     }
   }
 
+  /** Returns the fields of a topic that have certain values only. */
+  List<dev.eventchain.model.Signal.Field> limited(String topic) {
+    return find(topic).stream()
+        .flatMap(signal -> signal.fields().stream())
+        .filter(field -> !field.values().equals(Values.ANY))
+        .toList();
+  }
+
   /** Returns the unit of a field, as written; empty if none is declared. */
   Optional<String> unit(String topic, String field) {
     return find(topic)

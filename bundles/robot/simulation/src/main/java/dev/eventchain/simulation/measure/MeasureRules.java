@@ -7,6 +7,9 @@ import dev.eventchain.diagnostics.Rule;
 public final class MeasureRules {
 
   public static final Rule INPUT_TOO_OLD = Rule.warning("simulation.input.too-old");
+  public static final Rule INPUT_RANGE = Rule.warning("simulation.input.range");
+  public static final Rule OUTPUT_RANGE =
+      Rule.error("simulation.output.range", CommonTrait.UNTESTED);
   public static final Rule VALUE_LATE = Rule.warning("simulation.value.late");
   public static final Rule NODE_SILENT = Rule.error("simulation.node.silent", CommonTrait.UNTESTED);
 

@@ -72,6 +72,7 @@ final class BenchDriver {
   private final ChainSignals chainSignals;
   private final Lidar lidar;
   private final WorldFault fault;
+  private final RangeWatch ranges;
   private final OutputRecord outputs;
   private final List<Publisher> publishers = new ArrayList<>();
   private final List<Receiver> receivers = new ArrayList<>();
@@ -107,6 +108,7 @@ final class BenchDriver {
     this.chain = chain;
     this.catalog = chain.catalog();
     this.bench = chain.bench();
+    this.ranges = new RangeWatch(bench);
     this.scenario = scenario;
     this.chainSignals = chain.chainSignals();
     this.lidar = new Lidar(scenario.situation().ego().lidar(), scenario.seed());
@@ -121,8 +123,12 @@ final class BenchDriver {
         .forEach(this::receive);
     observe();
     chain.typedTopicsWritten().stream()
-        .filter(topic -> recorded || kept.isOfAllTopics() || outputs.reads(topic.name()))
+        .filter(topic -> recorded || kept.isOfAllTopics() || isRead(topic.name()))
         .forEach(this::observe);
+  }
+
+  private boolean isRead(String topic) {
+    return outputs.reads(topic) || ranges.watches(topic);
   }
 
   private void publish(Provided provided) {
@@ -277,6 +283,7 @@ final class BenchDriver {
     if (fault.silences(publisher.topic().name(), now)) {
       return;
     }
+    ranges.look(publisher.topic().name(), publisher.message(), now, world.trace());
     underway.add(
         new Underway(
             world.now() + publisher.latency(),
@@ -294,11 +301,12 @@ final class BenchDriver {
     if (receiver.effects().isEmpty()
         && receiver.recorded().isEmpty()
         && kept.samples().isEmpty()
-        && !outputs.reads(receiver.topic().name())) {
+        && !isRead(receiver.topic().name())) {
       return;
     }
     MessageValue message = CdrCodec.decode(receiver.type(), array(outbound.message()));
     outputs.add(receiver.topic().name(), message);
+    ranges.look(receiver.topic().name(), message, outbound.time(), world.trace());
     kept.samples().ifPresent(it -> it.add(receiver.topic().name(), outbound.time(), message));
     expire(receiver, outbound.time(), world);
     values(receiver.recorded(), message)

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -98,6 +99,7 @@ public final class Trace {
   private OptionalDouble impactSpeed = OptionalDouble.empty();
   private String impact = "";
   private String ignored = "";
+  private final Map<String, Outside> outside = new LinkedHashMap<>();
   private boolean cut;
   private OptionalLong pedalsTaken = OptionalLong.empty();
   private OptionalLong wheelTaken = OptionalLong.empty();
@@ -311,6 +313,23 @@ public final class Trace {
       ignored =
           String.format(Locale.ROOT, "%s after %.2f s", command.ignored(), World.seconds(time));
     }
+  }
+
+  /**
+   * A value of a field that its signal never has.
+   *
+   * @param time in ns
+   */
+  public record Outside(String topic, String path, Object value, long time) {}
+
+  /** Keeps such a value, if it is the first one of its field. */
+  public void outside(Outside value) {
+    outside.putIfAbsent(value.topic() + " " + value.path(), value);
+  }
+
+  /** Returns the first such value of each field. */
+  public List<Outside> outside() {
+    return List.copyOf(outside.values());
   }
 
   /** Returns the first command that the vehicle ignored, with its time; empty if there was none. */
