@@ -10,11 +10,14 @@ import dev.eventchain.pipeline.campaign.plan.CaseList;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.scenario.Criterion;
 import dev.eventchain.simulation.scenario.CriterionKind;
+import dev.eventchain.simulation.scenario.Expectation;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the files of the suites that come with the program. */
 class SuitesTest {
@@ -58,6 +61,22 @@ class SuitesTest {
                       each instanceof Criterion known
                           && known.kind() == CriterionKind.NEVER_BRAKES),
           name);
+    }
+  }
+
+  /** A function that always brakes avoids all impacts, and never has the speed of a test. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {"euro-ncap-2023-c2c", "euro-ncap-2026-ccr", "un-r152", "un-r152-pedestrian"})
+  void casesInWhichTheVehicleShallBrakeAreAtTheSpeedOfTheTest(String name) {
+    for (CampaignPlan plan : CampaignReader.read(Suites.file(name, folder))) {
+      Scenario scenario = Scenario.read(plan.scenarioFile().orElseThrow(), Bench.carla());
+      assertTrue(
+          scenario.criteria().stream()
+              .map(Expectation::text)
+              .anyMatch(
+                  text -> text.equals("no braking at all") || text.startsWith("the test speed is")),
+          plan.name());
     }
   }
 }

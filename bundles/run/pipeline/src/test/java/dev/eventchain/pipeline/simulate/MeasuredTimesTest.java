@@ -70,7 +70,7 @@ class MeasuredTimesTest {
         times.findings().stream()
             .map(it -> it.location().file() + ":" + it.location().line() + ": " + it.message())
             .toList());
-    times.findings().forEach(it -> assertEquals("simulation.time.measured", it.rule()));
+    times.findings().forEach(it -> assertEquals("simulation.time.measured", it.kind().id()));
   }
 
   @Test
