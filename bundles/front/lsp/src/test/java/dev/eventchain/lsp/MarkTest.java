@@ -70,15 +70,18 @@ class MarkTest {
           EditorClient.get(server.rename(rename)).getChanges().get(document.getUri()).stream()
               .map(TextEdit::getRange)
               .toList());
-      CompletionParams asked = new CompletionParams(document, at("self.total", 8));
       assertEquals(
           new Range(at("self.total", 5), at("self.total", 10)),
-          EditorClient.get(server.completion(asked)).getLeft().stream()
-              .filter(each -> each.getLabel().startsWith("total"))
-              .map(each -> each.getTextEdit().getLeft().getRange())
-              .findFirst()
-              .orElseThrow());
+          replaced(server, new CompletionParams(document, at("self.total", 8))));
     }
+  }
+
+  private static Range replaced(TextDocumentService server, CompletionParams asked) {
+    return EditorClient.get(server.completion(asked)).getLeft().stream()
+        .filter(each -> each.getLabel().startsWith("total"))
+        .map(each -> each.getTextEdit().getLeft().getRange())
+        .findFirst()
+        .orElseThrow();
   }
 
   @Test
