@@ -46,6 +46,7 @@ class PluginImportsTest {
             "constraints",
             "description",
             "diagnostics",
+            "editing",
             "json-models",
             "m2t",
             "messages",
@@ -59,7 +60,7 @@ class PluginImportsTest {
   @Test
   void userInterfaceShowsWhatIsInModels() throws IOException {
     assertEquals(
-        Set.of("diagnostics", "eclipse", "m2t", "messages", "model", "ocl", "project", "xmi"),
+        Set.of("diagnostics", "eclipse", "editing", "m2t", "messages", "model", "project", "xmi"),
         imports("ui"));
   }
 }

@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.eclipse.core.resources.IContainer;
 import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IProject;
@@ -103,6 +104,19 @@ final class CheckedFiles {
       units.add(unit(template, path -> new TemplateUnit(template, path, ecores)));
     }
     return units;
+  }
+
+  /** Returns the metamodels, in the order in which the checks load them. */
+  List<Path> ecores() {
+    return paths(metamodels);
+  }
+
+  /** Returns the documents of rules, the templates and the metamodels. */
+  List<Path> texts() {
+    return Stream.of(rules, templates, metamodels)
+        .flatMap(each -> paths(each).stream())
+        .sorted()
+        .toList();
   }
 
   /** Returns the documents outside of Eventchain projects. */

@@ -1,88 +1,65 @@
 package dev.eventchain.eclipse.ui.text;
 
-import java.util.List;
-import java.util.Set;
-import java.util.function.Function;
-import java.util.function.Supplier;
+import java.util.Arrays;
+import java.util.stream.Stream;
 import org.eclipse.jface.preference.IPreferenceStore;
+import org.eclipse.jface.text.DefaultInformationControl;
 import org.eclipse.jface.text.IDocument;
+import org.eclipse.jface.text.IInformationControlCreator;
 import org.eclipse.jface.text.ITextHover;
 import org.eclipse.jface.text.contentassist.ContentAssistant;
 import org.eclipse.jface.text.contentassist.IContentAssistant;
+import org.eclipse.jface.text.hyperlink.IHyperlinkDetector;
 import org.eclipse.jface.text.presentation.IPresentationReconciler;
-import org.eclipse.jface.text.presentation.PresentationReconciler;
-import org.eclipse.jface.text.rules.DefaultDamagerRepairer;
 import org.eclipse.jface.text.source.IAnnotationHover;
 import org.eclipse.jface.text.source.ISourceViewer;
+import org.eclipse.ui.editors.text.EditorsUI;
 import org.eclipse.ui.editors.text.TextSourceViewerConfiguration;
 
 /** The configuration of a viewer for constraints or templates. */
 final class CodeConfiguration extends TextSourceViewerConfiguration {
 
-  private final Language language;
-  private final Supplier<Vocabulary> names;
+  private final CodeEditor editor;
 
-  /**
-   * @param names the names of the file's project, read on demand
-   */
-  CodeConfiguration(Language language, Supplier<Vocabulary> names, IPreferenceStore preferences) {
+  CodeConfiguration(CodeEditor editor, IPreferenceStore preferences) {
     super(preferences);
-    this.language = language;
-    this.names = names;
-  }
-
-  @Override
-  public String[] getConfiguredContentTypes(ISourceViewer viewer) {
-    return new String[] {IDocument.DEFAULT_CONTENT_TYPE, Language.COMMENT, Language.TAG};
-  }
-
-  @Override
-  public String getConfiguredDocumentPartitioning(ISourceViewer viewer) {
-    return Language.PARTITIONING;
+    this.editor = editor;
   }
 
   @Override
   public IPresentationReconciler getPresentationReconciler(ISourceViewer viewer) {
-    PresentationReconciler reconciler = new PresentationReconciler();
-    reconciler.setDocumentPartitioning(Language.PARTITIONING);
-    Set<String> types = names.get().types();
-    draw(reconciler, Language.COMMENT, text -> one(TokenKind.COMMENT, text));
-    draw(reconciler, Language.TAG, text -> OclTokens.ofTag(text, 0, text.length(), types));
-    draw(
-        reconciler,
-        IDocument.DEFAULT_CONTENT_TYPE,
-        language == Language.OCL
-            ? text -> OclTokens.of(text, types)
-            : text -> one(TokenKind.TEXT, text));
-    return reconciler;
-  }
-
-  private static List<Token> one(TokenKind kind, String text) {
-    return text.isEmpty() ? List.of() : List.of(new Token(kind, 0, text.length()));
-  }
-
-  private static void draw(
-      PresentationReconciler reconciler, String type, Function<String, List<Token>> reader) {
-    DefaultDamagerRepairer both = new DefaultDamagerRepairer(new CodeScanner(reader));
-    reconciler.setDamager(both, type);
-    reconciler.setRepairer(both, type);
+    return null; // the editor draws what the analysis finds
   }
 
   @Override
   public IContentAssistant getContentAssistant(ISourceViewer viewer) {
-    ContentAssistant assistant = new ContentAssistant();
-    assistant.setDocumentPartitioning(Language.PARTITIONING);
-    CodeProposals proposals = new CodeProposals(language, names);
-    assistant.setContentAssistProcessor(proposals, IDocument.DEFAULT_CONTENT_TYPE);
-    assistant.setContentAssistProcessor(proposals, Language.TAG);
+    ContentAssistant assistant = new ContentAssistant(true); // asks in the background
+    assistant.setContentAssistProcessor(new CodeProposals(editor), IDocument.DEFAULT_CONTENT_TYPE);
     assistant.enableAutoActivation(true);
+    assistant.enableColoredLabels(true);
     assistant.setInformationControlCreator(getInformationControlCreator(viewer));
     return assistant;
   }
 
   @Override
+  public IHyperlinkDetector[] getHyperlinkDetectors(ISourceViewer viewer) {
+    IHyperlinkDetector[] others = super.getHyperlinkDetectors(viewer);
+    return others == null // links are switched off
+        ? null
+        : Stream.concat(Stream.of(new DeclarationLinks(editor)), Arrays.stream(others))
+            .toArray(IHyperlinkDetector[]::new);
+  }
+
+  /** Returns windows that show texts as they are: a rule may say {@code a < b}. */
+  @Override
+  public IInformationControlCreator getInformationControlCreator(ISourceViewer viewer) {
+    return parent ->
+        new DefaultInformationControl(parent, EditorsUI.getTooltipAffordanceString(), null);
+  }
+
+  @Override
   public ITextHover getTextHover(ISourceViewer viewer, String type) {
-    return new ProblemHover(viewer);
+    return new CodeHover(editor, new ProblemHover(viewer));
   }
 
   @Override

@@ -3,22 +3,18 @@ package dev.eventchain.eclipse.ui.text;
 import dev.eventchain.eclipse.ui.EventchainUi;
 import java.util.Locale;
 
-/** Kinds of tokens that have their own colour. */
-public enum TokenKind {
-  /** Template text that is copied unchanged. */
-  TEXT,
-  /** Names and operators. */
-  CODE,
+/** Kinds of words that have their own colour. */
+enum TokenKind {
   KEYWORD,
   /** A class of a metamodel, or a type of OCL. */
   TYPE,
   STRING,
   NUMBER,
   COMMENT,
-  /** The brackets of a template tag, with the keyword of a block or declaration. */
+  /** The brackets of a template tag. */
   TAG;
 
-  /** Returns the identifier of its colour in the theme; empty for {@code TEXT} and {@code CODE}. */
+  /** Returns the identifier of its colour in the theme. */
   String color() {
     return EventchainUi.ID + ".text." + name().toLowerCase(Locale.ROOT);
   }

@@ -1,2 +1,2 @@
-/** The editors of constraints and templates: tokens, colours, content proposals and outlines. */
+/** The editors of constraints and templates, which show what the analysis of the engine finds. */
 package dev.eventchain.eclipse.ui.text;

@@ -1,0 +1,172 @@
+package dev.eventchain.eclipse.ui.text;
+
+import dev.eventchain.eclipse.CodeAnalysis;
+import dev.eventchain.editing.Analysis;
+import dev.eventchain.editing.FileRange;
+import dev.eventchain.editing.Folding;
+import dev.eventchain.editing.SemanticToken;
+import dev.eventchain.editing.Symbol;
+import dev.eventchain.editing.TextLines;
+import dev.eventchain.editing.TextPosition;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.BiFunction;
+import java.util.function.Consumer;
+import org.eclipse.core.resources.IFile;
+import org.eclipse.core.runtime.IPath;
+import org.eclipse.core.runtime.Platform;
+import org.eclipse.jface.text.DocumentEvent;
+import org.eclipse.jface.text.IDocument;
+import org.eclipse.jface.text.IDocumentListener;
+import org.eclipse.swt.widgets.Display;
+
+/**
+ * The text of an editor. It is analysed after each change, in the background; what is found about a
+ * text that has changed again is dropped.
+ */
+final class CodeText implements IDocumentListener {
+
+  /** The present text; the same instance until it changes. */
+  record Present(String text, TextLines lines) {}
+
+  /** Parts of a text that are shown. */
+  record Known(
+      Present present,
+      List<SemanticToken> tokens,
+      List<CodeColors.Colored> colors,
+      List<Symbol> symbols,
+      List<Folding> foldings) {}
+
+  private final Language language;
+  private final IDocument document;
+  private final Path path;
+  private final CodeAnalysis analysis;
+  private final Consumer<Known> show;
+  private final Display display = Display.getCurrent();
+  private volatile Present present;
+  private volatile boolean closed;
+
+  /**
+   * Begins with the present text of a document; on the user interface's thread.
+   *
+   * @param file empty outside of Eclipse's workspace
+   * @param show is called on the user interface's thread
+   */
+  CodeText(
+      Language language,
+      IDocument document,
+      Optional<IFile> file,
+      Path path,
+      Consumer<Known> show) {
+    this.language = language;
+    this.document = document;
+    this.path = file.map(IFile::getLocation).map(IPath::toPath).orElse(path);
+    this.analysis = CodeAnalysis.of(file);
+    this.show = show;
+    document.addDocumentListener(this);
+    take();
+  }
+
+  Path path() {
+    return path;
+  }
+
+  Present present() {
+    return present;
+  }
+
+  /** Returns the present text of any file of the project. */
+  Optional<String> textOf(Path file) {
+    return analysis.text(file);
+  }
+
+  /** Returns the line of a place without the space around it, behind the file's name and line. */
+  String describe(FileRange place) {
+    int line = place.range().start().line();
+    String[] lines = textOf(place.file()).orElse("").split("\r\n|\r|\n", -1);
+    String text = line < lines.length ? lines[line].strip() : "";
+    return place.file().getFileName() + ":" + (line + 1) + ": " + text;
+  }
+
+  /** Goes back to the text on the disk. */
+  void close() {
+    closed = true;
+    document.removeDocumentListener(this);
+    analysis.close(path);
+  }
+
+  @Override
+  public void documentAboutToBeChanged(DocumentEvent event) {
+    // Only the result matters.
+  }
+
+  @Override
+  public void documentChanged(DocumentEvent event) {
+    take();
+  }
+
+  private void take() {
+    String text = document.get();
+    present = new Present(text, new TextLines(text));
+    refresh();
+  }
+
+  /** Analyses the present text again, since other files may have changed. */
+  void refresh() {
+    Present asked = present;
+    analysis.open(path, asked.text());
+    analysis
+        .ask(path, found -> asked == present && !closed ? known(asked, found) : null)
+        .thenAccept(known -> known.ifPresent(each -> later(() -> shown(each))))
+        .exceptionally(this::failed);
+  }
+
+  private Known known(Present asked, Analysis found) {
+    return new Known(
+        asked,
+        found.tokens(),
+        CodeColors.of(language, asked.text(), asked.lines(), found.tokens()),
+        found.symbols(),
+        found.foldings());
+  }
+
+  private void shown(Known known) {
+    if (known.present() == present && !closed) {
+      show.accept(known);
+    }
+  }
+
+  private void later(Runnable work) {
+    if (!display.isDisposed()) {
+      display.asyncExec(work);
+    }
+  }
+
+  private Void failed(Throwable failure) {
+    Platform.getLog(CodeText.class).error("The analysis of " + path + " failed.", failure);
+    return null; // the only value
+  }
+
+  /** Answers a question about an offset in the present text. */
+  <T> CompletableFuture<Optional<T>> ask(
+      int offset, BiFunction<Analysis, TextPosition, T> question) {
+    TextPosition position = present.lines().position(offset);
+    return analysis.ask(path, found -> question.apply(found, position));
+  }
+
+  /** As {@link #ask}, with the answer on the user interface's thread. */
+  <T> void ask(int offset, BiFunction<Analysis, TextPosition, T> question, Consumer<T> then) {
+    ask(offset, question)
+        .thenAccept(
+            answer ->
+                later(
+                    () -> {
+                      if (!closed) {
+                        answer.ifPresent(then);
+                      }
+                    }))
+        .exceptionally(this::failed);
+  }
+}
