@@ -45,6 +45,16 @@ public final class EventChainWriter {
     if (node.isSetMemory()) {
       json.put(ChainNames.MEMORY, node.getMemory());
     }
+    synchronization(json, node);
+    deployment(json, node);
+    ArrayNode requirements = json.putArray(ChainNames.REQUIREMENTS);
+    node.getSatisfies().stream().map(Requirement::getId).forEach(requirements::add);
+    json.set(ChainNames.INPUT, ports(node.getInput()));
+    json.set(ChainNames.OUTPUT, ports(node.getOutput()));
+    return json;
+  }
+
+  private static void synchronization(ObjectNode json, SoftwareNode node) {
     if (!node.getSynchronized().isEmpty()) {
       ArrayNode topics = json.putArray(ChainNames.SYNCHRONIZED);
       node.getSynchronized().stream().map(Data::getTopicName).distinct().forEach(topics::add);
@@ -52,17 +62,15 @@ public final class EventChainWriter {
     if (node.isSetTolerance()) {
       json.put(ChainNames.TOLERANCE, node.getTolerance());
     }
+  }
+
+  private static void deployment(ObjectNode json, SoftwareNode node) {
     if (node.getMappedTo() != null) {
       text(json, ChainNames.PROCESSOR, node.getMappedTo().getName());
     }
     if (node.isSetPriority()) {
       json.put(ChainNames.PRIORITY, node.getPriority());
     }
-    ArrayNode requirements = json.putArray(ChainNames.REQUIREMENTS);
-    node.getSatisfies().stream().map(Requirement::getId).forEach(requirements::add);
-    json.set(ChainNames.INPUT, ports(node.getInput()));
-    json.set(ChainNames.OUTPUT, ports(node.getOutput()));
-    return json;
   }
 
   /** Returns the ports; adjacent data with equal topic, type and quality of service share one. */
