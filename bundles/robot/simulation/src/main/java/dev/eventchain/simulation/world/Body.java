@@ -1,6 +1,6 @@
 package dev.eventchain.simulation.world;
 
-import dev.eventchain.roads.Rectangle;
+import dev.eventchain.roads.ground.Rectangle;
 
 /**
  * A solid box that stands or hangs upright over the road.

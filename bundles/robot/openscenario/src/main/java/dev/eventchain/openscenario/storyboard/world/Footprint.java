@@ -1,6 +1,6 @@
 package dev.eventchain.openscenario.storyboard.world;
 
-import dev.eventchain.roads.Rectangle;
+import dev.eventchain.roads.ground.Rectangle;
 import java.util.List;
 import java.util.stream.DoubleStream;
 

@@ -1,4 +1,4 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.ground;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

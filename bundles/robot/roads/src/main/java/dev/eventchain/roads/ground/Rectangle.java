@@ -1,4 +1,4 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.ground;
 
 /**
  * A rectangle on the ground, such as what a vehicle covers. Without length and width, it is a

@@ -1,0 +1,2 @@
+/** Shapes on the ground, and their distances. */
+package dev.eventchain.roads.ground;
