@@ -92,7 +92,7 @@ class HostedNodes:
         """Make message types, components and nodes importable."""
         self._messages.install()
         self._components.install()
-        sources.serve(self.folders)
+        sources.serve(self.folders, self.configuration.get("replaced", {}))
         context.enter(self.simulation)
 
     def message_type(self, name: str, topic: str) -> type:

@@ -20,10 +20,14 @@ RUNTIME = str(Path(__file__).resolve().parents[1])
 _MOST_FILES = 1000
 
 
+_replaced: dict[str, str] = {}
+"""Files that are read instead of modules, by the files of these, which stay what tracebacks name."""
+
+
 class _Loader(machinery.SourceFileLoader):
     def get_code(self, fullname: str) -> CodeType:
         path = self.get_filename(fullname)
-        return _compiled(self.get_data(path), path)
+        return _compiled(self.get_data(_replaced.get(path, path)), path)
 
 
 @functools.lru_cache(maxsize=_MOST_FILES)
@@ -45,8 +49,16 @@ class NodeSources:
         )
         sys.path_hooks.insert(0, self._hook)
 
-    def serve(self, folders: list[str]) -> None:
-        """Make the modules of these folders importable, after this runtime and before those of the environment."""
+    def serve(self, folders: list[str], replaced: dict[str, str]) -> None:
+        """Make the modules of these folders importable, after this runtime and before those of the environment.
+
+        Args:
+            folders: the folders.
+            replaced: files that are read instead of modules, by the files of these.
+
+        """
+        _replaced.clear()
+        _replaced.update(replaced)
         self._folders = tuple(folder.rstrip("/") + "/" for folder in folders)
         sys.path[:] = [RUNTIME, *folders, *self._foreign_path]
 

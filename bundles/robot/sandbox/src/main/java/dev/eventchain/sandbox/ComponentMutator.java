@@ -55,7 +55,22 @@ public final class ComponentMutator {
    */
   public List<ComponentMutant> mutants(
       SourceText source, String className, List<Pair> swaps, List<Output> outputs) {
-    JsonNode answer = ask(request(source, className, swaps, outputs));
+    return mutants(source, request(source, className, swaps, outputs));
+  }
+
+  /**
+   * Returns the mutants of a node that is hosted as it is, in the order of their places: of its
+   * class, and of what that reaches in its file, without what creates its endpoints and timers.
+   *
+   * @param source its file
+   * @throws DiagnosticException FINDINGS, {@code component.syntax}: it cannot be parsed
+   */
+  public List<ComponentMutant> ofNode(SourceText source, String className) {
+    return mutants(source, request(source, className, List.of(), List.of()).put("node", true));
+  }
+
+  private List<ComponentMutant> mutants(SourceText source, ObjectNode request) {
+    JsonNode answer = ask(request.toString().getBytes(StandardCharsets.UTF_8));
     if (!answer.path("mutants").isArray()) {
       String problem = answer.path("problem").asText("the process that parses it has ended");
       throw new DiagnosticException(
@@ -93,7 +108,7 @@ public final class ComponentMutator {
         edits);
   }
 
-  private static byte[] request(
+  private static ObjectNode request(
       SourceText source, String className, List<Pair> swaps, List<Output> outputs) {
     ObjectNode request = JSON.createObjectNode();
     request.put("source", source.text());
@@ -102,7 +117,7 @@ public final class ComponentMutator {
     swaps.forEach(pair -> pairs.addArray().add(pair.first()).add(pair.second()));
     ArrayNode written = request.putArray("outputs");
     outputs.forEach(output -> written.addArray().add(output.name()).add(output.single()));
-    return request.toString().getBytes(StandardCharsets.UTF_8);
+    return request;
   }
 
   /** Returns the answer of the process; null if it gave none. */

@@ -1,7 +1,8 @@
 """List the mutants of a component: small defects, each in one place of its source. Nothing of it is run.
 
 Standard input is a JSON object: ``source``, ``class``, ``swaps`` (pairs of parameters of `execute` of the same type
-and unit) and ``outputs`` (each a name, and whether it is a single value). Standard output is a JSON object:
+and unit), ``outputs`` (each a name, and whether it is a single value) and ``node`` (true for a node that is hosted as
+it is: mutants are made of what it reaches, and not of what creates its endpoints). Standard output is a JSON object:
 ``mutants``, each with ``operator``, ``function``, ``line`` and ``column`` (both from 1, the column in characters),
 ``before``, ``after`` and ``edits`` (start, end and new text, in bytes of the source in UTF-8), or ``problem`` if the
 source cannot be parsed.
@@ -17,10 +18,18 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import mutation_operators
+import node_rules
 from mutation_operators import Change
 
 _LOGGING = {"print", "debug", "info", "warning", "warn", "error", "critical", "exception", "log"}
 """Functions and methods whose arguments only tell something."""
+
+_PLUMBING = {
+    *("create_publisher", "create_subscription", "create_client", "create_service", "create_timer", "create_rate"),
+    *("Publisher", "Subscriber", "TimeSynchronizer", "ApproximateTimeSynchronizer", "ActionClient", "ActionServer"),
+    *("QoSProfile", "MutuallyExclusiveCallbackGroup", "ReentrantCallbackGroup"),
+}
+"""Functions and classes of ROS 2 that create the endpoints and timers of a node, which its model describes."""
 
 
 class Mutant(NamedTuple):
@@ -78,6 +87,8 @@ class Lister:
         self._swaps: list[tuple[str, str]] = [(first, second) for first, second in request["swaps"]]
         self._outputs: list[tuple[str, bool]] = [(name, single) for name, single in request["outputs"]]
         self._original = ast.dump(self._source.tree)
+        is_node = request.get("node", False)
+        self._reached = node_rules.reached(self._source.tree, self._class) if is_node else None
 
     def mutants(self) -> list[Mutant]:
         """Return the mutants in the order of their places; each differs from the source and from the others."""
@@ -93,7 +104,7 @@ class Lister:
 
     def _visit(self, node: ast.AST, names: list[str], parent: ast.AST | None) -> Iterator[Mutant]:
         """Yield the mutants of a node and of all that is in it."""
-        if _is_left_out(node):
+        if _is_left_out(node) or self._is_left_out_of_node(node, names):
             return
         for change in mutation_operators.of_node(node, parent):
             yield self._replacing(change, names, parent if change.node is node else node)
@@ -106,6 +117,14 @@ class Lister:
             yield from self._of_statement(node, names)
         for child in _children(node):
             yield from self._visit(child, inner, node)
+
+    def _is_left_out_of_node(self, node: ast.AST, names: list[str]) -> bool:
+        """Return whether a part of a hosted node's file creates its endpoints, or belongs to something else."""
+        if self._reached is None:
+            return False
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)) and not names:
+            return node.name not in self._reached
+        return isinstance(node, ast.Call) and _called(node) in _PLUMBING
 
     def _replacing(self, change: Change, names: list[str], around: ast.AST | None) -> Mutant:
         """Return the mutant that replaces an expression; what is around it makes it recognizable."""
@@ -141,8 +160,9 @@ class Lister:
     def _of_function(self, node: ast.FunctionDef | ast.AsyncFunctionDef, names: list[str]) -> Iterator[Mutant]:
         body = node.body[1:] if ast.get_docstring(node, clean=False) is not None else node.body
         if mutation_operators.returns_nothing(node) and node.name not in ("__init__", "execute"):
-            for statement in body:
-                yield from self._inserted("return", names, statement, "return", "return")
+            for position, statement in enumerate(body):
+                if not all(_only_tells(each) for each in body[position:]):
+                    yield from self._inserted("return", names, statement, "return", "return")
         if names == [self._class, "execute"] and body:
             for first, second in self._swaps:
                 words = f"{first}, {second} = {second}, {first}"
@@ -207,12 +227,21 @@ def _first_line(node: ast.AST) -> str:
 def _is_left_out(node: ast.AST) -> bool:
     """Return whether a node only tells something, or is never run in a component."""
     if isinstance(node, ast.Call):
-        name = node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
-        return name in _LOGGING
+        return _called(node) in _LOGGING
     if isinstance(node, ast.If):
         names = {each.id for each in ast.walk(node.test) if isinstance(each, ast.Name)}
         return bool(names & {"__name__", "TYPE_CHECKING"})
     return isinstance(node, (ast.Raise, ast.JoinedStr, ast.Import, ast.ImportFrom))
+
+
+def _called(node: ast.Call) -> str:
+    """Return the last part of the name of what is called."""
+    name: str = node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
+    return name
+
+
+def _only_tells(node: ast.stmt) -> bool:
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Call) and _called(node.value) in _LOGGING
 
 
 def _children(node: ast.AST) -> Iterator[ast.AST]:

@@ -36,15 +36,20 @@ class Found(NamedTuple):
 def uses(tree: ast.Module, class_name: str) -> Iterator[Found]:
     """Find what differs from run to run in the file of a node, or in a module that it imports (no class)."""
     statements = list(_flat(tree.body))
-    reached = _reached(statements, class_name)
+    known = _reached(statements, class_name)
     for use in component_repeatability.uses(tree):
         owner = next((each for each in statements if _holds(each, use.node)), None)
         named = owner.name if isinstance(owner, _DEFINITIONS) else ""
-        if named == _STARTER and named not in reached:
+        if named == _STARTER and named not in known:
             continue
-        certain = bool(class_name) and (not named or named in reached)
+        certain = bool(class_name) and (not named or named in known)
         hint = _HINTS[use.rule] if certain else _UNCERTAIN + _HINTS[use.rule]
         yield Found(use._replace(hint=hint), certain)
+
+
+def reached(tree: ast.Module, class_name: str) -> set[str]:
+    """Return the names of the functions and classes of a node's file that it or an import of the file may run."""
+    return _reached(list(_flat(tree.body)), class_name)
 
 
 def _flat(body: Iterable[ast.stmt]) -> Iterator[ast.stmt]:
@@ -70,13 +75,13 @@ def _reached(statements: list[ast.stmt], class_name: str) -> set[str]:
     """Return the names of the definitions that the class or an import names, directly or through others."""
     definitions: dict[str, Definition] = {each.name: each for each in statements if isinstance(each, _DEFINITIONS)}
     pending: list[ast.AST] = [each for each in statements if not isinstance(each, _DEFINITIONS)]
-    reached: set[str] = set()
+    found: set[str] = set()
     names = {class_name}
     while names or pending:
         for part in pending:
             names.update(each.id for each in ast.walk(part) if isinstance(each, ast.Name))
-        new = (names & definitions.keys()) - reached
-        reached |= new
+        new = (names & definitions.keys()) - found
+        found |= new
         pending = [definitions[name] for name in sorted(new)]
         names = set()
-    return reached
+    return found

@@ -45,18 +45,19 @@ class ComponentMutatorTest {
   }
 
   private static List<ComponentMutant> mutants(SourceText source, String operator) {
-    return new ComponentMutator(TestEnvironment.PYTHON)
-        .mutants(
-            source,
-            "Example",
-            operator.equals("swap")
-                ? List.of(new ComponentMutator.Pair("left", "right"))
-                : List.of(),
-            operator.equals("latch")
-                ? List.of(
-                    new ComponentMutator.Output("active", true),
-                    new ComponentMutator.Output("ranges", false))
-                : List.of());
+    ComponentMutator mutator = new ComponentMutator(TestEnvironment.PYTHON);
+    if (operator.equals("node")) {
+      return mutator.ofNode(source, "Example");
+    }
+    return mutator.mutants(
+        source,
+        "Example",
+        operator.equals("swap") ? List.of(new ComponentMutator.Pair("left", "right")) : List.of(),
+        operator.equals("latch")
+            ? List.of(
+                new ComponentMutator.Output("active", true),
+                new ComponentMutator.Output("ranges", false))
+            : List.of());
   }
 
   @ParameterizedTest

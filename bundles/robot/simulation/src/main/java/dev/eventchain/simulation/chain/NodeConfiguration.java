@@ -54,6 +54,7 @@ public final class NodeConfiguration {
     if (generated.manifest().nodes().stream().anyMatch(node -> node.component().isEmpty())) {
       path.add(absolute(generated.folder().resolve(NodeManifest.NODES)));
     }
+    replaced(json);
     json.putArray("messages").add(absolute(generated.messages()));
     ArrayNode configured = json.putArray("nodes");
     if (!chain.isAttached()) {
@@ -70,6 +71,18 @@ public final class NodeConfiguration {
     json.put("step_limit_s", generated.limits().processorTime().toNanos() / 1e9);
     json.put("wall_limit_s", generated.limits().wallTime().toNanos() / 1e9);
     return json;
+  }
+
+  /** Names the files that modules of nodes as they are are read from instead of their own. */
+  private void replaced(ObjectNode json) {
+    for (NodeManifest.Node node : generated.manifest().nodes()) {
+      if (node.component().isEmpty() && generated.replaced().containsKey(node.name())) {
+        json.withObject("/replaced")
+            .put(
+                absolute(generated.nodeFile(node)),
+                absolute(generated.replaced().get(node.name())));
+      }
+    }
   }
 
   private static String absolute(Path folder) {

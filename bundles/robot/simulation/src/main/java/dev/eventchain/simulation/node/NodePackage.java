@@ -15,8 +15,8 @@ import java.util.TreeMap;
  * @param restricted names of the components that must follow the rules for generated code
  * @param limits the limits of the nodes and their components
  * @param variants folders with other versions of components
- * @param replaced the files in these folders that components are loaded from instead of their own,
- *     by the names of the components
+ * @param replaced the files in these folders that components, and nodes as they are, are loaded
+ *     from instead of their own, by the names of the components
  */
 public record NodePackage(
     Path folder,
@@ -37,6 +37,11 @@ public record NodePackage(
   /** Returns the file of a node's component. */
   public Path componentFile(NodeManifest.Node node, NodeManifest.Component component) {
     return replaced.getOrDefault(node.name(), folder.resolve(component.file()));
+  }
+
+  /** Returns the file of the module of a node that is hosted as it is. */
+  public Path nodeFile(NodeManifest.Node node) {
+    return folder.resolve(NodeManifest.NODES).resolve(NodeManifest.file(node.module()));
   }
 
   /** Returns a copy whose processes may read a folder with other versions of components. */

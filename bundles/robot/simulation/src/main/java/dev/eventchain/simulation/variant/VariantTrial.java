@@ -14,9 +14,15 @@ import java.util.Optional;
 /** A variant of a component in one scenario after the other, until one notices it. */
 public final class VariantTrial {
 
-  /** Treatment by a node of values of its component that it cannot send. */
+  /** Failures of a node: by values of its component that it cannot send, or by its own code. */
   private static final List<Rule> OF_NODE =
-      List.of(HostRules.NODE_FAILED, HostRules.NODE_TIMEOUT, HostRules.MESSAGE_MALFORMED);
+      List.of(
+          HostRules.NODE_FAILED,
+          HostRules.NODE_TIMEOUT,
+          HostRules.NODE_ENDPOINT_LATE,
+          HostRules.MESSAGE_MALFORMED,
+          HostRules.SIMULATION_LIMIT,
+          HostRules.SIMULATION_STEP_TIMEOUT);
 
   private final List<PassedScenario> scenarios;
 

@@ -12,8 +12,11 @@ import java.nio.file.Path;
  * @param file the component's file
  * @param source its text
  * @param defect the defect
+ * @param hosted whether the component is a node that is hosted as it is, which has no tests of its
+ *     own
  */
-record Mutant(String component, Path file, SourceText source, ComponentMutant defect) {
+record Mutant(
+    String component, Path file, SourceText source, ComponentMutant defect, boolean hosted) {
 
   String id() {
     return defect.id();

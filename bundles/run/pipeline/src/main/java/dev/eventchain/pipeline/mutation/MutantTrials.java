@@ -69,7 +69,9 @@ final class MutantTrials implements AutoCloseable {
     this.ended = ended;
     TestFiles files =
         new TestFiles(run, SourceText.read(run.required(ProjectFolder.DESCRIPTION, Stage.DESIGN)));
-    for (SoftwareNode node : ProjectMutants.nodes(run)) {
+    List<SoftwareNode> components = new ArrayList<>(ProjectMutants.nodes(run));
+    components.removeAll(ProjectMutants.hosted(run));
+    for (SoftwareNode node : components) {
       if (TestFiles.hasTests(run, node.getName())) {
         tests.put(node.getName(), files.standing(node.getName()));
       }

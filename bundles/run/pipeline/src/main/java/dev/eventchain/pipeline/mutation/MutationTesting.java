@@ -12,6 +12,7 @@ import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.design.TestFiles;
 import dev.eventchain.pipeline.engine.PipelineRun;
+import dev.eventchain.pipeline.generate.HostedNodes;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.RunOptions;
@@ -29,7 +30,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 
 /**
  * Mutation testing of a project: small defects are made in its components, one at a time, and the
@@ -118,15 +121,11 @@ public final class MutationTesting {
   }
 
   private Diagnostic unknown(String name, List<String> known) {
-    Optional<SoftwareNode> whole =
-        ProjectMutants.leftOut(run).stream().filter(it -> name.equals(it.getName())).findFirst();
-    return whole.isPresent()
-        ? leftOut(whole.get())
-        : Diagnostic.of(
-                MutationRules.MUTATION_NONE,
-                "The chain executes no component '" + name + "'.",
-                SourceLocation.of(run.model()))
-            .withHint(NearestName.hint(name, known));
+    return Diagnostic.of(
+            MutationRules.MUTATION_NONE,
+            "The chain executes no component '" + name + "'.",
+            SourceLocation.of(run.model()))
+        .withHint(NearestName.hint(name, known));
   }
 
   private Predicate<Mutant> chosen() {
@@ -146,6 +145,7 @@ public final class MutationTesting {
       Path folder = ComponentFiles.of(run, node).toAbsolutePath().getParent();
       fingerprint.add(node.getName()).addFiles(Project.existingBelow(folder));
     }
+    fingerprint.addFiles(HostedNodes.copies(run).values());
     return fingerprint.value();
   }
 
@@ -193,9 +193,7 @@ public final class MutationTesting {
         found.add(SurvivorFindings.of(mutant, result));
       }
     }
-    ProjectMutants.leftOut(run).stream()
-        .filter(node -> options.components().isEmpty())
-        .forEach(node -> found.add(leftOut(node).withSeverity(Severity.WARNING)));
+    found.addAll(leftOut());
     if (chosen.isEmpty()) {
       found.add(none());
     }
@@ -210,16 +208,39 @@ public final class MutationTesting {
         Outcome.of(Coverage.NONE, parted.remaining(), parted.suppressed()), table);
   }
 
-  /** Returns the finding that nothing is known about the defects of a node. */
+  /** Returns the findings about code that the chosen components run, and that has no mutants. */
+  private List<Diagnostic> leftOut() {
+    Set<String> mutated =
+        results.values().stream().map(MutantResult::component).collect(Collectors.toSet());
+    Predicate<String> chosen =
+        name -> options.components().isEmpty() || options.components().contains(name);
+    List<Diagnostic> found = new ArrayList<>();
+    ProjectMutants.hosted(run).stream()
+        .filter(node -> chosen.test(node.getName()) && !mutated.contains(node.getName()))
+        .forEach(node -> found.add(leftOut(node)));
+    ProjectMutants.modules(run, chosen).forEach(file -> found.add(leftOut(file)));
+    return found;
+  }
+
+  private static Diagnostic leftOut(Path module) {
+    return Diagnostic.of(
+            MutationRules.MUTATION_LEFT_OUT,
+            "No mutants were made of this module, which components import: nobody knows which of"
+                + " its defects would be noticed.",
+            SourceLocation.of(module))
+        .withSeverity(Severity.WARNING)
+        .withHint("Move what it decides into the component, or test the module by itself.");
+  }
+
   private Diagnostic leftOut(SoftwareNode node) {
     return Diagnostic.of(
             MutationRules.MUTATION_LEFT_OUT,
             "No mutants were made of '"
                 + node.getName()
-                + "', a node that is hosted as it is: nobody knows which of its defects would be"
-                + " noticed.",
-            SourceLocation.of(run.model()).withElement(node.getName()))
-        .withHint("Move what it computes into a component, whose node is generated.");
+                + "', whose file holds nothing that could have a small defect: nobody knows which"
+                + " of its defects would be noticed.",
+            SourceLocation.of(ComponentFiles.of(run, node)).withElement(node.getName()))
+        .withHint("Name the file in which it calculates, or move that into this one.");
   }
 
   /** Returns the finding that nothing was tried, which a change elsewhere may be the reason for. */

@@ -5,7 +5,10 @@ import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.generate.GeneratedPackage;
 import dev.eventchain.pipeline.stage.ComponentFiles;
+import dev.eventchain.pipeline.stage.ComponentSources;
 import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.project.SoftwareBase;
+import dev.eventchain.sandbox.ComponentMutant;
 import dev.eventchain.sandbox.ComponentMutator;
 import dev.eventchain.simulation.node.NodeManifest;
 import java.nio.file.Path;
@@ -13,50 +16,70 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.SortedSet;
+import java.util.function.Predicate;
 
-/** The mutants of all components that a project's chain executes. */
+/** The mutants of all components and nodes that a project's chain executes. */
 final class ProjectMutants {
 
   private ProjectMutants() {}
 
-  /** Returns the nodes whose components are simulated, in the order of the chain. */
+  /** Returns the nodes that are simulated, in the order of the chain. */
   static List<SoftwareNode> nodes(RunContext run) {
     NodeManifest manifest = GeneratedPackage.required(run).manifest();
     return run.chain().chain().getSoftware().stream()
-        .filter(node -> manifest.find(node.getName()).filter(it -> isComponent(it)).isPresent())
+        .filter(node -> manifest.find(node.getName()).isPresent())
         .toList();
   }
 
-  /** Returns the simulated nodes that are hosted as they are, of which no mutants are made. */
-  static List<SoftwareNode> leftOut(RunContext run) {
+  /** Returns those of the simulated nodes that are hosted as they are. */
+  static List<SoftwareNode> hosted(RunContext run) {
     NodeManifest manifest = GeneratedPackage.required(run).manifest();
-    return run.chain().chain().getSoftware().stream()
-        .filter(node -> manifest.find(node.getName()).filter(it -> !isComponent(it)).isPresent())
+    return nodes(run).stream()
+        .filter(node -> manifest.find(node.getName()).orElseThrow().component().isEmpty())
         .toList();
   }
 
-  private static boolean isComponent(NodeManifest.Node node) {
-    return node.component().isPresent();
+  /** Returns the modules of the project that simulated components import, without their files. */
+  static SortedSet<Path> modules(RunContext run, Predicate<String> chosen) {
+    List<SoftwareBase.Component> existing =
+        nodes(run).stream()
+            .filter(node -> chosen.test(node.getName()))
+            .flatMap(node -> run.softwareBase().find(node.getName()).stream())
+            .toList();
+    return ComponentSources.modules(existing);
   }
 
   /**
    * Returns all mutants, in the order of the chain and of their places.
    *
-   * @throws dev.eventchain.diagnostics.DiagnosticException if a component cannot be parsed
+   * @throws dev.eventchain.diagnostics.DiagnosticException if a file cannot be parsed
    */
   static List<Mutant> of(RunContext run, ComponentMutator mutator) {
     NodeManifest manifest = GeneratedPackage.required(run).manifest();
     List<Mutant> mutants = new ArrayList<>();
     for (SoftwareNode node : nodes(run)) {
-      NodeManifest.Component component =
-          manifest.find(node.getName()).flatMap(NodeManifest.Node::component).orElseThrow();
+      NodeManifest.Node simulated = manifest.find(node.getName()).orElseThrow();
       Path file = ComponentFiles.of(run, node);
       SourceText source = SourceText.read(file);
-      mutator
-          .mutants(source, component.className(), swaps(node, component), outputs(component))
-          .forEach(defect -> mutants.add(new Mutant(node.getName(), file, source, defect)));
+      defects(node, simulated, source, mutator)
+          .forEach(
+              defect ->
+                  mutants.add(
+                      new Mutant(
+                          node.getName(), file, source, defect, simulated.component().isEmpty())));
     }
     return mutants;
+  }
+
+  private static List<ComponentMutant> defects(
+      SoftwareNode node, NodeManifest.Node simulated, SourceText source, ComponentMutator mutator) {
+    if (simulated.component().isEmpty()) {
+      return mutator.ofNode(source, simulated.className());
+    }
+    NodeManifest.Component component = simulated.component().get();
+    return mutator.mutants(
+        source, component.className(), swaps(node, component), outputs(component));
   }
 
   /** Returns the pairs of inputs of the same type and unit. */

@@ -14,24 +14,25 @@ final class SurvivorFindings {
             : "No test and no scenario notices this defect: ";
     return Diagnostic.of(
             MutationRules.MUTATION_SURVIVED, message + result.mutant() + ".", mutant.location())
-        .withHint(hint(result));
+        .withHint(hint(mutant, result));
   }
 
-  private static String hint(MutantResult result) {
+  private static String hint(Mutant mutant, MutantResult result) {
+    String test = "a test to tests/" + result.component() + ".yaml";
     String add =
         result.scenario().isPresent() && result.words().isPresent()
-            ? "Nearest is '%s' in the scenario %s%s: ask for more there, or add a test to tests/%s.yaml."
+            ? "Nearest is '%s' in the scenario %s%s: ask for more there, or add %s."
                 .formatted(
                     result.words().get(),
                     result.scenario().get(),
                     result.left().map(left -> ", which has " + left + " left").orElse(""),
-                    result.component())
-            : "%sdd a test to tests/%s.yaml, or a scenario, in which this line decides."
+                    mutant.hosted() ? "a scenario" : test)
+            : "%sdd %sa scenario, in which this line decides."
                 .formatted(
                     result.outcome() == MutantResult.Outcome.UNNOTICED
                         ? "Outputs change, but no criterion comes nearer to failing: a"
                         : "A",
-                    result.component());
+                    mutant.hosted() ? "" : test + ", or ");
     String entry = "{component: %s, mutant: %s, reason: ..., expires: ...}";
     return add
         + " If it is right, too, accept it in mutants.yaml: - "

@@ -14,11 +14,13 @@ import dev.eventchain.project.SoftwareBase;
 import dev.eventchain.sandbox.ComponentSignature;
 import dev.eventchain.sandbox.SourceCheck;
 import dev.eventchain.sandbox.SourceCheck.Source;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.SortedSet;
 
 /**
  * The source of existing components, of nodes that are hosted as they are, and of the modules that
@@ -82,6 +84,20 @@ public final class ComponentSources {
   /** Returns the modules that the existing components of a chain import. */
   public static HelperModules helpers(RunContext run, EventChain chain) {
     return HelperModules.of(existing(run, chain));
+  }
+
+  /**
+   * Returns the modules that components and nodes as they are import, without files of these.
+   *
+   * @throws DiagnosticException INPUT if a file cannot be read
+   */
+  public static SortedSet<Path> modules(Collection<SoftwareBase.Component> components) {
+    SortedSet<Path> modules = NodeModules.of(components);
+    List<SoftwareBase.Component> classes =
+        components.stream().filter(ComponentSources::isClass).toList();
+    modules.addAll(HelperModules.of(classes).files().values());
+    components.forEach(component -> modules.remove(component.file()));
+    return modules;
   }
 
   /** Adds the files of nodes that are hosted as they are, and the modules that they import. */
