@@ -18,6 +18,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
 
 /** Runs the tests of a component on its code. */
 final class ComponentTestRun {
@@ -39,9 +41,18 @@ final class ComponentTestRun {
         sequences.add(calls(property.name(), List.of(sample)));
       }
     }
-    if (!tests.tests().isEmpty()) {
-      sequences.add(sequences.get(0)); // again, after calls of other component objects
+    if (returning() >= 0) {
+      sequences.add(sequences.get(returning())); // again, after calls of other component objects
     }
+  }
+
+  /** Returns the index of the first test whose calls all return; -1 if there is none. */
+  private int returning() {
+    List<Case> all = tests.tests();
+    return IntStream.range(0, all.size())
+        .filter(number -> all.get(number).raises().isEmpty())
+        .findFirst()
+        .orElse(-1);
   }
 
   /**
@@ -69,18 +80,45 @@ final class ComponentTestRun {
       found.addAll(judge(property, samples, results.subList(next, next + samples.size())));
       next += samples.size();
     }
-    if (found.isEmpty() && !tests.tests().isEmpty()) {
-      found.addAll(sameAgain(tests.tests().get(0), results.get(0), results.get(next)));
+    int first = returning();
+    if (found.isEmpty() && first >= 0) {
+      found.addAll(sameAgain(tests.tests().get(first), results.get(first), results.get(next)));
     }
     return found;
   }
 
-  /** Returns the calls of the first test or property; empty if there is no test. */
+  /** Returns the calls of the first test or property that return; empty if there is none. */
   List<ComponentCall> first() {
-    return sequences.isEmpty() ? List.of() : sequences.get(0);
+    int first = returning() >= 0 ? returning() : tests.tests().size();
+    return first < sequences.size() ? sequences.get(first) : List.of();
+  }
+
+  private static Optional<Diagnostic> unraised(
+      Case test, ExpectedError expected, CallResults result) {
+    int returned = result.outputs().size();
+    boolean raised =
+        returned == test.calls().size() - 1
+            && result.problem().filter(each -> expected.accepts(each, test.name())).isPresent();
+    String instead =
+        result
+            .problem()
+            .map(each -> problem(each))
+            .orElseGet(() -> "It returned " + shortened(result.outputs().get(returned - 1) + "."));
+    String message = "Call %d should raise %s. %s";
+    return raised
+        ? Optional.empty()
+        : Optional.of(
+            failed(
+                test.name(),
+                test.requirement(),
+                test.place(),
+                message.formatted(test.calls().size(), expected.words(), instead)));
   }
 
   private List<Diagnostic> judge(Case test, CallResults result) {
+    if (test.raises().isPresent()) {
+      return unraised(test, test.raises().get(), result).stream().toList();
+    }
     String inputs = shown(test.calls().get(test.calls().size() - 1));
     if (result.problem().isPresent()) {
       return List.of(

@@ -20,17 +20,20 @@ record ComponentTests(List<Case> tests, List<Property> properties) {
   }
 
   /**
-   * Calls of a new component instance, and the expected outputs after the last one.
+   * Calls of a new component instance, and the expected outputs or the error of the last one.
    *
    * @param requirement the id of the tested requirement
    * @param calls the inputs of each call, see {@link TestValues}
-   * @param outputs the expectations by output name; not necessarily for all outputs
+   * @param outputs the expectations by output name; not necessarily for all outputs; none if the
+   *     last call raises
+   * @param raises the error that the last call raises; empty if it returns
    */
   record Case(
       String name,
       String requirement,
       List<Map<String, JsonNode>> calls,
       Map<String, TestExpectation> outputs,
+      Optional<ExpectedError> raises,
       SourceLocation place) {}
 
   /** Kinds of properties of an output. */

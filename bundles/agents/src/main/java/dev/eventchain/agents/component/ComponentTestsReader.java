@@ -90,7 +90,12 @@ final class ComponentTestsReader {
     String name = test.requiredText("name");
     String requirement = test.requiredText("requirement");
     List<Map<String, JsonNode>> calls = test.has("steps") ? steps(test) : single(test);
-    Map<String, TestExpectation> expected = expectations(test);
+    Optional<ExpectedError> raises = test.object("raises").map(ExpectedError::read);
+    Map<String, TestExpectation> expected =
+        test.has("raises") && !test.has("outputs") ? Map.of() : expectations(test);
+    if (test.has("raises") && test.has("outputs")) {
+      test.find(FORMAT, "A call that raises has no outputs.", test.at("raises"));
+    }
     test.refuseOthers();
     if (calls.size() > MOST_CALLS || values(calls) > MOST_VALUES) {
       String message =
@@ -98,9 +103,9 @@ final class ComponentTestsReader {
       test.find(FORMAT, message, test.location());
       return Optional.empty();
     }
-    return calls.isEmpty() || expected.isEmpty()
+    return calls.isEmpty() || (expected.isEmpty() && raises.isEmpty())
         ? Optional.empty()
-        : Optional.of(new Case(name, requirement, calls, expected, test.location()));
+        : Optional.of(new Case(name, requirement, calls, expected, raises, test.location()));
   }
 
   private static long values(List<Map<String, JsonNode>> calls) {

@@ -67,6 +67,20 @@ class ComponentTesterTest {
     return ExpectedFile.inputs(FOLDER.resolve("components"), ".py");
   }
 
+  /** A component that raises as its tests say passes; one that raises otherwise, or not, fails. */
+  @ParameterizedTest
+  @MethodSource
+  void anErrorIsExpected(Path file) throws IOException {
+    ComponentProbe probe = new ComponentProbe(PythonEnvironment.ensure(message -> {}));
+    List<Diagnostic> found = tests(FOLDER.resolve("raising.yaml")).check(probe, file);
+    FindingLines.check(file, found);
+    assertEquals(file.endsWith("right.py"), found.isEmpty(), file::toString);
+  }
+
+  static List<Path> anErrorIsExpected() throws IOException {
+    return ExpectedFile.inputs(FOLDER.resolve("raising"), ".py");
+  }
+
   @Test
   void textThatIsNoYamlIsRefused() {
     SourceText text = SourceText.of("tests/Braking_Decision.yaml", "tests: [1, 2");
