@@ -203,6 +203,7 @@ class MutateTest {
     ended.says("No test and no scenario notices this defect: constant in on_threat");
     ended.says("add a scenario, in which this line decides. If it is right, too");
     ended.says("software-base/nodes/stamps.py: warning: No mutants were made of this module");
+    ended.says("[mutation.left-out]");
     ended.says("Collision_Warning                   9        0        4        0        5");
     assertTrue(outcomes().containsAll(Set.of("UNNOTICED", "UNCHANGED")), outcomes()::toString);
   }

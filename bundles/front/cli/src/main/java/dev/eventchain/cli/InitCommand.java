@@ -104,9 +104,13 @@ final class InitCommand implements Callable<Integer> {
     if (folder == null) {
       console.out().print(schema ? Configuration.schema() : SuppressionFile.schema());
       console.out().flush();
-      return ExitCode.FINE;
+    } else {
+      print(start());
     }
-    ProjectStart.Started started = start();
+    return ExitCode.FINE;
+  }
+
+  private void print(ProjectStart.Started started) {
     started.files().forEach(file -> console.out().println(folder.resolve(file)));
     console.out().println();
     started
@@ -127,7 +131,6 @@ final class InitCommand implements Callable<Integer> {
     console.out().flush();
     console.err().print(DiagnosticFormat.TEXT.render(started.questions()));
     console.err().flush();
-    return ExitCode.FINE;
   }
 
   private ProjectStart.Started start() {

@@ -3,6 +3,7 @@ package dev.eventchain.pipeline.simulate;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.github.difflib.DiffUtils;
 import com.github.difflib.UnifiedDiffUtils;
+import dev.eventchain.description.ChainNames;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
@@ -36,7 +37,7 @@ final class MeasuredTimes {
   /** The file of the proposed change, among the results. */
   static final String DIFF = "measured-times.diff";
 
-  private static final String KEY = "worst_case_execution_time";
+  private static final String KEY = ChainNames.WORST_CASE_EXECUTION_TIME;
   private static final Pattern NUMBER = Pattern.compile("-?[0-9][0-9.eE+-]*");
   private static final int DECIMALS = 2;
   private static final int CONTEXT = 3;

@@ -109,7 +109,6 @@ public final class SimulateStage implements StageWork {
     Coverage ecore = Coverage.NONE;
     if (!run.options().isPartial()) {
       writeMeasurements(run, chain, result, measured);
-      found.addAll(MeasuredTimes.propose(run, result));
       ChainModel reread = run.loadChain(run.file(MEASURED_MODEL));
       measured = reread.chain();
       locator = reread::locate;
@@ -140,12 +139,16 @@ public final class SimulateStage implements StageWork {
     run.writeResult(MEASURED_MODEL, XmiStore.toBytes(measured));
   }
 
-  /** Returns latencies with their bounds, writes them, and adds what is wrong with them. */
+  /**
+   * Returns latencies with their bounds, writes them, and adds what is wrong with them and with the
+   * execution times behind them.
+   */
   private static List<BoundedLatency> latencies(
       RunContext run, List<Scenario> scenarios, SimulationResult result, List<Diagnostic> found) {
     List<BoundedLatency> latencies = LatencyBounds.of(run, result).report(run, scenarios, found);
     if (!run.options().isPartial()) {
       run.writeResult(LATENCY_BOUNDS, SimulationReport.pretty(latencies));
+      found.addAll(MeasuredTimes.propose(run, result));
     }
     return latencies;
   }
