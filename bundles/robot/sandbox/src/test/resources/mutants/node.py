@@ -30,11 +30,15 @@ class Example(Node):
         self.scale = self.declare_parameter("scale", 2.0).value
         self.output = self.create_publisher(Bool, "/warning", QoSProfile(depth=10))
         self.create_subscription(Float32, "/speed", self.on_speed, 10)
+        self.create_subscription(Float32, "/gap", lambda gap: self.keep(gap.data > 20.0), 10)
         self.create_timer(0.05, self.on_timer)
 
     def on_speed(self, message):
         self.speed = message.data * 3.6
         self.get_logger().info(f"speed {self.speed + 1}")
+
+    def keep(self, far):
+        self.far = far
 
     def on_timer(self):
         warns = risk(20.0, self.speed) < LIMIT

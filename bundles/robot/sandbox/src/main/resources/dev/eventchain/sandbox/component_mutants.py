@@ -104,7 +104,14 @@ class Lister:
 
     def _visit(self, node: ast.AST, names: list[str], parent: ast.AST | None) -> Iterator[Mutant]:
         """Yield the mutants of a node and of all that is in it."""
-        if _is_left_out(node) or self._is_left_out_of_node(node, names):
+        if _is_left_out(node):
+            return
+        if self._is_left_out_of_node(node, names):
+            if isinstance(node, ast.Call):
+                # A callback that is written where it is registered belongs to the node's own work.
+                for inside in ast.walk(node):
+                    if isinstance(inside, ast.Lambda):
+                        yield from self._visit(inside.body, names, inside)
             return
         for change in mutation_operators.of_node(node, parent):
             yield self._replacing(change, names, parent if change.node is node else node)

@@ -160,6 +160,7 @@ public final class CaseSimulation {
     if (isUnjudgedImpact(run)) {
       open.add(0, "an impact, of which no criterion says anything");
     }
+    open.addAll(judge.outOfRange(run));
     Label label = !failed.isEmpty() ? Label.FAILED : Label.UNTESTED;
     label = failed.isEmpty() && open.isEmpty() && met ? Label.PASSED : label;
     List<String> reasons = Stream.of(failed, open, untested).flatMap(List::stream).toList();

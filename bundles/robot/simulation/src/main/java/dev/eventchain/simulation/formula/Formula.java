@@ -186,7 +186,7 @@ public final class Formula {
     }
     return decision
         .comparison()
-        .map(it -> Outcome.untested(valueless(it, run, decision.sample())))
+        .map(it -> valueless(it, run, decision.sample()))
         .orElseGet(
             () ->
                 Outcome.undecided(
@@ -199,16 +199,20 @@ public final class Formula {
     return trace.impact().isEmpty() ? "" : " by an impact (" + trace.impact() + ")";
   }
 
-  private static String valueless(Condition.Comparison comparison, SampledRun run, int sample) {
+  private static Outcome valueless(Condition.Comparison comparison, SampledRun run, int sample) {
     String text = format("'%s' has no value %s", comparison.text(), after(run, sample));
-    return comparison
-        .signals()
-        .flatMap(Signal::origins)
-        .filter(signal -> Double.isNaN(run.of(signal)[sample]))
-        .flatMap(signal -> signal.topic().stream())
-        .findFirst()
-        .map(topic -> text + ", since there was no current message on " + topic)
-        .orElse(text);
+    List<String> topics =
+        comparison
+            .signals()
+            .flatMap(Signal::origins)
+            .filter(signal -> Double.isNaN(run.of(signal)[sample]))
+            .flatMap(signal -> signal.topic().stream())
+            .distinct()
+            .toList();
+    return topics.isEmpty()
+        ? Outcome.untested(text)
+        : Outcome.valueless(
+            text + ", since there was no current message on " + topics.get(0), topics);
   }
 
   private static Outcome outcome(boolean passed, FormulaEvaluation evaluation, SampledRun run) {

@@ -16,6 +16,7 @@ import java.util.OptionalDouble;
  * @param otherwise the times next to it at which that is the other way round, in s: at most one
  *     before and one after
  * @param undecided true if it was not tested because the run ended before its time
+ * @param missing the topics without a current message, because of which it was not tested
  */
 public record Outcome(
     boolean tested,
@@ -24,11 +25,13 @@ public record Outcome(
     Optional<Margin> margin,
     OptionalDouble decided,
     List<Double> otherwise,
-    boolean undecided) {
+    boolean undecided,
+    List<String> missing) {
 
-  /** Copies the list. */
+  /** Copies the lists. */
   public Outcome {
     otherwise = List.copyOf(otherwise);
+    missing = List.copyOf(missing);
   }
 
   /** Creates an outcome that its margin decides, if it has one. */
@@ -40,7 +43,8 @@ public record Outcome(
         margin,
         margin.stream().mapToDouble(Margin::time).findFirst(),
         List.of(),
-        false);
+        false,
+        List.of());
   }
 
   public Outcome(boolean passed, String detail) {
@@ -49,7 +53,15 @@ public record Outcome(
 
   /** Creates an outcome without a size. */
   public Outcome(boolean passed, String detail, double decided) {
-    this(true, passed, detail, Optional.empty(), OptionalDouble.of(decided), List.of(), false);
+    this(
+        true,
+        passed,
+        detail,
+        Optional.empty(),
+        OptionalDouble.of(decided),
+        List.of(),
+        false,
+        List.of());
   }
 
   public Outcome(boolean passed, String detail, Margin margin) {
@@ -58,7 +70,7 @@ public record Outcome(
 
   /** Returns a copy with the times at which what decides it is the other way round, in s. */
   Outcome withOtherwise(List<Double> times) {
-    return new Outcome(tested, passed, detail, margin, decided, times, undecided);
+    return new Outcome(tested, passed, detail, margin, decided, times, undecided, missing);
   }
 
   /** Returns whether it was tested and does not hold. */
@@ -69,7 +81,13 @@ public record Outcome(
   /** Returns the outcome of a criterion that a run did not decide, since it ended too early. */
   public static Outcome undecided(String why) {
     return new Outcome(
-        false, false, why, Optional.empty(), OptionalDouble.empty(), List.of(), true);
+        false, false, why, Optional.empty(), OptionalDouble.empty(), List.of(), true, List.of());
+  }
+
+  /** Returns the outcome of a criterion that read something without a value. */
+  static Outcome valueless(String why, List<String> missing) {
+    return new Outcome(
+        false, false, why, Optional.empty(), OptionalDouble.empty(), List.of(), false, missing);
   }
 
   /** Returns the outcome of a criterion whose premise never came true. */

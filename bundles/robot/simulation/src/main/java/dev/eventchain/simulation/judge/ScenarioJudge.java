@@ -137,14 +137,23 @@ public final class ScenarioJudge {
 
   /**
    * Returns whether a criterion is about a run that does not tell if it holds: the run ended too
-   * soon, or software sent nothing of what the criterion reads. A premise that never came true is
-   * none of that.
+   * soon, or software sent nothing of what decides. A premise that never came true is none of that.
    */
   public boolean isOpen(Expectation criterion, ScenarioRun run) {
     Outcome outcome = withoutEvidence(criterion, run);
     return outcome.undecided()
-        || (!outcome.tested()
-            && criterion.signals().stream().anyMatch(signal -> isSilent(signal, run.trace())));
+        || outcome.missing().stream().anyMatch(chain.topicsWritten()::contains);
+  }
+
+  /**
+   * Returns what the software wrote that its signals never have, in words: nothing shows what a
+   * vehicle does with it.
+   */
+  public List<String> outOfRange(ScenarioRun run) {
+    return run.trace().outside().stream()
+        .filter(value -> chain.topicsWritten().contains(value.topic()))
+        .map(value -> "a value of " + value.topic() + " that its signal never has")
+        .toList();
   }
 
   private boolean isSilent(Signal signal, Trace trace) {

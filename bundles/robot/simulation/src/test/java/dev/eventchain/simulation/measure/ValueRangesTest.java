@@ -7,10 +7,17 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.model.Signal;
+import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.simulation.AebProject;
+import dev.eventchain.simulation.CaseSimulation;
+import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.scenario.Scenario;
+import dev.eventchain.simulation.verdict.CaseResult;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -44,23 +51,44 @@ class ValueRangesTest {
         signal.location());
   }
 
-  /** Returns the findings of an emergency braking with these greatest values. */
-  private List<Diagnostic> found(double brake, double speed) throws Exception {
-    List<Signal> signals =
+  /** Returns the example's bench with these greatest values. */
+  private static Bench bench(double brake, double speed) {
+    return AebProject.bench(
         AebProject.declared().stream()
             .map(signal -> limited(signal, COMMAND, "brake", brake))
             .map(signal -> limited(signal, STATUS, "velocity", speed))
-            .toList();
+            .toList());
+  }
+
+  /** Returns the findings of an emergency braking with these greatest values. */
+  private List<Diagnostic> found(double brake, double speed) throws Exception {
     AebProject project = new AebProject(folder.resolve(brake + " " + speed));
     return AebProject.simulate(
             project.request(
-                List.of(AebProject.scenario("stopped-vehicle-50")), AebProject.bench(signals)))
+                List.of(AebProject.scenario("stopped-vehicle-50")), bench(brake, speed)))
         .diagnostics();
   }
 
   @Test
   void valuesWithinTheirRangesAreNotFound() throws Exception {
     assertEquals(List.of(), found(1.0, 60.0));
+  }
+
+  @Test
+  void aCaseWithSuchAnOutputIsNotTested() throws Exception {
+    Scenario scenario = AebProject.scenario("stopped-vehicle-50");
+    List<Bench> benches = List.of(bench(1.0, 10.0), bench(0.5, 60.0));
+    Map<Integer, CaseResult> results = new TreeMap<>();
+    new CaseSimulation(
+            new AebProject(folder).request(List.of(scenario), benches.get(0)),
+            PythonEnvironment.ensure(line -> {}))
+        .run(
+            benches.size(),
+            number -> new CaseSimulation.Case(scenario, benches.get(number)),
+            results::put);
+    assertEquals(CaseResult.Label.PASSED, results.get(0).label(), results.get(0)::reason);
+    assertEquals(CaseResult.Label.UNTESTED, results.get(1).label());
+    assertEquals("a value of " + COMMAND + " that its signal never has", results.get(1).reason());
   }
 
   @Test

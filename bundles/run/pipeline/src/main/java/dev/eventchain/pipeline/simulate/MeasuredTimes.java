@@ -65,7 +65,8 @@ final class MeasuredTimes {
     this.source = source;
     this.document = JsonDocument.parse(source);
     for (Measurements.Node node : nodes) {
-      node.hostExecutionTime().ifPresent(time -> longest.put(node.name(), up(time.maximum())));
+      node.hostExecutionTime()
+          .ifPresent(time -> longest.put(node.name(), BigDecimal.valueOf(time.maximum())));
     }
     for (int i = 0; i < document.root().size(); i++) {
       compare(Document.below("", i), document.root().get(i));
@@ -90,9 +91,11 @@ final class MeasuredTimes {
     return times.findings();
   }
 
-  private static BigDecimal up(double milliseconds) {
-    BigDecimal time = BigDecimal.valueOf(milliseconds).setScale(DECIMALS, RoundingMode.CEILING);
-    return time.stripTrailingZeros();
+  private static String up(BigDecimal milliseconds) {
+    return milliseconds
+        .setScale(DECIMALS, RoundingMode.CEILING)
+        .stripTrailingZeros()
+        .toPlainString();
   }
 
   private void compare(String pointer, JsonNode component) {
@@ -116,7 +119,7 @@ final class MeasuredTimes {
   private void replace(int offset, BigDecimal measured) {
     Matcher number = NUMBER.matcher(source.text()).region(offset, source.text().length());
     if (number.lookingAt()) {
-      edits.put(offset, new Edit(number.end() - offset, measured.toPlainString()));
+      edits.put(offset, new Edit(number.end() - offset, up(measured)));
     }
   }
 
@@ -125,7 +128,7 @@ final class MeasuredTimes {
     int line = Math.max(source.text().lastIndexOf('\n', offset - 1), -1) + 1;
     String before = source.text().substring(line, offset);
     String next = before.isBlank() ? lineEnd() + before : " ";
-    String property = "\"" + KEY + "\": " + measured.toPlainString() + ",";
+    String property = "\"" + KEY + "\": " + up(measured) + ",";
     edits.put(offset, new Edit(0, property + next));
   }
 
@@ -135,8 +138,7 @@ final class MeasuredTimes {
 
   private void found(String node, BigDecimal measured, String stated, SourceLocation place) {
     String message =
-        "'%s' took up to %s ms on this machine, %s."
-            .formatted(node, measured.toPlainString(), stated);
+        "'%s' took up to %s ms on this machine, %s.".formatted(node, up(measured), stated);
     findings.add(
         Diagnostic.of(SimulateRules.SIMULATION_TIME_MEASURED, message, place)
             .withHint(
@@ -154,12 +156,22 @@ final class MeasuredTimes {
     if (edits.isEmpty()) {
       return Optional.empty();
     }
-    List<String> before = source.text().lines().toList();
-    List<String> after = changed().lines().toList();
+    List<String> before = lines(source.text());
+    List<String> after = lines(changed());
     List<String> lines =
         UnifiedDiffUtils.generateUnifiedDiff(
             "a/" + name, "b/" + name, before, DiffUtils.diff(before, after), CONTEXT);
     return Optional.of(String.join("\n", lines) + "\n");
+  }
+
+  /** Returns lines with what ends them apart from a line feed, as {@code patch} compares them. */
+  private static List<String> lines(String text) {
+    List<String> lines = new ArrayList<>(List.of(text.split("\n", -1)));
+    String last = lines.remove(lines.size() - 1);
+    if (!last.isEmpty()) {
+      lines.add(last + "\n\\ No newline at end of file");
+    }
+    return lines;
   }
 
   private String changed() {

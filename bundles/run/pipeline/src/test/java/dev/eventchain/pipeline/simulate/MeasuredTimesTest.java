@@ -24,7 +24,7 @@ class MeasuredTimesTest {
           "file": "brake.py",
           "name": "Brake"
         },
-        { "name": "Idle", "worst_case_execution_time": 5 },
+        { "name": "Idle", "worst_case_execution_time": 4.9991 },
         { "name": "Absent" }
       ]
       """;
@@ -60,7 +60,7 @@ class MeasuredTimesTest {
         +    "worst_case_execution_time": 0.2,
              "name": "Brake"
            },
-           { "name": "Idle", "worst_case_execution_time": 5 },
+           { "name": "Idle", "worst_case_execution_time": 4.9991 },
         """,
         times.diff().orElseThrow());
     assertEquals(
@@ -80,9 +80,39 @@ class MeasuredTimesTest {
         diff.contains("+  { \"worst_case_execution_time\": 2, \"name\": \"Absent\" }\n"), diff);
   }
 
+  /** As {@code patch} takes them: it compares what ends a line. */
+  @Test
+  void endsOfLinesStayAsTheyAre() {
+    String windows = "[\r\n  {\r\n    \"name\": \"Brake\"\r\n  }\r\n]\r\n";
+    assertEquals(
+        """
+        @@ -1,5 +1,6 @@
+         [\r
+           {\r
+        +    "worst_case_execution_time": 2,\r
+             "name": "Brake"\r
+           }\r
+         ]\r
+        """,
+        times(windows, node("Brake", 2))
+            .diff()
+            .orElseThrow()
+            .replaceAll("(?m)^(---|\\+\\+\\+).*\n", ""));
+    String open = times("[{\"name\": \"Brake\"}]", node("Brake", 2)).diff().orElseThrow();
+    assertTrue(
+        open.endsWith(
+            """
+            -[{"name": "Brake"}]
+            \\ No newline at end of file
+            +[{"worst_case_execution_time": 2, "name": "Brake"}]
+            \\ No newline at end of file
+            """),
+        open);
+  }
+
   @Test
   void timesWithinWhatIsStatedProposeNothing() {
-    MeasuredTimes times = times(BASE, node("Radar", 1.5), node("Idle", 5), node("Unknown", 9));
+    MeasuredTimes times = times(BASE, node("Radar", 1.5), node("Idle", 4.999), node("Unknown", 9));
     assertEquals(Optional.empty(), times.diff());
     assertEquals(List.of(), times.findings());
   }
