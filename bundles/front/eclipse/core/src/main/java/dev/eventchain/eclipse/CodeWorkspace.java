@@ -41,11 +41,20 @@ final class CodeWorkspace implements Workspace {
             event -> CHANGES.incrementAndGet(), IResourceChangeEvent.POST_CHANGE);
   }
 
-  /** A text, and the state of the file that it was read from. */
-  private record Known(String state, SourceText text) {}
+  /**
+   * A text, and the state of the file that it was read from.
+   *
+   * @param changes the number of changes before somebody last looked at the file
+   */
+  private record Known(String state, SourceText text, long changes) {}
 
   /** The files after a number of changes. */
   private record Listed(long changes, List<Path> texts, List<Path> ecores) {}
+
+  /** All files, and what the list was made from. */
+  private record All(Listed listed, Set<Path> open, List<Path> files) {}
+
+  private record State(long changes, long edits, List<Path> files) {}
 
   /** Metamodels, and the texts that they were read from. */
   private record Loaded(List<SourceText> from, List<EPackage> packages) {}
@@ -53,7 +62,12 @@ final class CodeWorkspace implements Workspace {
   private final Optional<IProject> project;
   private final Map<Path, SourceText> open = new ConcurrentHashMap<>();
   private final Map<Path, Known> known = new HashMap<>();
+
+  /** Number of changes of open texts so far; counted after each of them. */
+  private final AtomicLong edits = new AtomicLong();
+
   private Listed listed = new Listed(-1, List.of(), List.of());
+  private All all = new All(listed, Set.of(), List.of());
   private Loaded loaded;
 
   /**
@@ -71,11 +85,13 @@ final class CodeWorkspace implements Workspace {
             before != null && before.text().equals(text)
                 ? before
                 : SourceText.of(path.toString(), text));
+    edits.incrementAndGet();
   }
 
   /** Goes back to the text on the disk. */
   void close(Path file) {
     open.remove(file);
+    edits.incrementAndGet();
   }
 
   private synchronized Listed listed() {
@@ -92,10 +108,20 @@ final class CodeWorkspace implements Workspace {
   }
 
   @Override
-  public List<Path> files() {
-    Set<Path> all = new TreeSet<>(listed().texts());
-    all.addAll(open.keySet());
-    return List.copyOf(all);
+  public synchronized List<Path> files() {
+    Listed found = listed();
+    Set<Path> opened = Set.copyOf(open.keySet());
+    if (all.listed() != found || !all.open().equals(opened)) {
+      Set<Path> both = new TreeSet<>(found.texts());
+      both.addAll(opened);
+      all = new All(found, opened, List.copyOf(both));
+    }
+    return all.files();
+  }
+
+  @Override
+  public Object state() {
+    return new State(CHANGES.get(), edits.get(), files());
   }
 
   @Override
@@ -104,16 +130,27 @@ final class CodeWorkspace implements Workspace {
     if (edited != null) {
       return Optional.of(edited);
     }
+    long changes = CHANGES.get();
     String state = stateOf(file);
     Known before = known.get(file);
     if (before != null && before.state().equals(state)) {
+      known.put(file, new Known(state, before.text(), changes));
       return Optional.of(before.text());
     }
     known.remove(file);
     if (!state.isEmpty()) {
-      read(file).ifPresent(text -> known.put(file, new Known(state, text)));
+      read(file).ifPresent(text -> known.put(file, new Known(state, text, changes)));
     }
     return Optional.ofNullable(known.get(file)).map(Known::text);
+  }
+
+  /** Returns the text that is open, or else that of the disk when Eclipse last noticed a change. */
+  @Override
+  public synchronized Optional<SourceText> lastText(Path file) {
+    Known before = known.get(file);
+    return before != null && before.changes() == CHANGES.get() && !open.containsKey(file)
+        ? Optional.of(before.text())
+        : text(file);
   }
 
   private static Optional<SourceText> read(Path file) {

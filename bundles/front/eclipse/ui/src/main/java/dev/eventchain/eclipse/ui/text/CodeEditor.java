@@ -16,6 +16,7 @@ import org.eclipse.jface.text.BadLocationException;
 import org.eclipse.jface.text.IDocument;
 import org.eclipse.jface.text.IRegion;
 import org.eclipse.jface.text.Region;
+import org.eclipse.jface.text.TextEvent;
 import org.eclipse.jface.text.source.DefaultCharacterPairMatcher;
 import org.eclipse.jface.text.source.ISourceViewer;
 import org.eclipse.jface.text.source.IVerticalRuler;
@@ -160,7 +161,15 @@ abstract class CodeEditor extends TextEditor {
     folding.addSummarizableAnnotationType("org.eclipse.ui.workbench.texteditor.warning");
     folding.install();
     viewer.doOperation(ProjectionViewer.TOGGLE);
+    viewer.addTextListener(this::shownAgain);
     CodeColors.listen(colors);
+  }
+
+  /** Draws lines that come into view without a change of the text, such as those of a folding. */
+  private void shownAgain(TextEvent event) {
+    if (event.getDocumentEvent() == null && event.getViewerRedrawState()) {
+      draw();
+    }
   }
 
   @Override

@@ -6,6 +6,7 @@ import org.eclipse.jface.text.BadLocationException;
 import org.eclipse.jface.text.DocumentEvent;
 import org.eclipse.jface.text.IDocument;
 import org.eclipse.jface.text.ITextViewer;
+import org.eclipse.jface.text.TextUtilities;
 import org.eclipse.jface.text.contentassist.ICompletionProposal;
 import org.eclipse.jface.text.contentassist.ICompletionProposalExtension2;
 import org.eclipse.jface.text.contentassist.ICompletionProposalExtension6;
@@ -48,10 +49,8 @@ record CodeProposal(Completion completion, int start, int behind)
   @Override
   public void apply(ITextViewer viewer, char trigger, int stateMask, int offset) {
     IDocument document = viewer.getDocument();
-    Snippet snippet =
-        completion.snippet()
-            ? Snippet.of(completion.insertText(), indentation(document))
-            : Snippet.plain(completion.insertText());
+    String source = fitted(completion.insertText(), document);
+    Snippet snippet = completion.snippet() ? Snippet.of(source) : Snippet.plain(source);
     try {
       int end = Math.min(document.getLength(), offset + behind);
       document.replace(start, end - start, snippet.text());
@@ -59,6 +58,12 @@ record CodeProposal(Completion completion, int start, int behind)
       return; // the text has changed under the list
     }
     snippet.fillIn(viewer, start);
+  }
+
+  /** Returns a text with the line breaks of a document, and its lines indented as the first. */
+  private String fitted(String text, IDocument document) {
+    String next = TextUtilities.getDefaultLineDelimiter(document) + indentation(document);
+    return String.join(next, text.split("\r\n?|\n", -1));
   }
 
   /** Returns the space before the first word of the line. */

@@ -2,14 +2,16 @@ package dev.eventchain.eclipse.ui.text;
 
 import dev.eventchain.eclipse.CodeAnalysis;
 import dev.eventchain.editing.Analysis;
-import dev.eventchain.editing.FileRange;
 import dev.eventchain.editing.Folding;
 import dev.eventchain.editing.SemanticToken;
 import dev.eventchain.editing.Symbol;
 import dev.eventchain.editing.TextLines;
 import dev.eventchain.editing.TextPosition;
 import java.nio.file.Path;
+import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BiFunction;
@@ -77,17 +79,11 @@ final class CodeText implements IDocumentListener {
     return present;
   }
 
-  /** Returns the present text of any file of the project. */
-  Optional<String> textOf(Path file) {
-    return analysis.text(file);
-  }
-
-  /** Returns the line of a place without the space around it, behind the file's name and line. */
-  String describe(FileRange place) {
-    int line = place.range().start().line();
-    String[] lines = textOf(place.file()).orElse("").split("\r\n|\r|\n", -1);
-    String text = line < lines.length ? lines[line].strip() : "";
-    return place.file().getFileName() + ":" + (line + 1) + ": " + text;
+  /** Returns the present texts of files of the project; only in answers, since it reads files. */
+  Map<Path, String> textsOf(Collection<Path> files) {
+    Map<Path, String> texts = new LinkedHashMap<>();
+    files.forEach(file -> texts.computeIfAbsent(file, it -> analysis.text(it).orElse("")));
+    return texts;
   }
 
   /** Goes back to the text on the disk. */

@@ -1,11 +1,12 @@
 package dev.eventchain.eclipse.ui.text;
 
-import dev.eventchain.editing.Analysis;
 import dev.eventchain.editing.FileRange;
 import dev.eventchain.editing.TextLines;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.eclipse.core.filesystem.EFS;
 import org.eclipse.core.resources.IFile;
@@ -27,7 +28,15 @@ import org.eclipse.ui.texteditor.ITextEditor;
 final class Declarations {
 
   /** A place in a list. */
-  private record Listed(FileRange place, String text) {
+  record Listed(FileRange place, String text) {
+
+    /** Describes a place by the name of its file, the number of its line and the line itself. */
+    static Listed of(FileRange place, List<String> lines) {
+      int line = place.range().start().line();
+      String text = line < lines.size() ? lines.get(line).strip() : "";
+      return new Listed(place, place.file().getFileName() + ":" + (line + 1) + ": " + text);
+    }
+
     @Override
     public String toString() {
       return text;
@@ -38,31 +47,41 @@ final class Declarations {
 
   /** Opens where that is declared what the word at an offset names; several are listed. */
   static void open(CodeEditor editor, int offset) {
-    editor
-        .text()
-        .ask(
-            offset,
-            Analysis::definitions,
-            places -> {
-              if (places.size() == 1) {
-                show(editor, places.get(0));
-              } else {
-                choose(editor, "Declarations", places);
-              }
-            });
+    CodeText text = editor.text();
+    text.ask(
+        offset,
+        (analysis, position) -> listed(text, analysis.definitions(position)),
+        places -> {
+          if (places.size() == 1) {
+            show(editor, places.get(0).place());
+          } else {
+            choose(editor, "Declarations", places);
+          }
+        });
   }
 
   /** Lists where that is used what the word at an offset names. */
   static void references(CodeEditor editor, int offset) {
-    editor
-        .text()
-        .ask(
-            offset,
-            (analysis, position) -> analysis.references(position, true),
-            places -> choose(editor, "References", places));
+    CodeText text = editor.text();
+    text.ask(
+        offset,
+        (analysis, position) -> listed(text, analysis.references(position, true)),
+        places -> choose(editor, "References", places));
   }
 
-  private static void choose(CodeEditor editor, String title, List<FileRange> places) {
+  /** Describes places; only in answers, since it reads files. */
+  static List<Listed> listed(CodeText text, List<FileRange> places) {
+    return listed(text.textsOf(places.stream().map(FileRange::file).toList()), places);
+  }
+
+  /** Describes places in texts. */
+  static List<Listed> listed(Map<Path, String> texts, List<FileRange> places) {
+    Map<Path, List<String>> lines = new HashMap<>();
+    texts.forEach((file, text) -> lines.put(file, List.of(text.split("\r\n|\r|\n", -1))));
+    return places.stream().map(each -> Listed.of(each, lines.get(each.file()))).toList();
+  }
+
+  private static void choose(CodeEditor editor, String title, List<Listed> places) {
     if (places.isEmpty()) {
       editor.say("No file of the project declares or uses this.");
       return;
@@ -74,16 +93,14 @@ final class Declarations {
   }
 
   /** Returns what people choose of a list of places; null if they cancel. */
-  static Object[] list(CodeEditor editor, String title, String message, List<FileRange> places) {
+  static Object[] list(CodeEditor editor, String title, String message, List<Listed> places) {
     ListDialog dialog = new ListDialog(editor.getSite().getShell());
     dialog.setTitle(title);
     dialog.setMessage(message);
     dialog.setContentProvider(ArrayContentProvider.getInstance());
     dialog.setLabelProvider(new LabelProvider());
-    List<Listed> listed =
-        places.stream().map(each -> new Listed(each, editor.text().describe(each))).toList();
-    dialog.setInput(listed);
-    dialog.setInitialSelections(listed.get(0));
+    dialog.setInput(places);
+    dialog.setInitialSelections(places.get(0));
     dialog.setWidthInChars(90);
     return dialog.open() == Window.OK ? dialog.getResult() : null;
   }

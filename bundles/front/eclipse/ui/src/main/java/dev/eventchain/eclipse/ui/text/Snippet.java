@@ -32,17 +32,12 @@ record Snippet(String text, Map<Integer, List<Position>> places, int exit) {
     return new Snippet(text, Map.of(), text.length());
   }
 
-  /**
-   * Reads the syntax of the Language Server Protocol.
-   *
-   * @param indentation is put before each line but the first
-   */
-  static Snippet of(String source, String indentation) {
-    String indented = source.replace("\n", "\n" + indentation);
+  /** Reads the syntax of the Language Server Protocol. */
+  static Snippet of(String source) {
     StringBuilder text = new StringBuilder();
     Map<Integer, List<Position>> places = new TreeMap<>();
     int exit = -1;
-    Matcher found = SYNTAX.matcher(indented);
+    Matcher found = SYNTAX.matcher(source);
     while (found.find()) {
       found.appendReplacement(text, "");
       if (found.group(1) != null) {
