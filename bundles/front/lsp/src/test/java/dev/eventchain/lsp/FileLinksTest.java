@@ -100,4 +100,13 @@ class FileLinksTest {
     assertEquals(8, link.getRange().getStart().getCharacter());
     assertEquals(21, link.getRange().getEnd().getCharacter());
   }
+
+  /** The mark at the start of a text, which the editor has kept, is a column of its first line. */
+  @Test
+  void countAByteOrderMark() throws IOException {
+    DocumentLink link =
+        links(workspace.resolve("texts/a.mtl"), "\uFEFF[import python::names /]\n").get(0);
+    assertEquals(9, link.getRange().getStart().getCharacter());
+    assertEquals(22, link.getRange().getEnd().getCharacter());
+  }
 }

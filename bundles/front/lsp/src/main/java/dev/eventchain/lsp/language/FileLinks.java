@@ -4,7 +4,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.editing.TextLines;
 import dev.eventchain.editing.Workspace;
 import dev.eventchain.lsp.check.Checks;
-import dev.eventchain.lsp.text.Positions;
+import dev.eventchain.lsp.text.Edits;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
@@ -40,11 +40,13 @@ public final class FileLinks {
 
   private final Workspace workspace;
   private final Checks checks;
+  private final Edits edits;
 
   /** Creates the links of a session. */
-  public FileLinks(Workspace workspace, Checks checks) {
+  public FileLinks(Workspace workspace, Checks checks, Edits edits) {
     this.workspace = workspace;
     this.checks = checks;
+    this.edits = edits;
   }
 
   /** Returns the links of a text, in its order. */
@@ -75,7 +77,8 @@ public final class FileLinks {
                 target ->
                     links.add(
                         new DocumentLink(
-                            Positions.of(lines.range(matcher.start(group), matcher.end(group))),
+                            edits.range(
+                                file, lines.range(matcher.start(group), matcher.end(group))),
                             target.toUri().toString())));
       }
     }

@@ -97,7 +97,7 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
             edits,
             new FindingActions(files, findings, edits),
             new ProjectLenses(files, texts),
-            new FileLinks(files, checks));
+            new FileLinks(files, checks, edits));
     this.workspace =
         new WorkspaceRequests(texts, checks, languages, files, edits, this::explain, this::refresh);
   }
