@@ -10,6 +10,7 @@ import dev.eventchain.lsp.check.Checks;
 import dev.eventchain.lsp.check.Findings;
 import dev.eventchain.lsp.check.RulePageFiles;
 import dev.eventchain.lsp.check.Settings;
+import dev.eventchain.lsp.text.OpenText;
 import dev.eventchain.lsp.text.OpenTexts;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -104,7 +105,8 @@ class ChecksTest {
       for (String below : List.of("out/a.ocl", "out/x/b.xmi", ".git/c.ocl", "target/d.ocl")) {
         checks.appearedOrGone(List.of(project.resolve(below)));
       }
-      checks.appearedOrGone(List.of(folder.resolve(".cache/e.ocl"), project.resolve("out")));
+      Path out = Files.createDirectories(project.resolve("out"));
+      checks.appearedOrGone(List.of(folder.resolve(".cache/e.ocl"), out));
       checks.await();
       assertEquals(0, shown(rules) + shown(configuration));
       checks.appearedOrGone(List.of(project.resolve("outline/f.ocl")));
@@ -131,6 +133,32 @@ class ChecksTest {
       checks.appearedOrGone(List.of(made));
       checks.await();
       assertTrue(shown(made) > 0, shown.toString());
+      Files.delete(made);
+      Files.delete(made.getParent());
+      checks.appearedOrGone(List.of(made.getParent()));
+      checks.await();
+      assertEquals(0, shown(made));
+    }
+  }
+
+  /** A project of a build tool's folder is checked while a file of it is open. */
+  @Test
+  void aProjectInAFolderThatIsPassedOverIsChecked() throws Exception {
+    goesOn.countDown();
+    Path project =
+        Projects.copy(Repository.ROOT.resolve("examples/radar-aeb"), folder.resolve("target/demo"));
+    Path configuration = project.resolve("eventchain.yaml");
+    String text = Files.readString(configuration);
+    texts.open(new OpenText(EditorClient.uri(configuration), configuration, 1, text));
+    try (Checks checks = new Checks(texts, findings, each -> {})) {
+      checks.open(List.of(folder), Settings.USUAL);
+      checks.await();
+      Path campaign = project.resolve("campaigns/c.yaml");
+      Files.createDirectories(campaign.getParent());
+      Files.writeString(campaign, "scenario: a\n");
+      checks.appearedOrGone(List.of(campaign));
+      checks.await();
+      assertTrue(shown(campaign) > 0, shown.toString());
     }
   }
 }

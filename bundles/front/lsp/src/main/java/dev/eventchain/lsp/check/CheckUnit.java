@@ -3,6 +3,7 @@ package dev.eventchain.lsp.check;
 import dev.eventchain.diagnostics.Diagnostic;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Files that are checked together, because a change of one may cause a finding in another. Equal
@@ -12,6 +13,11 @@ interface CheckUnit {
 
   /** Returns the file that gets the findings about no file. */
   Path subject();
+
+  /** Returns the folder of the project that it checks, in which it may read any file. */
+  default Optional<Path> project() {
+    return Optional.empty();
+  }
 
   /**
    * Reads the files, and texts instead of them, and checks them.

@@ -7,6 +7,7 @@ import dev.eventchain.diagnostics.FileReads;
 import dev.eventchain.diagnostics.UnsavedTexts;
 import dev.eventchain.lsp.text.OpenText;
 import dev.eventchain.lsp.text.OpenTexts;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Collection;
@@ -15,9 +16,12 @@ import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * The checks of a workspace, one after the other in the background. A unit is checked again when a
@@ -45,6 +49,9 @@ public final class Checks implements AutoCloseable {
 
   /** The files that have changed since the present check began. */
   private final Set<Path> changedMeanwhile = new HashSet<>();
+
+  /** The files and folders among them that are gone. */
+  private final Set<Path> goneMeanwhile = new HashSet<>();
 
   private List<Path> folders = List.of();
   private Settings settings = Settings.USUAL;
@@ -86,25 +93,31 @@ public final class Checks implements AutoCloseable {
   /** Checks what has read a file, after its text in the editor has changed. */
   public synchronized void changed(Path file) {
     quiet = System.nanoTime() + QUIET.toNanos();
-    revisit(Set.of(file));
+    revisit(Set.of(file), Set.of());
   }
 
   /** Checks what has read files, after they have changed on disk. */
   public synchronized void changedOnDisk(Collection<Path> changed) {
     reports++;
-    revisit(changed);
+    revisit(Set.copyOf(changed), Set.of());
   }
 
-  /** Checks what may read files now, or has read them, after they came or went on disk. */
+  /**
+   * Checks what may read files now, or has read them, after they came or went on disk; of a folder
+   * that is gone, what has read anything in it.
+   */
   public void appearedOrGone(Collection<Path> changed) {
     List<Path> where = folders();
     List<Path> written =
         changed.stream().filter(file -> !WorkspaceFiles.isPassedOver(file, where)).toList();
+    Set<Path> gone = changed.stream().filter(Files::notExists).collect(Collectors.toSet());
     synchronized (this) {
       reports++;
-      revisit(changed);
+      revisit(Set.copyOf(changed), gone);
       for (CheckUnit unit : reads.keySet()) {
-        if (written.stream().anyMatch(file -> mayRead(unit, file))) {
+        // A project is checked wherever it is, such as one in a build tool's folder that is open.
+        Collection<Path> seen = unit.project().isPresent() ? changed : written;
+        if (seen.stream().anyMatch(file -> mayRead(unit, file))) {
           waiting.add(unit);
         }
       }
@@ -115,25 +128,34 @@ public final class Checks implements AutoCloseable {
   }
 
   private static boolean mayRead(CheckUnit unit, Path file) {
-    return unit instanceof ProjectUnit project
-        ? file.startsWith(project.folder())
-            && !WorkspaceFiles.isPassedOver(file, List.of(project.folder()))
-        : WorkspaceFiles.isKnown(file);
+    return unit.project()
+        .map(
+            folder ->
+                file.startsWith(folder) && !WorkspaceFiles.isPassedOver(file, List.of(folder)))
+        .orElseGet(() -> WorkspaceFiles.isKnown(file));
   }
 
-  private void revisit(Collection<Path> changed) {
+  private void revisit(Set<Path> changed, Set<Path> gone) {
     changedMeanwhile.addAll(changed);
+    goneMeanwhile.addAll(gone);
     reads.forEach(
         (unit, read) -> {
-          if (isAbout(unit, read, changed)) {
+          if (isAbout(unit, read, changed, gone)) {
             waiting.add(unit);
           }
         });
     notifyAll();
   }
 
-  private static boolean isAbout(CheckUnit unit, Set<Path> read, Collection<Path> changed) {
-    return changed.stream().anyMatch(file -> file.equals(unit.subject()) || read.contains(file));
+  private static boolean isAbout(
+      CheckUnit unit, Set<Path> read, Set<Path> changed, Set<Path> gone) {
+    return changed.contains(unit.subject())
+        || changed.stream().anyMatch(read::contains)
+        || (!gone.isEmpty() && read.stream().anyMatch(file -> isBelow(file, gone)));
+  }
+
+  private static boolean isBelow(Path file, Set<Path> folders) {
+    return Stream.iterate(file, Objects::nonNull, Path::getParent).anyMatch(folders::contains);
   }
 
   /** Returns the files of the workspace as they were last looked for. */
@@ -257,15 +279,15 @@ public final class Checks implements AutoCloseable {
     }
     chosen.ifPresent(waiting::remove);
     changedMeanwhile.clear();
+    goneMeanwhile.clear();
     return chosen;
   }
 
   private boolean readsAny(CheckUnit unit, Set<Path> open) {
     Set<Path> read = reads.getOrDefault(unit, Set.of());
-    if (read.isEmpty() && unit instanceof ProjectUnit project) {
-      return open.stream().anyMatch(file -> file.startsWith(project.folder()));
-    }
-    return open.stream().anyMatch(read::contains);
+    Optional<Path> folder = unit.project().filter(each -> read.isEmpty());
+    return open.stream()
+        .anyMatch(file -> folder.map(file::startsWith).orElseGet(() -> read.contains(file)));
   }
 
   private void check(CheckUnit unit) {
@@ -288,7 +310,7 @@ public final class Checks implements AutoCloseable {
       return false; // its file is gone meanwhile
     }
     reads.put(unit, read);
-    if (isAbout(unit, read, changedMeanwhile)) {
+    if (isAbout(unit, read, changedMeanwhile, goneMeanwhile)) {
       waiting.add(unit);
       return false;
     }

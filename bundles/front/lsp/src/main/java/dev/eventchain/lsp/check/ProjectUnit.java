@@ -20,6 +20,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -33,6 +34,11 @@ record ProjectUnit(Path folder, Duration timeLimit) implements CheckUnit {
   @Override
   public Path subject() {
     return new ProjectFolder(folder).configurationFile();
+  }
+
+  @Override
+  public Optional<Path> project() {
+    return Optional.of(folder);
   }
 
   @Override
