@@ -87,6 +87,22 @@ class ActionTest {
     }
   }
 
+  /** The commands about campaigns read no suppressions for what is wrong with their files. */
+  @Test
+  void nothingIsSuppressedOfACampaignFile() throws Exception {
+    Path example = Repository.ROOT.resolve("examples/radar-aeb");
+    Path project = Projects.copy(example, folder.resolve("radar-aeb"));
+    Path campaign = project.resolve("campaigns/c.yaml");
+    Files.createDirectories(campaign.getParent());
+    Files.writeString(campaign, "scenario: stopped-vehicle-50\n");
+    try (TestSession session = new TestSession(project)) {
+      Diagnostic found = session.client.await(campaign, each -> !each.isEmpty()).get(0);
+      assertEquals(
+          List.of("Explain " + found.getCode().getLeft()),
+          actions(session.client, campaign, found).stream().map(CodeAction::getTitle).toList());
+    }
+  }
+
   @Test
   void aFindingOfAProjectCanBeSuppressedWithAReason() throws Exception {
     Path example = Repository.ROOT.resolve("examples/radar-aeb");

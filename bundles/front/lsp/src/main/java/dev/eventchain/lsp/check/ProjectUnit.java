@@ -7,7 +7,6 @@ import dev.eventchain.diagnostics.FileReads;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.Pipeline;
 import dev.eventchain.pipeline.Today;
-import dev.eventchain.pipeline.campaign.CampaignFiles;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.RunOptions;
@@ -23,10 +22,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/**
- * A project: what {@code eventchain validate DIR} checks, without asking a language model, and its
- * campaign files.
- */
+/** A project: what {@code eventchain validate DIR} checks, without asking a language model. */
 record ProjectUnit(Path folder, Duration timeLimit) implements CheckUnit {
 
   private static final String NO_MODEL = "project.stage.missing";
@@ -50,7 +46,6 @@ record ProjectUnit(Path folder, Duration timeLimit) implements CheckUnit {
         .forEach(each -> FileReads.note(output.resolve(each)));
     List<Diagnostic> found =
         new ArrayList<>(Pipeline.run(project, options(project), Progress.NONE).diagnostics());
-    found.addAll(CampaignFiles.problems(project));
     if (project.model(output).isEmpty()) {
       // The command line would have it designed; an editor says that it is not there yet.
       found.removeIf(each -> each.id().equals(NO_MODEL));

@@ -206,6 +206,7 @@ public final class WorkspaceFiles {
   List<CheckUnit> units(List<Path> named, Duration timeLimit) {
     List<CheckUnit> units = new ArrayList<>();
     projects.forEach(folder -> units.add(new ProjectUnit(folder, timeLimit)));
+    projects.forEach(folder -> units.add(new CampaignUnit(folder)));
     ProjectParts parts = new ProjectParts();
     for (Path file : files) {
       unit(file, named, parts, timeLimit).ifPresent(units::add);

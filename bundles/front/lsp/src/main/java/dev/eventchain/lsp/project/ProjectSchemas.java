@@ -1,6 +1,7 @@
 package dev.eventchain.lsp.project;
 
 import dev.eventchain.pipeline.ProjectBench;
+import dev.eventchain.pipeline.campaign.CampaignFiles;
 import dev.eventchain.pipeline.campaign.Campaigns;
 import dev.eventchain.pipeline.project.Configuration;
 import dev.eventchain.project.SuppressionFile;
@@ -8,7 +9,6 @@ import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;
-import java.util.regex.Pattern;
 
 /** The published schemas of a project's files in YAML. */
 final class ProjectSchemas {
@@ -35,8 +35,6 @@ final class ProjectSchemas {
           "faults.yaml",
           Kind.FAULTS);
 
-  private static final Pattern CAMPAIGN = Pattern.compile("(?m)^(factors|campaigns):");
-
   private final Map<Kind, ProjectSchema> read = new EnumMap<>(Kind.class);
 
   /** Returns what a file of a project is by its place or, for campaigns, by its keys. */
@@ -51,7 +49,7 @@ final class ProjectSchemas {
       return Optional.of(Kind.SCENARIO);
     }
     boolean isCampaign =
-        (inside.getNameCount() > 1 && first.equals("campaigns")) || CAMPAIGN.matcher(text).find();
+        (inside.getNameCount() > 1 && first.equals("campaigns")) || CampaignFiles.isCampaign(text);
     return isCampaign ? Optional.of(Kind.CAMPAIGN) : Optional.empty();
   }
 

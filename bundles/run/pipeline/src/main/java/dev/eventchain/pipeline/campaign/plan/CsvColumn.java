@@ -7,6 +7,7 @@ import dev.eventchain.documents.CsvRow;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import java.math.BigDecimal;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -48,7 +49,15 @@ final class CsvColumn {
     if (name.isEmpty() || column.isEmpty()) {
       return NOTHING;
     }
-    SourceText text = SourceText.read(campaign.resolveSibling(name));
+    try {
+      return cells(name, column, SourceText.read(campaign.resolveSibling(name)));
+    } catch (InvalidPathException e) {
+      part.find(CampaignRules.VALUE_RANGE, "No file can be called like this.", part.at("csv"));
+      return NOTHING;
+    }
+  }
+
+  private List<BigDecimal> cells(String name, String column, SourceText text) {
     List<CsvRow> rows = CsvRow.rows(text.text());
     List<String> names = rows.isEmpty() ? List.of() : rows.get(0).cells();
     int index = names.indexOf(column);

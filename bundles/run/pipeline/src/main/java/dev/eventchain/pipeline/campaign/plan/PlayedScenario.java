@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.simulation.scenario.VariedScenario;
 import java.math.BigDecimal;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
@@ -45,10 +46,11 @@ public record PlayedScenario(Path file, VariedScenario varied, List<String> acce
    * @throws DiagnosticException with the problems of the file
    */
   static Optional<PlayedScenario> read(Path campaign, String scenario, ObjectReader section) {
-    Path file = campaign.resolveSibling(scenario);
-    if (scenario.isEmpty() || !VariedScenario.isOne(file)) {
+    Optional<Path> named = file(campaign, scenario);
+    if (named.isEmpty()) {
       return Optional.empty();
     }
+    Path file = named.get();
     List<String> accept = section.texts(ACCEPT);
     if (accept.isEmpty()) {
       section.find(
@@ -59,6 +61,17 @@ public record PlayedScenario(Path file, VariedScenario varied, List<String> acce
               .withHint("Write `accept: [no_impact]`, or another criterion without a value."));
     }
     return Optional.of(new PlayedScenario(file, VariedScenario.read(file), accept));
+  }
+
+  /** Returns the file that a campaign names; empty if it names a scenario, or no path at all. */
+  private static Optional<Path> file(Path campaign, String scenario) {
+    try {
+      return scenario.isEmpty()
+          ? Optional.empty()
+          : Optional.of(campaign.resolveSibling(scenario)).filter(VariedScenario::isOne);
+    } catch (InvalidPathException e) {
+      return Optional.empty(); // Such a scenario is not found, either.
+    }
   }
 
   /**
