@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
-import org.eclipse.core.resources.IFile;
 import org.eclipse.jface.text.IDocument;
 import org.eclipse.jface.text.ITextOperationTarget;
 import org.eclipse.jface.text.source.Annotation;
@@ -26,7 +25,6 @@ import org.eclipse.swt.widgets.TreeItem;
 import org.eclipse.ui.PlatformUI;
 import org.eclipse.ui.editors.text.TextEditor;
 import org.eclipse.ui.handlers.IHandlerService;
-import org.eclipse.ui.ide.IDE;
 import org.eclipse.ui.texteditor.ITextEditor;
 import org.eclipse.ui.views.contentoutline.ContentOutline;
 import org.junit.jupiter.api.AfterEach;
@@ -76,14 +74,7 @@ class CodeEditorTest {
 
   @AfterEach
   void close() throws Exception {
-    if (project != null) {
-      Workbench.run(() -> Workbench.page().closeAllEditors(false));
-      project.close();
-    }
-  }
-
-  private static TextEditor open(IFile file) {
-    return Workbench.run(() -> (TextEditor) IDE.openEditor(Workbench.page(), file));
+    Workbench.close(project);
   }
 
   private static StyledText widget(TextEditor editor) {
@@ -125,7 +116,7 @@ class CodeEditorTest {
 
   @Test
   void constraintsHaveColors() throws Exception {
-    TextEditor editor = open(project.write("rules.ocl", RULES));
+    TextEditor editor = Workbench.open(project.write("rules.ocl", RULES));
     assertColor("comment", editor, "Nodes have");
     assertColor("keyword", editor, "context");
     assertColor("type", editor, "SoftwareNode");
@@ -144,7 +135,7 @@ class CodeEditorTest {
 
   @Test
   void templatesHaveColors() throws Exception {
-    TextEditor editor = open(project.write("node.mtl", TEMPLATE));
+    TextEditor editor = Workbench.open(project.write("node.mtl", TEMPLATE));
     assertColor("comment", editor, "encoding");
     assertColor("tag", editor, "[template");
     assertColor("type", editor, "EventChain)");
@@ -159,13 +150,13 @@ class CodeEditorTest {
 
   @Test
   void linesBecomeCommentsAndBack() throws Exception {
-    TextEditor rules = open(project.write("rules.ocl", RULES));
+    TextEditor rules = Workbench.open(project.write("rules.ocl", RULES));
     toggle(rules, RULES.indexOf("  inv HasRate"), 0);
     String commented = RULES.replace("  inv HasRate", "--   inv HasRate");
     assertEquals(commented, Workbench.run(() -> document(rules).get()));
     toggle(rules, RULES.indexOf("inv HasRate"), 0);
     assertEquals(RULES, Workbench.run(() -> document(rules).get()));
-    TextEditor template = open(project.write("node.mtl", TEMPLATE));
+    TextEditor template = Workbench.open(project.write("node.mtl", TEMPLATE));
     String loop = TEMPLATE.substring(TEMPLATE.indexOf("[for"), TEMPLATE.indexOf("[/file"));
     toggle(template, TEMPLATE.indexOf(loop), loop.length());
     String line = loop.stripTrailing();
@@ -186,7 +177,7 @@ class CodeEditorTest {
 
   @Test
   void featuresOfTheContextAreProposed() throws Exception {
-    TextEditor editor = open(project.write("rules.ocl", RULES));
+    TextEditor editor = Workbench.open(project.write("rules.ocl", RULES));
     List<String> features = proposals(editor, RULES.indexOf("frequency"));
     assertTrue(features.containsAll(List.of("frequency", "name", "nextstep")), "" + features);
     assertTrue(!features.contains("software"), "" + features);
@@ -213,7 +204,7 @@ class CodeEditorTest {
         """);
     String text =
         "[module m('urn:shop')]\n[template public t(s : Shop)]\n[s.owner/]\n[/template]\n";
-    TextEditor editor = open(project.write("shop.mtl", text));
+    TextEditor editor = Workbench.open(project.write("shop.mtl", text));
     assertColor("type", editor, "Shop");
     assertEquals("owner", proposals(editor, text.indexOf("owner")).get(0));
     List<String> blocks = proposals(editor, text.indexOf("template") + 1);
@@ -275,7 +266,7 @@ class CodeEditorTest {
 
   @Test
   void brokenFileIsAnnotatedAfterItIsSaved() throws Exception {
-    TextEditor editor = open(project.write("rules.ocl", RULES));
+    TextEditor editor = Workbench.open(project.write("rules.ocl", RULES));
     project.build();
     assertEquals(List.of(), project.markers());
     Workbench.run(
@@ -305,7 +296,7 @@ class CodeEditorTest {
 
   @Test
   void outlineListsWhatIsDeclared() throws Exception {
-    TextEditor editor = open(project.write("rules.ocl", RULES));
+    TextEditor editor = Workbench.open(project.write("rules.ocl", RULES));
     ContentOutline outline = outline();
     Workbench.run(
         () -> {
@@ -348,7 +339,7 @@ class CodeEditorTest {
 
   @Test
   void clickInTheOutlineGoesThere() throws Exception {
-    TextEditor editor = open(project.write("rules.ocl", RULES));
+    TextEditor editor = Workbench.open(project.write("rules.ocl", RULES));
     ContentOutline outline = outline();
     Workbench.run(
         () -> {

@@ -14,7 +14,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import org.eclipse.core.resources.IFile;
 import org.eclipse.jface.text.IDocument;
 import org.eclipse.jface.text.ITextHover;
 import org.eclipse.jface.text.ITextHoverExtension2;
@@ -42,7 +41,6 @@ import org.eclipse.ui.IEditorPart;
 import org.eclipse.ui.PlatformUI;
 import org.eclipse.ui.editors.text.TextEditor;
 import org.eclipse.ui.handlers.IHandlerService;
-import org.eclipse.ui.ide.IDE;
 import org.eclipse.ui.texteditor.AbstractTextEditor;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -90,14 +88,7 @@ class CodeQuestionsTest {
 
   @AfterEach
   void close() throws Exception {
-    if (project != null) {
-      Workbench.run(() -> Workbench.page().closeAllEditors(false));
-      project.close();
-    }
-  }
-
-  private static TextEditor open(IFile file) {
-    return Workbench.run(() -> (TextEditor) IDE.openEditor(Workbench.page(), file));
+    Workbench.close(project);
   }
 
   private static IDocument document(TextEditor editor) {
@@ -138,7 +129,7 @@ class CodeQuestionsTest {
   @Test
   void proposalsAreThoseOfTheAnalysis() throws Exception {
     String half = RULES + "context EventChain\n  inv Half: self.so";
-    TextEditor editor = open(project.write("rules.ocl", RULES));
+    TextEditor editor = Workbench.open(project.write("rules.ocl", RULES));
     Workbench.run(
         () -> {
           document(editor).set(half); // not saved
@@ -160,7 +151,7 @@ class CodeQuestionsTest {
   @Test
   void templatesOfProposalsAreFilledIn() throws Exception {
     String text = MAIN.replace("[line(node)/]\n", "  [fo\n");
-    TextEditor editor = open(project.write("main.mtl", text));
+    TextEditor editor = Workbench.open(project.write("main.mtl", text));
     int offset = text.indexOf("[fo\n") + 3;
     ICompletionProposal loop =
         Arrays.stream(proposals(editor, offset))
@@ -186,7 +177,7 @@ class CodeQuestionsTest {
 
   @Test
   void hoverSaysWhatTheAnalysisSays() throws Exception {
-    TextEditor editor = open(project.write("rules.ocl", RULES));
+    TextEditor editor = Workbench.open(project.write("rules.ocl", RULES));
     int offset = RULES.indexOf("frequency") + 2;
     String expected =
         analysis("rules.ocl", RULES)
@@ -207,7 +198,7 @@ class CodeQuestionsTest {
   @Test
   void linksLeadToDeclarationsInOtherFiles() throws Exception {
     project.write("base.mtl", BASE);
-    TextEditor editor = open(project.write("main.mtl", MAIN));
+    TextEditor editor = Workbench.open(project.write("main.mtl", MAIN));
     IHyperlinkDetector links = configuration(editor).getHyperlinkDetectors(viewer(editor))[0];
     Region call = new Region(MAIN.indexOf("line(node)"), 0);
     Workbench.waitUntil("a link", () -> links(links, editor, call) != null);
@@ -230,7 +221,7 @@ class CodeQuestionsTest {
 
   @Test
   void keyOpensTheDeclaration() throws Exception {
-    TextEditor editor = open(project.write("rules.ocl", RULES));
+    TextEditor editor = Workbench.open(project.write("rules.ocl", RULES));
     execute(editor, "openDeclaration", RULES.lastIndexOf("isFast"));
     Workbench.waitUntil(
         "the declaration is selected",
@@ -253,7 +244,7 @@ class CodeQuestionsTest {
   @Test
   void referencesAreListed() throws Exception {
     project.write("base.mtl", BASE);
-    TextEditor editor = open(project.write("main.mtl", MAIN));
+    TextEditor editor = Workbench.open(project.write("main.mtl", MAIN));
     execute(editor, "findReferences", MAIN.indexOf("line(node)"));
     List<String> listed = rows("References");
     assertEquals(
@@ -267,7 +258,7 @@ class CodeQuestionsTest {
   @Test
   void renamingIsShownAndThenChangesAllFiles() throws Exception {
     project.write("base.mtl", BASE);
-    TextEditor editor = open(project.write("main.mtl", MAIN));
+    TextEditor editor = Workbench.open(project.write("main.mtl", MAIN));
     Workbench.run(
         () -> {
           document(editor).replace(MAIN.length(), 0, "Unsaved.\n");
@@ -301,7 +292,7 @@ class CodeQuestionsTest {
 
   @Test
   void renamingToAWordOfTheLanguageIsRefused() throws Exception {
-    TextEditor editor = open(project.write("rules.ocl", RULES));
+    TextEditor editor = Workbench.open(project.write("rules.ocl", RULES));
     execute(editor, "rename", RULES.indexOf("isFast"));
     Workbench.waitUntil("the question", () -> find(shell("Rename"), Text.class).isPresent());
     Workbench.run(
@@ -319,7 +310,7 @@ class CodeQuestionsTest {
 
   @Test
   void foldingsAreThoseOfTheAnalysis() throws Exception {
-    TextEditor editor = open(project.write("main.mtl", MAIN));
+    TextEditor editor = Workbench.open(project.write("main.mtl", MAIN));
     int expected = analysis("main.mtl", MAIN).foldings().size();
     assertTrue(expected > 0);
     Workbench.waitUntil(

@@ -10,6 +10,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
+import org.eclipse.core.resources.IFile;
 import org.eclipse.core.runtime.Platform;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.GC;
@@ -21,6 +22,8 @@ import org.eclipse.swt.widgets.Display;
 import org.eclipse.swt.widgets.Shell;
 import org.eclipse.ui.IWorkbenchPage;
 import org.eclipse.ui.PlatformUI;
+import org.eclipse.ui.editors.text.TextEditor;
+import org.eclipse.ui.ide.IDE;
 
 /**
  * The workbench for tests that run on another thread. Without a display there is none, and tests
@@ -87,6 +90,19 @@ final class Workbench {
   }
 
   /** Returns the page of the first window; in the user interface's thread only. */
+  /** Opens a file in the editor for texts that it has. */
+  static TextEditor open(IFile file) {
+    return run(() -> (TextEditor) IDE.openEditor(page(), file));
+  }
+
+  /** Closes all editors without saving, and removes a project, if there is one. */
+  static void close(TestProject project) throws Exception {
+    if (project != null) {
+      run(() -> page().closeAllEditors(false));
+      project.close();
+    }
+  }
+
   static IWorkbenchPage page() {
     return PlatformUI.getWorkbench().getWorkbenchWindows()[0].getActivePage();
   }

@@ -77,9 +77,10 @@ record CodeProposal(Completion completion, int start, int behind)
     }
   }
 
+  /** Never called: proposals of {@link ICompletionProposalExtension2} are applied to a viewer. */
   @Override
   public void apply(IDocument document) {
-    throw new UnsupportedOperationException("A viewer applies it.");
+    throw new UnsupportedOperationException("only a viewer has the caret");
   }
 
   @Override
