@@ -6,8 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
-import com.networknt.schema.JsonSchemaFactory;
-import com.networknt.schema.SpecVersion;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -15,38 +13,13 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
-import java.util.stream.Stream;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the protocol, with a script in the place of the command line. */
-class AgentServerTest {
-
-  private static final Path RESOURCES = Path.of("src/test/resources/dev/eventchain/mcp");
-  private static final Path SCRIPT = RESOURCES.resolve("program.sh");
-
-  @TempDir private Path folder;
-
-  private Client client;
-
-  @BeforeEach
-  void start() throws Exception {
-    Files.createDirectories(folder.resolve("p"));
-    Files.writeString(folder.resolve("p/eventchain.yaml"), "name: p\n");
-    Files.writeString(folder.resolve("p/requirements.md"), "# One\n");
-    client = new Client(folder, SCRIPT);
-  }
-
-  @AfterEach
-  void end() throws Exception {
-    client.end();
-  }
+class AgentServerTest extends AgentSession {
 
   @ParameterizedTest
   @CsvSource({
@@ -185,10 +158,6 @@ class AgentServerTest {
   private static boolean runs(long process) throws IOException {
     Path status = Path.of("/proc", Long.toString(process), "status");
     return Files.exists(status) && !Files.readString(status).contains("State:\tZ");
-  }
-
-  private static Map<String, Object> project() {
-    return Map.of("project", "p");
   }
 
   @Test
@@ -352,277 +321,6 @@ class AgentServerTest {
               .asText();
       assertTrue(text.contains("`here`") && !text.contains("{"), text);
     }
-  }
-
-  @Test
-  void resultsAreAsTheSchemasSay() throws Exception {
-    Files.createDirectories(folder.resolve("p/out/curves"));
-    Files.copy(RESOURCES.resolve("verdict.json"), folder.resolve("p/out/verdict.json"));
-    Files.copy(RESOURCES.resolve("curves.csv"), folder.resolve("p/out/curves/s.csv"));
-    Map<String, JsonNode> schemas = new TreeMap<>();
-    client
-        .begun()
-        .request("tools/list", Map.of())
-        .at("/result/tools")
-        .forEach(tool -> schemas.put(tool.path("name").asText(), tool.path("outputSchema")));
-    Map<String, Map<String, Object>> calls =
-        Map.of(
-            "validate", project(),
-            "init", project(),
-            "explain", Map.of(),
-            "results", project(),
-            "query", Map.of("project", "p", "table", "criteria"),
-            "signals", Map.of("project", "p", "scenario", "s", "time", 1),
-            "propose", Map.of("project", "p", "edits", edits("requirements.md", "One", "Two")));
-    for (Map.Entry<String, Map<String, Object>> call : calls.entrySet()) {
-      JsonNode result = client.call(call.getKey(), call.getValue());
-      assertFalse(result.path("isError").asBoolean(), result.toString());
-      JsonNode schema = schemas.get(call.getKey());
-      assertEquals(
-          List.of(),
-          List.copyOf(
-              JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012)
-                  .getSchema(schema)
-                  .validate(result.path("structuredContent"))),
-          call.getKey());
-      for (String name : required(result)) {
-        assertTrue(schema.path("properties").has(name), call.getKey() + " " + name);
-      }
-    }
-  }
-
-  private static List<String> required(JsonNode result) {
-    List<String> names = new ArrayList<>();
-    result.path("structuredContent").fieldNames().forEachRemaining(names::add);
-    return names;
-  }
-
-  private static List<Map<String, String>> edits(String file, String old, String text) {
-    return List.of(Map.of("file", file, "old", old, "new", text));
-  }
-
-  @Test
-  void tablesAreReadByThePage() throws Exception {
-    Files.createDirectories(folder.resolve("p/out/curves"));
-    Files.copy(RESOURCES.resolve("verdict.json"), folder.resolve("p/out/verdict.json"));
-    Files.copy(RESOURCES.resolve("curves.csv"), folder.resolve("p/out/curves/s.csv"));
-    client.begun();
-    JsonNode failed =
-        query(
-            "criteria",
-            Map.of(
-                "where",
-                List.of(Map.of("column", "passed", "equals", false)),
-                "columns",
-                List.of("text")));
-    assertEquals("[{\"text\":\"it stops\"}]", failed.path("rows").toString());
-    JsonNode first =
-        query("criteria", Map.of("orderBy", "margin.value", "descending", true, "limit", 1));
-    assertEquals("no impact", first.at("/rows/0/text").asText());
-    assertEquals(1, first.path("next").asInt());
-    JsonNode fast =
-        query("curves/s", Map.of("where", List.of(Map.of("column", "speed [m/s]", "least", 9.5))));
-    assertEquals(2, fast.path("total").asInt());
-    JsonNode around =
-        client
-            .call("signals", Map.of("project", "p", "scenario", "s", "time", 1.0, "around", 0.1))
-            .path("structuredContent");
-    assertEquals(
-        "[{\"time [s]\":1,\"gap [m]\":5.5,\"speed, \\\"true\\\"\":10}]",
-        around.path("rows").toString().replace("\"speed [m/s]\":9,", ""));
-  }
-
-  private JsonNode query(String table, Map<String, Object> more) throws Exception {
-    Map<String, Object> arguments = new TreeMap<>(more);
-    arguments.putAll(Map.of("project", "p", "table", table));
-    return client.call("query", arguments).path("structuredContent");
-  }
-
-  @Test
-  void resultsOfAnOlderProjectSaySo() throws Exception {
-    Files.createDirectories(folder.resolve("p/out"));
-    Files.copy(RESOURCES.resolve("verdict.json"), folder.resolve("p/out/verdict.json"));
-    assertEquals(
-        "[]",
-        client.begun().call("results", project()).at("/structuredContent/changedSince").toString());
-    Path file = folder.resolve("p/requirements.md");
-    Files.setLastModifiedTime(
-        file,
-        java.nio.file.attribute.FileTime.fromMillis(
-            Files.getLastModifiedTime(file).toMillis() + 60_000));
-    String text = client.text("results", project());
-    assertTrue(text.startsWith("Changed after these results: requirements.md"), text);
-  }
-
-  @Test
-  void aProposalIsCheckedOnACopyAndMadeByItsName() throws Exception {
-    JsonNode proposed =
-        client
-            .begun()
-            .call(
-                "propose", Map.of("project", "p", "edits", edits("requirements.md", "One", "Two")))
-            .path("structuredContent");
-    String diff =
-        """
-        --- a/requirements.md
-        +++ b/requirements.md
-        @@ -1,1 +1,1 @@
-        -# One
-        +# Two
-        """;
-    assertEquals(diff, proposed.path("diff").asText());
-    assertEquals("[\"requirements.md\"]", proposed.path("judges").toString());
-    assertEquals("# One\n", Files.readString(folder.resolve("p/requirements.md")));
-    Map<String, Object> name = Map.of("proposal", proposed.path("proposal").asText());
-    assertEquals("Changed: requirements.md", client.text("apply", name));
-    assertEquals("# Two\n", Files.readString(folder.resolve("p/requirements.md")));
-    assertTrue(client.text("apply", name).contains("[mcp.change]"));
-  }
-
-  @Test
-  void aProposalAboutFilesThatHaveChangedIsNotMade() throws Exception {
-    JsonNode proposed =
-        client.begun().call("propose", Map.of("project", "p", "edits", edits("new.md", "", "Two")));
-    Files.writeString(folder.resolve("p/new.md"), "by somebody else");
-    String id = proposed.at("/structuredContent/proposal").asText();
-    assertTrue(client.text("apply", Map.of("proposal", id)).contains("[mcp.change]"));
-    assertEquals("by somebody else", Files.readString(folder.resolve("p/new.md")));
-  }
-
-  @Test
-  void proposalsThatDifferHaveDifferentNames() throws Exception {
-    Files.createDirectories(folder.resolve("q"));
-    Files.writeString(folder.resolve("q/eventchain.yaml"), "name: q\n");
-    client.begun();
-    JsonNode whole = proposed("p", "x.md", "Two\n");
-    JsonNode open = proposed("p", "x.md", "Two");
-    JsonNode windows = proposed("p", "x.md", "Two\r\n");
-    JsonNode empty = proposed("p", "x.md", "");
-    JsonNode other = proposed("q", "x.md", "Two\n");
-    String head = "--- /dev/null\n+++ b/x.md\n";
-    assertEquals(head + "@@ -0,0 +1,1 @@\n+Two\n", whole.path("diff").asText());
-    assertEquals(
-        head + "@@ -0,0 +1,1 @@\n+Two\n\\ No newline at end of file\n", open.path("diff").asText());
-    assertEquals(head + "@@ -0,0 +1,1 @@\n+Two␍\n", windows.path("diff").asText());
-    assertEquals(head + "\\ New empty file\n", empty.path("diff").asText());
-    assertEquals(
-        5,
-        Stream.of(whole, open, windows, empty, other)
-            .map(each -> each.path("proposal").asText())
-            .distinct()
-            .count());
-    assertTrue(whole.path("checked").asBoolean());
-    client.text("apply", Map.of("proposal", whole.path("proposal").asText()));
-    assertEquals("Two\n", Files.readString(folder.resolve("p/x.md")));
-    assertFalse(Files.exists(folder.resolve("q/x.md")));
-  }
-
-  private JsonNode proposed(String project, String file, String text) throws Exception {
-    return client
-        .call("propose", Map.of("project", project, "edits", edits(file, "", text)))
-        .path("structuredContent");
-  }
-
-  @Test
-  void aProposalWhoseCheckCouldNotBeDoneIsMadeAsUnchecked() throws Exception {
-    Files.createDirectories(folder.resolve("unreadable"));
-    Files.writeString(folder.resolve("unreadable/eventchain.yaml"), "name: p\n");
-    client.begun();
-    JsonNode proposed = proposed("unreadable", "x.md", "Two\n");
-    assertFalse(proposed.path("checked").asBoolean(true));
-    JsonNode applied = client.call("apply", Map.of("proposal", proposed.path("proposal").asText()));
-    assertFalse(applied.at("/structuredContent/checked").asBoolean(true));
-    assertTrue(applied.at("/content/0/text").asText().contains("Unchecked"), applied.toString());
-  }
-
-  @ParameterizedTest
-  @CsvSource({
-    "eventchain.yaml, name, mcp.protected",
-    "eventchain-suppressions.yaml, '', mcp.protected",
-    "mutants.yaml, '', mcp.protected",
-    "accepted.yaml, '', mcp.protected",
-    "out/verdict.json, '', mcp.protected",
-    ".git/config, '', mcp.protected",
-    "recordings/x.json, '', mcp.protected",
-    "../q/x.md, '', mcp.protected",
-    "../../x.md, '', mcp.outside",
-    "/etc/passwd, '', mcp.outside",
-    "requirements.md, Three, mcp.change",
-    "requirements.md, One, mcp.change"
-  })
-  void whatMayNotOrCannotBeChangedIsRefused(String file, String old, String rule) throws Exception {
-    String text =
-        client.begun().text("propose", Map.of("project", "p", "edits", edits(file, old, old)));
-    assertTrue(text.contains("[" + rule + "]"), text);
-  }
-
-  @ParameterizedTest
-  @CsvSource({
-    "., p/eventchain-suppressions.yaml",
-    "., p/accepted.yaml",
-    "., p/out/verdict.json",
-    "p/recordings, x.json",
-    "p/out, verdict.json",
-    "p/scenarios, x.yaml",
-    "p, scenarios/eventchain.yaml",
-    "p, q/requirements.md",
-    "p, behind/x.md",
-    ".hidden, x.md"
-  })
-  void noNameOfTheProjectMakesAFileChangeable(String project, String file) throws Exception {
-    for (String name : List.of("p/recordings", "p/scenarios", "p/q", ".hidden")) {
-      Files.createDirectories(folder.resolve(name));
-    }
-    Files.writeString(folder.resolve("p/q/eventchain.yaml"), "name: q\n");
-    Files.createSymbolicLink(folder.resolve("p/behind"), Path.of("recordings"));
-    String text =
-        client.begun().text("propose", Map.of("project", project, "edits", edits(file, "", "x")));
-    assertTrue(text.contains("[mcp.protected]"), text);
-  }
-
-  @ParameterizedTest
-  @ValueSource(strings = {"p", "p/out", "p/scenarios", ".", ".vscode", "new/.git", "above", "link"})
-  void aTemplateWritesIntoNoProject(String output) throws Exception {
-    Files.createDirectories(folder.resolve("above/q"));
-    Files.writeString(folder.resolve("above/q/eventchain.yaml"), "name: q\n");
-    Files.createSymbolicLink(folder.resolve("link"), Path.of("p"));
-    String text = client.begun().text("generate", template(output));
-    assertTrue(text.contains("[mcp.protected]"), text);
-  }
-
-  @ParameterizedTest
-  @ValueSource(strings = {"p/out/text", "new/text"})
-  void aTemplateWritesIntoAFolderOfItsOwn(String output) throws Exception {
-    String text = client.begun().text("generate", template(output));
-    assertFalse(text.contains("[mcp.protected]"), text);
-  }
-
-  @ParameterizedTest
-  @ValueSource(
-      strings = {
-        "out",
-        "recordings",
-        "accepted.yaml",
-        "mutants.yaml",
-        "eventchain-suppressions.yaml"
-      })
-  void noProjectStartsAroundWhatWouldDecideAboutIt(String name) throws Exception {
-    client.begun();
-    Files.createDirectories(folder.resolve("new"));
-    assertFalse(client.text("init", Map.of("project", "new")).contains("[mcp.protected]"));
-    Files.writeString(folder.resolve("new/" + name), "");
-    assertTrue(client.text("init", Map.of("project", "new")).contains("[mcp.protected]"));
-  }
-
-  private static Map<String, Object> template(String output) {
-    return Map.of("template", "t.mtl", "models", List.of("m.xmi"), "output", output);
-  }
-
-  @ParameterizedTest
-  @ValueSource(strings = {".git", "p/scenarios", "p/out"})
-  void noProjectStartsInAnother(String project) throws Exception {
-    String text = client.begun().text("init", Map.of("project", project));
-    assertTrue(text.contains("[mcp.protected]"), text);
   }
 
   @Test
