@@ -1,8 +1,7 @@
 package dev.eventchain.mcp.project;
 
-import com.github.difflib.DiffUtils;
-import com.github.difflib.UnifiedDiffUtils;
 import dev.eventchain.documents.AtomicFile;
+import dev.eventchain.documents.UnifiedDiff;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
@@ -10,7 +9,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
-import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
@@ -24,7 +22,6 @@ import java.util.TreeMap;
  */
 public record Proposal(Path project, Map<String, Change> changes) {
 
-  private static final int CONTEXT = 3;
   private static final int ID_LENGTH = 12;
 
   /**
@@ -101,29 +98,15 @@ public record Proposal(Path project, Map<String, Change> changes) {
    * the lack of a last end of line as usual.
    */
   public String diff() {
-    List<String> lines = new ArrayList<>();
-    changes.forEach((name, change) -> lines.addAll(diff(name, change)));
-    return String.join("\n", lines).replace('\r', '␍') + "\n";
+    StringBuilder diff = new StringBuilder();
+    changes.forEach((name, change) -> diff.append(diff(name, change)));
+    return diff.toString().replace('\r', '␍');
   }
 
-  private static List<String> diff(String name, Change change) {
-    List<String> before = change.before().map(Proposal::lines).orElse(List.of());
-    String from = change.before().isPresent() ? "a/" + name : "/dev/null";
-    String to = "b/" + name;
-    List<String> after = lines(change.after());
-    return after.equals(before)
-        ? List.of("--- " + from, "+++ " + to, "\\ New empty file")
-        : UnifiedDiffUtils.generateUnifiedDiff(
-            from, to, before, DiffUtils.diff(before, after), CONTEXT);
-  }
-
-  private static List<String> lines(String text) {
-    List<String> lines = new ArrayList<>(List.of(text.split("\n", -1)));
-    String last = lines.remove(lines.size() - 1);
-    if (!last.isEmpty()) {
-      lines.add(last + "\n\\ No newline at end of file");
-    }
-    return lines;
+  private static String diff(String name, Change change) {
+    return change.after().isEmpty() && change.before().isEmpty()
+        ? "--- /dev/null\n+++ b/" + name + "\n\\ New empty file\n"
+        : UnifiedDiff.of(name, change.before(), change.after());
   }
 
   /**

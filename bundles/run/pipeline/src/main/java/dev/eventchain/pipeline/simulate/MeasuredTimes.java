@@ -1,13 +1,12 @@
 package dev.eventchain.pipeline.simulate;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.github.difflib.DiffUtils;
-import com.github.difflib.UnifiedDiffUtils;
 import dev.eventchain.description.ChainNames;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
+import dev.eventchain.documents.UnifiedDiff;
 import dev.eventchain.jsonmodels.JsonDocument;
 import dev.eventchain.pipeline.run.RunOptions.Driver;
 import dev.eventchain.pipeline.stage.RunContext;
@@ -40,7 +39,6 @@ final class MeasuredTimes {
   private static final String KEY = ChainNames.WORST_CASE_EXECUTION_TIME;
   private static final Pattern NUMBER = Pattern.compile("-?[0-9][0-9.eE+-]*");
   private static final int DECIMALS = 2;
-  private static final int CONTEXT = 3;
 
   private final String name;
   private final SourceText source;
@@ -156,22 +154,7 @@ final class MeasuredTimes {
     if (edits.isEmpty()) {
       return Optional.empty();
     }
-    List<String> before = lines(source.text());
-    List<String> after = lines(changed());
-    List<String> lines =
-        UnifiedDiffUtils.generateUnifiedDiff(
-            "a/" + name, "b/" + name, before, DiffUtils.diff(before, after), CONTEXT);
-    return Optional.of(String.join("\n", lines) + "\n");
-  }
-
-  /** Returns lines with what ends them apart from a line feed, as {@code patch} compares them. */
-  private static List<String> lines(String text) {
-    List<String> lines = new ArrayList<>(List.of(text.split("\n", -1)));
-    String last = lines.remove(lines.size() - 1);
-    if (!last.isEmpty()) {
-      lines.add(last + "\n\\ No newline at end of file");
-    }
-    return lines;
+    return Optional.of(UnifiedDiff.of(name, Optional.of(source.text()), changed()));
   }
 
   private String changed() {
