@@ -1,7 +1,7 @@
 package dev.eventchain.documentation;
 
+import dev.eventchain.diagnostics.ResourceText;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -123,9 +123,7 @@ public final class SiteBuilder {
     return files;
   }
 
-  static String resource(String name) throws IOException {
-    try (var stream = SiteBuilder.class.getResourceAsStream(name)) {
-      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
-    }
+  static String resource(String name) {
+    return ResourceText.of(SiteBuilder.class, name);
   }
 }

@@ -1,9 +1,6 @@
 package dev.eventchain.agents.prompt;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
+import dev.eventchain.diagnostics.ResourceText;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
@@ -44,14 +41,7 @@ public final class PromptTemplate {
 
   /** Returns the text of a file below {@code prompts/}. */
   public static String resource(String path) {
-    try (InputStream stream = PromptTemplate.class.getResourceAsStream(FOLDER + path)) {
-      if (stream == null) {
-        throw new IllegalArgumentException("there is no prompt file " + path);
-      }
-      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return ResourceText.of(PromptTemplate.class, FOLDER + path);
   }
 
   /** Returns the prompt's name, which includes its version. */

@@ -1,11 +1,11 @@
 package dev.eventchain.model;
 
+import dev.eventchain.diagnostics.ResourceText;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.xmi.XmiStore;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -83,10 +83,6 @@ public final class EventChainMetamodel {
   }
 
   private static String resource(String name) {
-    try (InputStream stream = EventChainMetamodel.class.getResourceAsStream("/" + name)) {
-      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return ResourceText.of(EventChainMetamodel.class, "/" + name);
   }
 }

@@ -1,13 +1,10 @@
 package dev.eventchain.project;
 
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.ResourceText;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.RulePage;
 import dev.eventchain.diagnostics.Suppressions;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.LocalDate;
 import java.util.Optional;
@@ -26,12 +23,7 @@ public final class SuppressionFile {
 
   /** Returns the JSON Schema of the file. */
   public static String schema() {
-    try (InputStream input =
-        SuppressionFile.class.getResourceAsStream("suppressions.schema.json")) {
-      return new String(input.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return ResourceText.of(SuppressionFile.class, "suppressions.schema.json");
   }
 
   /** As {@link #read(Path, LocalDate, Function)} with the pages on the class path. */

@@ -1,9 +1,6 @@
 package dev.eventchain.messages;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
+import dev.eventchain.diagnostics.ResourceText;
 import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.Map;
@@ -58,10 +55,6 @@ final class StandardTypes {
   }
 
   private static String text(String resource) {
-    try (InputStream input = MessageCatalog.class.getResourceAsStream(resource)) {
-      return new String(input.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return ResourceText.of(MessageCatalog.class, resource);
   }
 }

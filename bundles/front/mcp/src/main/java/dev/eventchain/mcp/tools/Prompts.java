@@ -1,11 +1,8 @@
 package dev.eventchain.mcp.tools;
 
+import dev.eventchain.diagnostics.ResourceText;
 import io.modelcontextprotocol.server.McpServerFeatures.SyncPromptSpecification;
 import io.modelcontextprotocol.spec.McpSchema;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -69,10 +66,6 @@ public final class Prompts {
   }
 
   private static String resource(String name) {
-    try (InputStream file = Prompts.class.getResourceAsStream(name + ".md")) {
-      return new String(file.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return ResourceText.of(Prompts.class, name + ".md");
   }
 }

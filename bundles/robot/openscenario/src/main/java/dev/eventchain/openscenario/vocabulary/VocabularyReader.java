@@ -1,9 +1,6 @@
 package dev.eventchain.openscenario.vocabulary;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
+import dev.eventchain.diagnostics.ResourceText;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -34,12 +31,10 @@ final class VocabularyReader {
 
   static Vocabulary read(String resource) {
     VocabularyReader reader = new VocabularyReader();
-    try (InputStream table = VocabularyReader.class.getResourceAsStream(resource)) {
-      String text = new String(table.readAllBytes(), StandardCharsets.UTF_8);
-      text.lines().filter(line -> !line.startsWith("#")).forEach(reader::line);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    ResourceText.of(VocabularyReader.class, resource)
+        .lines()
+        .filter(line -> !line.startsWith("#"))
+        .forEach(reader::line);
     reader.end();
     return new Vocabulary(reader.elements, reader.enumerations);
   }

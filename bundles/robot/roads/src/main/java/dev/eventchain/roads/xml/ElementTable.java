@@ -1,9 +1,6 @@
 package dev.eventchain.roads.xml;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
+import dev.eventchain.diagnostics.ResourceText;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.TreeMap;
@@ -70,11 +67,7 @@ public final class ElementTable {
   }
 
   private static String text() {
-    try (InputStream table = ElementTable.class.getResourceAsStream("elements.txt")) {
-      return new String(table.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return ResourceText.of(ElementTable.class, "elements.txt");
   }
 
   /** Reports what is refused or unknown in a child of the root. */

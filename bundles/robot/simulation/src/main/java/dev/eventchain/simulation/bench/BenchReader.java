@@ -3,6 +3,7 @@ package dev.eventchain.simulation.bench;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.ResourceText;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
@@ -16,10 +17,6 @@ import dev.eventchain.simulation.bench.Bench.Consumed;
 import dev.eventchain.simulation.bench.Bench.Provided;
 import dev.eventchain.simulation.formula.Signal;
 import dev.eventchain.simulation.world.EgoVehicle;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -123,11 +120,7 @@ public final class BenchReader {
 
   /** Returns the text of a resource of this bundle. */
   public static String resource(String name) {
-    try (InputStream input = BenchReader.class.getResourceAsStream(RESOURCES + name)) {
-      return new String(input.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return ResourceText.of(BenchReader.class, RESOURCES + name);
   }
 
   private void project(SourceText text) {

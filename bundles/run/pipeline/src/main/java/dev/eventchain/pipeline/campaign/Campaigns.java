@@ -3,6 +3,7 @@ package dev.eventchain.pipeline.campaign;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.ResourceText;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
@@ -15,9 +16,6 @@ import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -72,11 +70,7 @@ public final class Campaigns {
 
   /** Returns the JSON Schema of campaign files. */
   public static String schema() {
-    try (InputStream input = Campaigns.class.getResourceAsStream("campaign.schema.json")) {
-      return new String(input.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return ResourceText.of(Campaigns.class, "campaign.schema.json");
   }
 
   private CampaignOutcome run() {

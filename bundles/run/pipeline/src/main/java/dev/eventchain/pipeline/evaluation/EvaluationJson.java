@@ -3,16 +3,13 @@ package dev.eventchain.pipeline.evaluation;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.ResourceText;
 import dev.eventchain.documents.JsonLayout;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Score;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Usage;
 import dev.eventchain.pipeline.evaluation.EvaluationRow.Rate;
 import dev.eventchain.pipeline.project.Configuration;
 import dev.eventchain.pipeline.project.Project;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -149,10 +146,6 @@ final class EvaluationJson {
 
   /** Returns the JSON Schema of the file. */
   static String schema() {
-    try (InputStream stream = EvaluationJson.class.getResourceAsStream("evaluation.schema.json")) {
-      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return ResourceText.of(EvaluationJson.class, "evaluation.schema.json");
   }
 }

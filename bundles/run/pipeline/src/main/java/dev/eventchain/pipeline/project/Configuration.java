@@ -3,6 +3,7 @@ package dev.eventchain.pipeline.project;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.ResourceText;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
@@ -14,10 +15,6 @@ import dev.eventchain.messages.RosDistribution;
 import dev.eventchain.project.CatalogueSettings;
 import dev.eventchain.project.ProjectSettings;
 import dev.eventchain.project.RequirementSources;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -78,11 +75,7 @@ public record Configuration(
 
   /** Returns the JSON Schema of {@code eventchain.yaml}. */
   public static String schema() {
-    try (InputStream input = Configuration.class.getResourceAsStream("settings.schema.json")) {
-      return new String(input.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return ResourceText.of(Configuration.class, "settings.schema.json");
   }
 
   /**

@@ -8,6 +8,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.ResourceText;
 import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.m2t.TemplateModule;
@@ -18,10 +19,8 @@ import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.pipeline.project.Templates;
 import dev.eventchain.pipeline.run.RunResult.Verdict;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
@@ -132,11 +131,7 @@ public final class ReportPage {
 
   /** Returns a part of the page from its own file. */
   public static String resource(String name) {
-    try (InputStream stream = ReportPage.class.getResourceAsStream(name)) {
-      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return ResourceText.of(ReportPage.class, name);
   }
 
   private static final class HtmlSafe extends CharacterEscapes {

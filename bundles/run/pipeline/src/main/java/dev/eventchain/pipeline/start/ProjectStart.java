@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.node.TextNode;
 import dev.eventchain.check.ChainModel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.ResourceText;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
@@ -25,8 +26,6 @@ import dev.eventchain.project.Requirements;
 import dev.eventchain.project.SoftwareBase;
 import dev.eventchain.xmi.XmiStore;
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
@@ -324,12 +323,7 @@ public final class ProjectStart {
   }
 
   private static String starter(String name) {
-    try (InputStream input =
-        ProjectStart.class.getResourceAsStream("/META-INF/eventchain/starter/" + name)) {
-      return new String(input.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return ResourceText.of(ProjectStart.class, "/META-INF/eventchain/starter/" + name);
   }
 
   private void write(String name, String text) {

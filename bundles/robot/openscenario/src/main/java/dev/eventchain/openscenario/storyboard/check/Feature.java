@@ -1,10 +1,6 @@
 package dev.eventchain.openscenario.storyboard.check;
 
-import java.io.BufferedReader;
-import java.io.IOException;
-import java.io.InputStreamReader;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
+import dev.eventchain.diagnostics.ResourceText;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -39,20 +35,11 @@ public record Feature(String name, Support support, String reason) {
 
   private static Map<String, Feature> read() {
     Map<String, Feature> all = new LinkedHashMap<>();
-    try (BufferedReader lines =
-        new BufferedReader(
-            new InputStreamReader(
-                Feature.class.getResourceAsStream(
-                    "/dev/eventchain/openscenario/storyboard/features.tsv"),
-                StandardCharsets.UTF_8))) {
-      lines
-          .lines()
-          .filter(line -> !line.startsWith("#"))
-          .map(line -> line.split("\t", 3))
-          .forEach(columns -> all.put(columns[0], feature(columns)));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    ResourceText.of(Feature.class, "/dev/eventchain/openscenario/storyboard/features.tsv")
+        .lines()
+        .filter(line -> !line.startsWith("#"))
+        .map(line -> line.split("\t", 3))
+        .forEach(columns -> all.put(columns[0], feature(columns)));
     return Collections.unmodifiableMap(all);
   }
 
