@@ -3,6 +3,7 @@ package dev.eventchain.check;
 import dev.eventchain.diagnostics.ContentHash;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.eventchain.Requirement;
@@ -128,7 +129,7 @@ public final class ProjectValidation {
     try {
       return Files.readAllBytes(file);
     } catch (IOException e) {
-      throw ProjectFolder.unreadable(file, e);
+      throw FileRules.refusal("The file", file, e);
     }
   }
 

@@ -364,7 +364,7 @@ public class ProjectFolder {
     try {
       return FilesBelow.list(folder);
     } catch (IOException e) {
-      throw unreadable(folder, e);
+      throw FileRules.refusal("The folder", folder, e);
     }
   }
 
@@ -382,17 +382,6 @@ public class ProjectFolder {
   }
 
   private static void refuseNoFolder(Path path) {
-    throw unreadable(path, new NotDirectoryException(path.toString()));
-  }
-
-  /** Returns the exception for an unreadable file or folder of the project. */
-  public static DiagnosticException unreadable(Path path, IOException e) {
-    return new DiagnosticException(
-        DiagnosticException.Reason.INPUT,
-        Diagnostic.of(
-                FileRules.UNREADABLE,
-                "This cannot be read: " + SourceText.reason(e) + ".",
-                SourceLocation.of(path))
-            .withHint("Check that it exists and that you may read it."));
+    throw FileRules.refusal("The path", path, new NotDirectoryException(path.toString()));
   }
 }

@@ -64,14 +64,7 @@ public final class RecordingFolder {
     try (Stream<Path> files = Files.list(tasks)) {
       return files.filter(file -> file.toString().endsWith(".json")).sorted().toList();
     } catch (IOException e) {
-      throw new DiagnosticException(
-          Reason.INPUT,
-          List.of(
-              Diagnostic.of(
-                      FileRules.UNREADABLE,
-                      "The recordings cannot be read: " + SourceText.reason(e) + ".",
-                      SourceLocation.of(tasks))
-                  .withHint("Check that you may read the folder.")));
+      throw FileRules.refusal("The folder of recordings", tasks, e);
     }
   }
 

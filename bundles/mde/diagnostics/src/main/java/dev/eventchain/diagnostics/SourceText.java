@@ -120,10 +120,11 @@ public final class SourceText {
       }
       return read(file, Math.toIntExact(Math.min(LARGEST, Files.size(file))));
     } catch (NoSuchFileException e) {
-      throw unreadable(FileRules.MISSING, "There is no such file.", file);
+      throw refused(FileRules.MISSING, "There is no such file.", file);
     } catch (IOException e) {
-      String problem = Files.isDirectory(file) ? "this is a folder" : reason(e);
-      throw unreadable(FileRules.UNREADABLE, "The file cannot be read: " + problem + ".", file);
+      throw Files.isDirectory(file)
+          ? refused(FileRules.UNREADABLE, "This is a folder, not a file.", file)
+          : FileRules.refusal("The file", file, e);
     }
   }
 
@@ -150,10 +151,10 @@ public final class SourceText {
   /** Refuses devices and pipes, which never end, and files beyond the size limit. */
   private static void requireReadable(Path file) throws IOException {
     if (!Files.isRegularFile(file)) {
-      throw unreadable(FileRules.UNREADABLE, "This is not a regular file.", file);
+      throw refused(FileRules.UNREADABLE, "This is not a regular file.", file);
     }
     if (Files.size(file) > LARGEST) {
-      throw unreadable(
+      throw refused(
           FileRules.UNREADABLE,
           "The file has " + Files.size(file) + " bytes; at most " + LARGEST + " are read.",
           file);
@@ -210,7 +211,7 @@ public final class SourceText {
     return reason;
   }
 
-  private static DiagnosticException unreadable(Rule rule, String message, Path file) {
+  private static DiagnosticException refused(Rule rule, String message, Path file) {
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT, Diagnostic.of(rule, message, SourceLocation.of(file)));
   }

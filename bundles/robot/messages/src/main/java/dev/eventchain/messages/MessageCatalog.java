@@ -98,7 +98,7 @@ public final class MessageCatalog {
         }
       }
     } catch (IOException e) {
-      throw unreadable(folder, SourceText.reason(e));
+      throw FileRules.refusal("The folder of message definitions", folder, e);
     }
   }
 
@@ -128,15 +128,6 @@ public final class MessageCatalog {
   private static boolean isDefinition(Path file) {
     String name = file.toString().toLowerCase(Locale.ROOT);
     return Stream.of(SUFFIX, IDL_SUFFIX, ServiceParser.SUFFIX).anyMatch(name::endsWith);
-  }
-
-  private static DiagnosticException unreadable(Path folder, String reason) {
-    return new DiagnosticException(
-        DiagnosticException.Reason.INPUT,
-        Diagnostic.of(
-            FileRules.UNREADABLE,
-            "The folder of message definitions cannot be read: " + reason + ".",
-            SourceLocation.of(folder)));
   }
 
   /** Returns the folders of the user, as they were given. */

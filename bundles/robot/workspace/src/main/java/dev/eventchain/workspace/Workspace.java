@@ -74,10 +74,7 @@ public final class Workspace {
     try {
       return RosFolder.list(root);
     } catch (IOException e) {
-      throw refused(
-          FileRules.UNREADABLE,
-          "The workspace cannot be read: " + SourceText.reason(e) + ".",
-          "Check that it exists and that you may read it.");
+      throw FileRules.refusal("The workspace", root, e);
     }
   }
 

@@ -4,9 +4,9 @@ import dev.eventchain.check.ModelValidation;
 import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.m2t.TemplateModule;
 import dev.eventchain.pipeline.AnyModel.Template;
-import dev.eventchain.project.ProjectFolder;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -85,7 +85,7 @@ final class ProfilesBeside {
               .sorted()
               .forEach(files::add);
         } catch (IOException e) {
-          throw ProjectFolder.unreadable(folder, e);
+          throw FileRules.refusal("The folder", folder, e);
         }
       }
     }

@@ -6,7 +6,6 @@ import dev.eventchain.diagnostics.FileReads;
 import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -48,8 +47,7 @@ final class PropertyFiles {
     try (InputStream stream = Files.newInputStream(file)) {
       properties.load(stream);
     } catch (IOException e) {
-      throw refused(
-          FileRules.UNREADABLE, "The file cannot be read: " + SourceText.reason(e) + ".", file);
+      throw FileRules.refusal("The file", file, e);
     } catch (IllegalArgumentException e) {
       throw refused(FileRules.UNREADABLE, "The file has a broken escape: " + e.getMessage(), file);
     }

@@ -1,6 +1,5 @@
 package dev.eventchain.project.requirements;
 
-import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -93,9 +92,9 @@ final class SourceFiles {
       }
       return found;
     } catch (IOException e) {
-      throw unreadable(folder, e);
+      throw FileRules.refusal("The folder", folder, e);
     } catch (UncheckedIOException e) {
-      throw unreadable(folder, e.getCause());
+      throw FileRules.refusal("The folder", folder, e.getCause());
     }
   }
 
@@ -111,15 +110,6 @@ final class SourceFiles {
       }
     }
     return false;
-  }
-
-  private static DiagnosticException unreadable(Path folder, IOException e) {
-    return new DiagnosticException(
-        DiagnosticException.Reason.INPUT,
-        Diagnostic.of(
-            FileRules.UNREADABLE,
-            "This cannot be read: " + SourceText.reason(e) + ".",
-            SourceLocation.of(folder)));
   }
 
   /** Reads all items of a source. */

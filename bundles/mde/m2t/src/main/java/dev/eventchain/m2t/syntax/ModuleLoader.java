@@ -109,8 +109,7 @@ public final class ModuleLoader {
     } catch (CharacterCodingException e) {
       throw refused(FileRules.ENCODING, "The file is not " + name + " text.", place);
     } catch (IOException e) {
-      String message = "The file cannot be read: " + SourceText.reason(e) + ".";
-      throw refused(FileRules.UNREADABLE, message, place);
+      throw FileRules.refusal("The file", file, e);
     }
   }
 

@@ -41,9 +41,9 @@ record ScenarioFolder(Path folder) {
           .sorted(Comparator.comparing(this::nameOf))
           .toList();
     } catch (IOException e) {
-      throw unreadable(e);
+      throw FileRules.refusal("The folder", folder, e);
     } catch (UncheckedIOException e) {
-      throw unreadable(e.getCause());
+      throw FileRules.refusal("The folder", folder, e.getCause());
     }
   }
 
@@ -181,14 +181,5 @@ record ScenarioFolder(Path folder) {
                 .withHint("Give each scenario its own name; reports and measurements use it."));
       }
     }
-  }
-
-  private DiagnosticException unreadable(IOException e) {
-    return new DiagnosticException(
-        DiagnosticException.Reason.INPUT,
-        Diagnostic.of(
-            FileRules.UNREADABLE,
-            "The folder cannot be read: " + SourceText.reason(e) + ".",
-            SourceLocation.of(folder)));
   }
 }

@@ -5,7 +5,6 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.NearestName;
-import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
@@ -104,11 +103,6 @@ public final class CampaignFiles {
     return meant.contains(CAMPAIGNS) || meant.size() > 1;
   }
 
-  private static Diagnostic unreadable(Path file, IOException e) {
-    String message = "This cannot be read: " + SourceText.reason(e) + ".";
-    return Diagnostic.of(FileRules.UNREADABLE, message, SourceLocation.of(file));
-  }
-
   private static Set<Path> in(Path folder, List<Diagnostic> unreadable) {
     Set<Path> files = new TreeSet<>();
     SimpleFileVisitor<Path> visitor =
@@ -123,7 +117,7 @@ public final class CampaignFiles {
 
           @Override
           public FileVisitResult visitFileFailed(Path file, IOException e) {
-            unreadable.add(unreadable(file, e));
+            unreadable.add(FileRules.unreadable("The file or folder", file, e));
             return FileVisitResult.CONTINUE;
           }
 

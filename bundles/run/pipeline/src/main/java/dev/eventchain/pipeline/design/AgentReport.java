@@ -3,6 +3,7 @@ package dev.eventchain.pipeline.design;
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.llm.Spending;
 import dev.eventchain.pipeline.project.Configuration;
@@ -10,7 +11,6 @@ import dev.eventchain.pipeline.results.Answers;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.project.ProjectFolder;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
@@ -117,7 +117,7 @@ final class AgentReport {
     try (Stream<Path> files = Files.walk(folder)) {
       return files.filter(Files::isRegularFile).sorted().toList();
     } catch (IOException e) {
-      throw ProjectFolder.unreadable(folder, e);
+      throw FileRules.refusal("The folder", folder, e);
     }
   }
 }

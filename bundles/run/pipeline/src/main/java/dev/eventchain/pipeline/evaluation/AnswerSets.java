@@ -4,7 +4,6 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
@@ -92,12 +91,7 @@ record AnswerSets(List<Path> folders) {
     try (Stream<Path> files = Files.list(folder)) {
       return files.sorted().toList();
     } catch (IOException e) {
-      throw new DiagnosticException(
-          DiagnosticException.Reason.INPUT,
-          Diagnostic.of(
-              FileRules.UNREADABLE,
-              "The folder cannot be read: " + SourceText.reason(e) + ".",
-              SourceLocation.of(folder)));
+      throw FileRules.refusal("The folder", folder, e);
     }
   }
 }

@@ -3,6 +3,7 @@ package dev.eventchain.pipeline.stage;
 import static java.util.stream.Collectors.toSet;
 
 import dev.eventchain.diagnostics.ContentHash;
+import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.ProjectSettings;
@@ -151,7 +152,7 @@ public final class Fingerprint {
     try {
       return ProjectFolder.isAbsent(file) ? ABSENT : ContentHash.hex(Files.readAllBytes(file));
     } catch (IOException e) {
-      throw ProjectFolder.unreadable(file, e);
+      throw FileRules.refusal("The file", file, e);
     }
   }
 

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.node.TextNode;
 import dev.eventchain.check.ChainModel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.ResourceText;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -191,7 +192,7 @@ public final class ProjectStart {
     try (Stream<Path> files = Files.list(folder)) {
       return files.findAny().isEmpty();
     } catch (IOException e) {
-      throw ProjectFolder.unreadable(folder, e);
+      throw FileRules.refusal("The folder", folder, e);
     }
   }
 
