@@ -2,10 +2,11 @@ package dev.eventchain.lsp;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import com.google.gson.JsonParser;
+import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.lsp.check.Settings;
 import dev.eventchain.lsp.check.WorkspaceFiles;
 import dev.eventchain.lsp.text.Positions;
+import dev.eventchain.lsp.text.ProtocolJson;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -41,14 +42,17 @@ class EditorInputTest {
     assertEquals(Optional.empty(), Positions.path(address));
   }
 
+  private static JsonNode sent(String text) throws IOException {
+    return ProtocolJson.read(text.replace('\'', '"'));
+  }
+
   @Test
-  void settingsStayUntilOthersAreSent() {
-    Settings given =
-        Settings.of(JsonParser.parseString("{'eventchain': {'timeLimit': 7}}"), Settings.USUAL);
+  void settingsStayUntilOthersAreSent() throws IOException {
+    Settings given = Settings.of(sent("{'eventchain': {'timeLimit': 7}}"), Settings.USUAL);
     assertEquals(Duration.ofSeconds(7), given.timeLimit());
-    assertEquals(given, Settings.of(JsonParser.parseString("{}"), given));
-    assertEquals(given, Settings.of(null, given));
-    assertEquals(Settings.USUAL, Settings.of(JsonParser.parseString("{'eventchain': {}}"), given));
+    assertEquals(given, Settings.of(sent("{}"), given));
+    assertEquals(given, Settings.of(ProtocolJson.of(null), given));
+    assertEquals(Settings.USUAL, Settings.of(sent("{'eventchain': {}}"), given));
   }
 
   @Test

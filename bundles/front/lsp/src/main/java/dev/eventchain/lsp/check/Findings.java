@@ -1,6 +1,5 @@
 package dev.eventchain.lsp.check;
 
-import com.google.gson.JsonObject;
 import dev.eventchain.check.EditorRules;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -14,6 +13,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -278,12 +278,12 @@ public final class Findings {
   }
 
   /** Returns the parts of a finding that its text has put together, for programs. */
-  private static JsonObject data(Diagnostic finding) {
-    JsonObject data = new JsonObject();
-    data.addProperty("message", finding.message());
-    data.addProperty("hint", finding.hint());
-    data.addProperty("rule", finding.rule());
-    data.addProperty("element", finding.location().element());
+  private static Map<String, String> data(Diagnostic finding) {
+    Map<String, String> data = new LinkedHashMap<>();
+    data.put("message", finding.message());
+    data.put("hint", finding.hint());
+    data.put("rule", finding.rule());
+    data.put("element", finding.location().element());
     return data;
   }
 }

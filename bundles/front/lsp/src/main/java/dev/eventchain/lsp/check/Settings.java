@@ -1,8 +1,6 @@
 package dev.eventchain.lsp.check;
 
-import com.google.gson.JsonArray;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
+import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.constraints.OclValidator;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -32,28 +30,24 @@ public record Settings(List<String> metamodels, Duration timeLimit) {
    * @param before settings that stay if there is no such object: some editors tell that something
    *     has changed and not what
    */
-  public static Settings of(Object given, Settings before) {
-    if (!(given instanceof JsonObject object) || KEYS.stream().noneMatch(object::has)) {
+  public static Settings of(JsonNode given, Settings before) {
+    if (KEYS.stream().noneMatch(given::has)) {
       return before;
     }
-    JsonObject settings = object.get("eventchain") instanceof JsonObject inner ? inner : object;
+    JsonNode inner = given.path("eventchain");
+    JsonNode settings = inner.isObject() ? inner : given;
     List<String> metamodels = new ArrayList<>();
-    if (settings.get("metamodels") instanceof JsonArray list) {
-      for (JsonElement each : list) {
-        if (each.isJsonPrimitive()) {
-          metamodels.add(each.getAsString());
-        }
+    JsonNode files = settings.path("metamodels");
+    for (int i = 0; files.isArray() && i < files.size(); i++) {
+      if (files.get(i).isValueNode() && !files.get(i).isNull()) {
+        metamodels.add(files.get(i).asText());
       }
     }
-    JsonElement seconds = settings.get("timeLimit");
-    boolean limited =
-        seconds != null
-            && seconds.isJsonPrimitive()
-            && seconds.getAsJsonPrimitive().isNumber()
-            && seconds.getAsLong() > 0;
+    JsonNode seconds = settings.path("timeLimit");
+    boolean limited = seconds.isNumber() && seconds.asLong() > 0;
     return new Settings(
         List.copyOf(metamodels),
-        limited ? Duration.ofSeconds(seconds.getAsLong()) : OclValidator.TIME_LIMIT);
+        limited ? Duration.ofSeconds(seconds.asLong()) : OclValidator.TIME_LIMIT);
   }
 
   /** Returns the metamodels as paths, in the first folder of a workspace. */

@@ -1,11 +1,11 @@
 package dev.eventchain.lsp.language;
 
-import com.google.gson.JsonPrimitive;
 import dev.eventchain.editing.Call;
 import dev.eventchain.editing.ElementKind;
 import dev.eventchain.editing.FileRange;
 import dev.eventchain.lsp.text.Edits;
 import dev.eventchain.lsp.text.Positions;
+import dev.eventchain.lsp.text.ProtocolJson;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -42,11 +42,8 @@ public final class CallItems {
   }
 
   private Optional<Call.Item> item(CallHierarchyItem item) {
-    // An editor sends back what it was given, as JSON.
-    String kind =
-        item.getData() instanceof JsonPrimitive text
-            ? text.getAsString()
-            : String.valueOf(item.getData());
+    // An editor sends back what it was given.
+    String kind = ProtocolJson.of(item.getData()).asText();
     return Positions.path(item.getUri())
         .map(
             path ->

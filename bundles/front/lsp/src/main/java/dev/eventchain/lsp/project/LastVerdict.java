@@ -1,14 +1,10 @@
 package dev.eventchain.lsp.project;
 
-import com.google.gson.JsonArray;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
-import com.google.gson.JsonParseException;
-import com.google.gson.JsonParser;
-import com.google.gson.JsonPrimitive;
+import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.lsp.text.OpenText;
 import dev.eventchain.lsp.text.OpenTexts;
+import dev.eventchain.lsp.text.ProtocolJson;
 import dev.eventchain.project.ProjectFolder;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -34,10 +30,10 @@ final class LastVerdict {
   private static final int DEEPEST = 8;
   private static final MathContext DIGITS = new MathContext(3);
 
-  private final JsonObject verdict;
+  private final JsonNode verdict;
   private final boolean isOlder;
 
-  private LastVerdict(JsonObject verdict, boolean isOlder) {
+  private LastVerdict(JsonNode verdict, boolean isOlder) {
     this.verdict = verdict;
     this.isOlder = isOlder;
   }
@@ -46,11 +42,11 @@ final class LastVerdict {
   static Optional<LastVerdict> of(ProjectFolder project, OpenTexts texts) {
     Path file = project.defaultOutput().resolve(FILE);
     try {
-      JsonElement read = JsonParser.parseString(Files.readString(file));
-      return read instanceof JsonObject verdict && !verdict.has("stoppedIn")
+      JsonNode verdict = ProtocolJson.read(Files.readString(file));
+      return verdict.isObject() && !verdict.has("stoppedIn")
           ? Optional.of(new LastVerdict(verdict, isOlder(file, project, texts)))
           : Optional.empty();
-    } catch (IOException | UncheckedIOException | JsonParseException e) {
+    } catch (IOException | UncheckedIOException e) {
       return Optional.empty();
     }
   }
@@ -94,7 +90,7 @@ final class LastVerdict {
 
   /** Returns the outcome of all scenarios, in words; empty if none is known. */
   Optional<String> ofAll() {
-    List<JsonObject> scenarios = objects(verdict, "scenarios");
+    List<JsonNode> scenarios = objects(verdict, "scenarios");
     long passed = scenarios.stream().filter(LastVerdict::hasPassed).count();
     return scenarios.isEmpty()
         ? Optional.empty()
@@ -112,8 +108,8 @@ final class LastVerdict {
         .map(each -> aged(outcome(each)));
   }
 
-  private static String outcome(JsonObject scenario) {
-    List<JsonObject> criteria = objects(scenario, "criteria");
+  private static String outcome(JsonNode scenario) {
+    List<JsonNode> criteria = objects(scenario, "criteria");
     if (hasPassed(scenario)) {
       String margins = smallestMargins(criteria);
       return margins.isEmpty() ? "Passed" : "Passed, smallest margin " + margins;
@@ -128,23 +124,22 @@ final class LastVerdict {
     return (is(scenario, "tested") ? "Failed" : "Not tested") + missed;
   }
 
-  private static boolean hasPassed(JsonObject outcome) {
+  private static boolean hasPassed(JsonNode outcome) {
     return is(outcome, "tested") && is(outcome, "passed");
   }
 
-  private static String marginOf(JsonObject criterion) {
+  private static String marginOf(JsonNode criterion) {
     String margin = smallestMargins(List.of(criterion));
     return margin.isEmpty() ? "" : ", margin " + margin;
   }
 
   /** Returns the smallest margin in each unit: those of different units cannot be compared. */
-  private static String smallestMargins(List<JsonObject> criteria) {
+  private static String smallestMargins(List<JsonNode> criteria) {
     Map<String, BigDecimal> smallest = new TreeMap<>();
-    for (JsonObject each : criteria) {
-      if (each.get("margin") instanceof JsonObject margin
-          && margin.get("value") instanceof JsonPrimitive value
-          && value.isNumber()) {
-        smallest.merge(text(margin, "unit"), value.getAsBigDecimal(), BigDecimal::min);
+    for (JsonNode each : criteria) {
+      JsonNode margin = each.path("margin");
+      if (margin.path("value").isNumber()) {
+        smallest.merge(text(margin, "unit"), margin.get("value").decimalValue(), BigDecimal::min);
       }
     }
     return smallest.entrySet().stream()
@@ -162,23 +157,20 @@ final class LastVerdict {
     return isOlder ? outcome + " (older: files have changed since)" : outcome;
   }
 
-  private static boolean is(JsonObject object, String name) {
-    return object.get(name) instanceof JsonPrimitive value && value.getAsBoolean();
+  private static boolean is(JsonNode object, String name) {
+    return object.path(name).asBoolean();
   }
 
-  private static String text(JsonObject object, String name) {
-    return object.get(name) instanceof JsonPrimitive value ? value.getAsString() : "";
+  private static String text(JsonNode object, String name) {
+    return object.path(name).asText();
   }
 
-  private static List<JsonObject> objects(JsonObject object, String name) {
-    List<JsonObject> objects = new ArrayList<>();
-    if (object.get(name) instanceof JsonArray array) {
-      array.forEach(
-          each -> {
-            if (each instanceof JsonObject inside) {
-              objects.add(inside);
-            }
-          });
+  private static List<JsonNode> objects(JsonNode object, String name) {
+    List<JsonNode> objects = new ArrayList<>();
+    for (JsonNode each : object.path(name)) {
+      if (each.isObject()) {
+        objects.add(each);
+      }
     }
     return objects;
   }

@@ -1,13 +1,12 @@
 package dev.eventchain.lsp.project;
 
-import com.google.gson.JsonArray;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
-import com.google.gson.JsonPrimitive;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.lsp.text.ProtocolJson;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -21,69 +20,63 @@ final class ProjectSchema {
   private static final List<String> ALTERNATIVES = List.of("allOf", "anyOf", "oneOf");
   private static final List<String> CONDITIONAL = List.of("then", "else");
 
-  private final JsonObject root;
+  private final JsonNode root;
 
   ProjectSchema(String text) {
-    this.root = JsonParser.parseString(text).getAsJsonObject();
+    try {
+      this.root = ProtocolJson.read(text);
+    } catch (JsonProcessingException e) {
+      throw new IllegalArgumentException(e);
+    }
   }
 
   /** Returns what describes the value at a path; nothing for a path that must not be. */
-  List<JsonObject> at(List<String> path) {
-    List<JsonObject> found = withAlternatives(List.of(root));
+  List<JsonNode> at(List<String> path) {
+    List<JsonNode> found = withAlternatives(List.of(root));
     for (String step : path) {
-      List<JsonObject> next = new ArrayList<>();
+      List<JsonNode> next = new ArrayList<>();
       found.forEach(each -> below(each, step).ifPresent(next::add));
       found = withAlternatives(next);
     }
     return found;
   }
 
-  private Optional<JsonObject> below(JsonObject schema, String step) {
+  private Optional<JsonNode> below(JsonNode schema, String step) {
     if (step.equals(YamlPlace.ITEM)) {
-      return object(schema.get("items"));
+      return object(schema.path("items"));
     }
-    JsonElement named = properties(schema).get(step);
-    return object(named == null ? schema.get("additionalProperties") : named);
+    JsonNode named = schema.path("properties").path(step);
+    return object(named.isMissingNode() ? schema.path("additionalProperties") : named);
   }
 
-  private static Optional<JsonObject> object(JsonElement element) {
-    return element instanceof JsonObject object ? Optional.of(object) : Optional.empty();
+  private static Optional<JsonNode> object(JsonNode node) {
+    return Optional.of(node).filter(JsonNode::isObject);
   }
 
-  private static JsonObject properties(JsonObject schema) {
-    return object(schema.get("properties")).orElseGet(JsonObject::new);
-  }
-
-  private List<JsonObject> withAlternatives(List<JsonObject> schemas) {
-    List<JsonObject> all = new ArrayList<>();
-    Set<JsonObject> seen = Collections.newSetFromMap(new IdentityHashMap<>());
+  private List<JsonNode> withAlternatives(List<JsonNode> schemas) {
+    List<JsonNode> all = new ArrayList<>();
+    Set<JsonNode> seen = Collections.newSetFromMap(new IdentityHashMap<>());
     schemas.forEach(each -> add(each, all, seen));
     return all;
   }
 
-  private void add(JsonObject schema, List<JsonObject> all, Set<JsonObject> seen) {
+  private void add(JsonNode schema, List<JsonNode> all, Set<JsonNode> seen) {
     if (!seen.add(schema)) {
       return;
     }
     all.add(schema);
     if (schema.has("$ref")) {
-      add(referred(schema.get("$ref").getAsString()), all, seen);
+      add(referred(schema.get("$ref").asText()), all, seen);
     }
     for (String name : ALTERNATIVES) {
-      if (schema.get(name) instanceof JsonArray array) {
-        array.forEach(each -> object(each).ifPresent(it -> add(it, all, seen)));
-      }
+      schema.path(name).forEach(each -> object(each).ifPresent(it -> add(it, all, seen)));
     }
-    CONDITIONAL.forEach(name -> object(schema.get(name)).ifPresent(it -> add(it, all, seen)));
+    CONDITIONAL.forEach(name -> object(schema.path(name)).ifPresent(it -> add(it, all, seen)));
   }
 
   /** Returns the part of the schema that a reference in it names: {@code #/$defs/factor}. */
-  private JsonObject referred(String reference) {
-    JsonObject found = root;
-    for (String step : reference.substring(1).split("/", -1)) {
-      found = step.isEmpty() ? found : found.getAsJsonObject(step);
-    }
-    return found;
+  private JsonNode referred(String reference) {
+    return root.at(reference.substring(1));
   }
 
   /**
@@ -92,15 +85,15 @@ final class ProjectSchema {
    * @param isRequired true if the mapping needs it, at least in one alternative
    * @param values what describes its value
    */
-  record Key(String name, boolean isRequired, List<JsonObject> values) {
+  record Key(String name, boolean isRequired, List<JsonNode> values) {
 
     /** Returns whether its value may be a mapping, or a list. */
     boolean isOf(String type) {
       return values.stream().anyMatch(each -> isOf(each, type));
     }
 
-    private static boolean isOf(JsonObject schema, String type) {
-      return schema.get("type") instanceof JsonPrimitive one && one.getAsString().equals(type);
+    private static boolean isOf(JsonNode schema, String type) {
+      return schema.path("type").asText().equals(type);
     }
 
     /** Returns whether its value may stand behind it on the line. */
@@ -117,11 +110,11 @@ final class ProjectSchema {
   /** Returns the keys that the mapping at a path may have, those that it needs first. */
   List<Key> keys(List<String> path) {
     Map<String, Key> found = new LinkedHashMap<>();
-    for (JsonObject schema : at(path)) {
-      JsonElement required = schema.get("required");
-      for (Map.Entry<String, JsonElement> each : properties(schema).entrySet()) {
-        boolean isRequired =
-            required instanceof JsonArray names && names.contains(new JsonPrimitive(each.getKey()));
+    for (JsonNode schema : at(path)) {
+      Set<String> required = new HashSet<>();
+      schema.path("required").forEach(each -> required.add(each.asText()));
+      for (Map.Entry<String, JsonNode> each : schema.path("properties").properties()) {
+        boolean isRequired = required.contains(each.getKey());
         object(each.getValue())
             .map(it -> new Key(each.getKey(), isRequired, withAlternatives(List.of(it))))
             .ifPresent(key -> found.merge(key.name(), key, ProjectSchema::both));
@@ -131,21 +124,19 @@ final class ProjectSchema {
   }
 
   private static Key both(Key first, Key second) {
-    List<JsonObject> values = new ArrayList<>(first.values());
+    List<JsonNode> values = new ArrayList<>(first.values());
     values.addAll(second.values());
     return new Key(first.name(), first.isRequired() || second.isRequired(), values);
   }
 
   /** Returns the values that may stand at a path, as far as the schema lists them. */
-  static List<String> values(List<JsonObject> schemas) {
+  static List<String> values(List<JsonNode> schemas) {
     List<String> values = new ArrayList<>();
-    for (JsonObject schema : schemas) {
-      if (schema.get("const") instanceof JsonPrimitive only) {
-        values.add(only.getAsString());
+    for (JsonNode schema : schemas) {
+      if (schema.has("const")) {
+        values.add(schema.get("const").asText());
       }
-      if (schema.get("enum") instanceof JsonArray all) {
-        all.forEach(each -> values.add(each.getAsString()));
-      }
+      schema.path("enum").forEach(each -> values.add(each.asText()));
       if (Key.isOf(schema, "boolean")) {
         values.addAll(List.of("true", "false"));
       }
@@ -154,10 +145,10 @@ final class ProjectSchema {
   }
 
   /** Returns the description of what may stand at a place; empty if there is none. */
-  static String description(List<JsonObject> schemas) {
+  static String description(List<JsonNode> schemas) {
     return schemas.stream()
         .filter(each -> each.has("description"))
-        .map(each -> each.get("description").getAsString())
+        .map(each -> each.get("description").asText())
         .findFirst()
         .orElse("");
   }

@@ -1,6 +1,6 @@
 package dev.eventchain.lsp.project;
 
-import com.google.gson.JsonObject;
+import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.editing.Completion;
 import dev.eventchain.editing.ElementKind;
 import dev.eventchain.editing.Hover;
@@ -101,7 +101,7 @@ final class YamlCompletion {
   }
 
   private void values(YamlPlace place, List<Completion> found) {
-    List<JsonObject> schemas = schema.at(place.path());
+    List<JsonNode> schemas = schema.at(place.path());
     String description = ProjectSchema.description(schemas);
     ProjectSchema.values(schemas)
         .forEach(

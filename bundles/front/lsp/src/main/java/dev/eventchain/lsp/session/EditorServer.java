@@ -15,6 +15,7 @@ import dev.eventchain.lsp.project.ProjectLenses;
 import dev.eventchain.lsp.text.Edits;
 import dev.eventchain.lsp.text.OpenTexts;
 import dev.eventchain.lsp.text.Positions;
+import dev.eventchain.lsp.text.ProtocolJson;
 import dev.eventchain.m2t.editing.TemplateLanguageService;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -125,7 +126,9 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
             .map(all -> all.getCodeLens())
             .map(all -> all.getRefreshSupport())
             .orElse(false);
-    workspace.set(folders(params), Settings.of(params.getInitializationOptions(), Settings.USUAL));
+    workspace.set(
+        folders(params),
+        Settings.of(ProtocolJson.of(params.getInitializationOptions()), Settings.USUAL));
     ServerInfo info = new ServerInfo("eventchain", version);
     return CompletableFuture.completedFuture(new InitializeResult(Capabilities.all(), info));
   }

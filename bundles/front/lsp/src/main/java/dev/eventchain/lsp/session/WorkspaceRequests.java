@@ -1,6 +1,5 @@
 package dev.eventchain.lsp.session;
 
-import com.google.gson.JsonPrimitive;
 import dev.eventchain.editing.Symbol;
 import dev.eventchain.editing.Workspace;
 import dev.eventchain.lsp.action.FindingActions;
@@ -12,6 +11,7 @@ import dev.eventchain.lsp.project.ProjectLenses;
 import dev.eventchain.lsp.text.Edits;
 import dev.eventchain.lsp.text.OpenTexts;
 import dev.eventchain.lsp.text.Positions;
+import dev.eventchain.lsp.text.ProtocolJson;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -85,7 +85,7 @@ final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
 
   @Override
   public synchronized void didChangeConfiguration(DidChangeConfigurationParams params) {
-    set(folders, Settings.of(params.getSettings(), settings));
+    set(folders, Settings.of(ProtocolJson.of(params.getSettings()), settings));
     begin();
   }
 
@@ -170,7 +170,7 @@ final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
         Stream.ofNullable(params.getArguments())
             .flatMap(List::stream)
             .findFirst()
-            .map(each -> each instanceof JsonPrimitive text ? text.getAsString() : each.toString());
+            .map(each -> ProtocolJson.of(each).asText());
     return known && id.isPresent()
         ? explain.apply(id.get())
         : CompletableFuture.completedFuture(null);
