@@ -72,6 +72,25 @@ class RulePagesTest {
 
   private static List<String> sources;
 
+  /** The words of a source in quotes, and those that end a Python format string after a dot. */
+  private record Words(Set<String> quoted, Set<String> formatted) {
+
+    private static final Pattern QUOTED = Pattern.compile("([\"'])([a-z0-9.-]+)(?=\\1)");
+    private static final Pattern FORMATTED = Pattern.compile("}\\.([a-z0-9.-]*)(?=\")");
+
+    static Words of(String source) {
+      return new Words(all(QUOTED, 2, source), all(FORMATTED, 1, source));
+    }
+
+    private static Set<String> all(Pattern pattern, int group, String source) {
+      return pattern
+          .matcher(source)
+          .results()
+          .map(match -> match.group(group))
+          .collect(Collectors.toSet());
+    }
+  }
+
   @BeforeAll
   static void read() throws IOException {
     try (Stream<Path> files = Files.walk(BUNDLES, 5)) {
@@ -115,7 +134,8 @@ class RulePagesTest {
 
   @Test
   void everyPageExplainsAFindingThatIsReported() {
-    List<String> unused = PAGES.keySet().stream().filter(id -> !isReported(id)).toList();
+    List<Words> words = sources.stream().map(Words::of).toList();
+    List<String> unused = PAGES.keySet().stream().filter(id -> !isReported(id, words)).toList();
     assertEquals(List.of(), unused, "pages about nothing");
   }
 
@@ -123,25 +143,22 @@ class RulePagesTest {
    * Returns whether an identifier occurs in quotes, or is composed in one file: from a prefix that
    * ends with a dot, or in a Python format string.
    */
-  private static boolean isReported(String id) {
+  private static boolean isReported(String id, List<Words> files) {
     for (int dot = id.length(); dot > 0; dot = id.lastIndexOf('.', dot - 1)) {
       String first = dot == id.length() ? id : id.substring(0, dot + 1);
       String second = dot == id.length() ? "" : id.substring(dot + 1);
-      for (String source : sources) {
+      for (Words words : files) {
         boolean formatted =
-            source.contains("}." + second + "\"")
-                && isQuoted(first.substring(0, first.length() - 1), source);
+            words.formatted().contains(second)
+                && words.quoted().contains(first.substring(0, first.length() - 1));
         if (formatted
-            || (isQuoted(first, source) && (second.isEmpty() || isQuoted(second, source)))) {
+            || (words.quoted().contains(first)
+                && (second.isEmpty() || words.quoted().contains(second)))) {
           return true;
         }
       }
     }
     return false;
-  }
-
-  private static boolean isQuoted(String text, String source) {
-    return source.contains('"' + text + '"') || source.contains('\'' + text + '\'');
   }
 
   @Test
