@@ -64,7 +64,7 @@ class SiteBuilderTest {
     String target =
         path.isEmpty() ? from : here.resolveSibling(path).normalize().toString().replace('\\', '/');
     if (target.startsWith(SiteBuilder.API + "/")) {
-      return true; // SiteTest in tests/end-to-end checks it once there is Javadoc
+      return true; // SiteTest in tests/architecture checks it once there is Javadoc
     }
     return anchors.containsKey(target)
         && (hash < 0 || anchors.get(target).contains(link.substring(hash + 1)));
