@@ -17,8 +17,10 @@ import java.util.EnumSet;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
 
 /** A model for whose instance diagram PlantUML fails to find a layout. */
+@Isolated("it replaces the error stream of all tests")
 class UndrawnDiagramTest {
 
   private static final Path FILES =
