@@ -11,8 +11,8 @@ import java.util.Set;
 
 /**
  * Properties of components in chain descriptions that prompts leave out: budgets, which inputs are
- * synchronized, and what executes a component. They do not affect what a component computes from
- * its inputs, so changing them needs no new answer.
+ * synchronized, what executes a component, and how long its messages are on their way. They do not
+ * affect what a component computes from its inputs, so changing them needs no new answer.
  */
 final class NotAsked {
   private static final Set<String> KEYS =
@@ -44,6 +44,14 @@ final class NotAsked {
   private static void remove(JsonNode component) {
     if (component instanceof ObjectNode object) {
       object.remove(KEYS);
+      object.path(ChainNames.INPUT).forEach(NotAsked::removeTransport);
+      object.path(ChainNames.OUTPUT).forEach(NotAsked::removeTransport);
+    }
+  }
+
+  private static void removeTransport(JsonNode port) {
+    if (port instanceof ObjectNode object) {
+      object.remove(ChainNames.WORST_CASE_TRANSPORT_TIME);
     }
   }
 }

@@ -68,6 +68,20 @@ class LatencyBoundTest {
         .says("[chain.processor.overloaded]");
   }
 
+  /** No prompt shows them, so that the recorded answers still hold. */
+  @InTurn
+  @Test
+  void transportTimesOfExistingSoftwareAreAddedToADesign() throws IOException {
+    ProjectCopy project = ProjectCopy.of("aeb", folder);
+    String topic = "\"topic\": \"/scan\",";
+    project.replace(
+        "software-base/components.json", topic, topic + " \"worst_case_transport_time\": 2.5,");
+    new Program().run("design", project.path()).expect(0);
+    new Program().run("model", project.path()).expect(0);
+    String chain = Files.readString(folder.resolve("aeb/out/chain.xmi"));
+    assertTrue(chain.contains("worstCaseTransportTime=\"2.5\""), chain);
+  }
+
   @InTurn
   @Test
   void latencyOfASensorIsPartOfTheBoundWhereItCounts() throws IOException {

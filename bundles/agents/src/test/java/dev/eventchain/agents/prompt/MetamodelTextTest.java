@@ -61,6 +61,7 @@ class MetamodelTextTest {
             "mappedTo",
             "priority",
             "class Processor",
+            "worstCaseTransportTime",
             "class Statistics",
             "percentile")) {
       assertFalse(text.contains(left), left);

@@ -5,11 +5,13 @@ import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventchainPackage.Literals;
 import java.math.BigInteger;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Checks that maximum ages are valid, and that a field can hold the safe value for outdated inputs.
+ * Checks that maximum ages and transport times are valid, and that a field can hold the safe value
+ * for outdated inputs.
  */
 final class AgeContracts {
 
@@ -32,10 +34,12 @@ final class AgeContracts {
   }
 
   void check(Topic topic) {
-    Stream.concat(topic.subscribers().stream(), topic.publishers().stream())
-        .flatMap(end -> end.data().stream())
-        .filter(Data::isSetMaximumAge)
-        .forEach(this::checkAge);
+    List<Data> all =
+        Stream.concat(topic.subscribers().stream(), topic.publishers().stream())
+            .flatMap(end -> end.data().stream())
+            .toList();
+    all.stream().filter(Data::isSetMaximumAge).forEach(this::checkAge);
+    all.stream().filter(Data::isSetWorstCaseTransportTime).forEach(this::checkTransport);
     for (Endpoint publisher : topic.publishers()) {
       publisher.data().stream().filter(data -> data.getSafeValue() != null).forEach(this::check);
     }
@@ -52,6 +56,18 @@ final class AgeContracts {
               .formatted(data.getName(), data.getMaximumAge()),
           "Give a finite number above zero, or none: then five periods of the component that writes"
               + " it are the limit.");
+    }
+  }
+
+  private void checkTransport(Data data) {
+    findings.checked(ContractRule.TRANSPORT);
+    double time = data.getWorstCaseTransportTime();
+    if (!(time >= 0) || Double.isInfinite(time)) {
+      findings.error(
+          ContractRule.TRANSPORT,
+          findings.at(data, Literals.DATA__WORST_CASE_TRANSPORT_TIME),
+          "'%s' has an impossible transport time of %s ms.".formatted(data.getName(), time),
+          "Give milliseconds, zero or more, or none: then messages stay on one machine.");
     }
   }
 

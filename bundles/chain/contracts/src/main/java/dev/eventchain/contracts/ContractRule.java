@@ -9,6 +9,7 @@ public enum ContractRule {
   FIELD_UNKNOWN(Rule.error("contract.field.unknown")),
   TYPE_MISMATCH(Rule.error("contract.type.mismatch")),
   AGE(Rule.error("contract.age.impossible")),
+  TRANSPORT(Rule.error("contract.transport.impossible")),
   SAFE_VALUE(Rule.error("contract.value.unfit")),
   SYNCHRONIZED_IMPOSSIBLE(Rule.error("contract.synchronized.impossible")),
   SYNCHRONIZED_HEADER(Rule.error("contract.synchronized.header")),

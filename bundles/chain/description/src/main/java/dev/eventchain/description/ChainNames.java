@@ -78,6 +78,9 @@ public final class ChainNames {
   /** The only consumer that is not a component. */
   public static final String EXTERNAL = "external";
 
+  /** Of a port, in ms: the longest time of a message on its way. */
+  public static final String WORST_CASE_TRANSPORT_TIME = "worst_case_transport_time";
+
   /** The values of a port. */
   public static final String VALUES = "values";
 
@@ -143,6 +146,7 @@ public final class ChainNames {
     BY_FEATURE.put(Literals.DATA__TOPIC_NAME, TOPIC);
     BY_FEATURE.put(Literals.DATA__MESSAGE_TYPE, MESSAGE_TYPE);
     BY_FEATURE.put(Literals.DATA__QOS, QOS_PROFILE);
+    BY_FEATURE.put(Literals.DATA__WORST_CASE_TRANSPORT_TIME, WORST_CASE_TRANSPORT_TIME);
     BY_FEATURE.put(Literals.QOS_PROFILE__NAME, PROFILE);
     BY_FEATURE.put(Literals.QOS_PROFILE__RELIABILITY, RELIABILITY);
     BY_FEATURE.put(Literals.QOS_PROFILE__DURABILITY, DURABILITY);

@@ -53,7 +53,8 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
  * requirements} of outputs that leave the chain, and {@code worst_case_execution_time}, {@code
  * best_case_execution_time} (ms) and {@code memory} (MiB) of components, and {@code synchronized}
  * topics of their inputs with a {@code tolerance} (ms), and the {@code processor} that executes
- * them with their {@code priority} on it, all optional.
+ * them with their {@code priority} on it, and the {@code worst_case_transport_time} (ms) of ports,
+ * all optional.
  *
  * <p>Each element's origin is its JSON pointer in the description, so that later findings in the
  * model point back to it.
@@ -69,7 +70,11 @@ public final class EventChainReader {
 
   /** Features of values that their port states. */
   private static final Set<EStructuralFeature> OF_PORTS =
-      Set.of(Literals.DATA__TOPIC_NAME, Literals.DATA__MESSAGE_TYPE, Literals.DATA__QOS);
+      Set.of(
+          Literals.DATA__TOPIC_NAME,
+          Literals.DATA__MESSAGE_TYPE,
+          Literals.DATA__QOS,
+          Literals.DATA__WORST_CASE_TRANSPORT_TIME);
 
   private final Document text;
   private final Origins origins = new Origins();
@@ -241,6 +246,7 @@ public final class EventChainReader {
         checked(
             port, ChainNames.MESSAGE_TYPE, RosNames::isMessageType, DescriptionRules.TYPE_ILLEGAL);
     Optional<QosProfile> qos = QosReader.read(port);
+    OptionalDouble transport = port.number(ChainNames.WORST_CASE_TRANSPORT_TIME, NOT_NEGATIVE);
     if (port.value(ChainNames.VALUES).map(json -> json.isArray() && json.isEmpty()).orElse(true)) {
       find(
           InstanceRules.FEATURE_MISSING,
@@ -255,6 +261,7 @@ public final class EventChainReader {
       value.setTopicName(topic);
       value.setMessageType(type);
       qos.map(EcoreUtil::copy).ifPresent(value::setQos);
+      transport.ifPresent(value::setWorstCaseTransportTime);
       chain.getData().add(value);
       data.add(value);
     }

@@ -73,7 +73,7 @@ public final class EventChainWriter {
     }
   }
 
-  /** Returns the ports; adjacent data with equal topic, type and quality of service share one. */
+  /** Returns the ports; adjacent data that agree in all that a port states share one. */
   private static ArrayNode ports(List<Data> all) {
     ArrayNode ports = JsonNodeFactory.instance.arrayNode();
     Data previous = null;
@@ -85,6 +85,7 @@ public final class EventChainWriter {
         text(port, ChainNames.MESSAGE_TYPE, data.getMessageType());
         Optional.ofNullable(data.getQos())
             .ifPresent(qos -> port.set(ChainNames.QOS_PROFILE, qos(qos)));
+        transport(data).ifPresent(it -> port.put(ChainNames.WORST_CASE_TRANSPORT_TIME, it));
         consumer(port, data);
         values = port.putArray(ChainNames.VALUES);
       }
@@ -92,6 +93,12 @@ public final class EventChainWriter {
       previous = data;
     }
     return ports;
+  }
+
+  private static Optional<Double> transport(Data data) {
+    return data.isSetWorstCaseTransportTime()
+        ? Optional.of(data.getWorstCaseTransportTime())
+        : Optional.empty();
   }
 
   private static void consumer(ObjectNode port, Data data) {
@@ -108,6 +115,7 @@ public final class EventChainWriter {
     return Objects.equals(one.getTopicName(), other.getTopicName())
         && Objects.equals(one.getMessageType(), other.getMessageType())
         && one.isExternal() == other.isExternal()
+        && transport(one).equals(transport(other))
         && one.getSatisfies().equals(other.getSatisfies())
         && EcoreUtil.equals(one.getQos(), other.getQos());
   }

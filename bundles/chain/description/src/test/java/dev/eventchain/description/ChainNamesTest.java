@@ -30,7 +30,8 @@ class ChainNamesTest {
           "priority",
           "processor",
           "synchronized",
-          "tolerance");
+          "tolerance",
+          "worst_case_transport_time");
 
   @Test
   void theSchemaHasTheNamesOfTheTable() throws IllegalAccessException {

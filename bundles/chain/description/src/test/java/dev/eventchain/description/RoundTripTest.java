@@ -113,6 +113,7 @@ class RoundTripTest {
       }
       if (random.nextBoolean()) {
         data.setQos(profile(random));
+        data.setWorstCaseTransportTime(random.nextInt(4) / 4.0);
       }
       chain.getData().add(data);
       side.add(data);

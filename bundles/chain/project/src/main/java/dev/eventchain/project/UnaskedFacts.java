@@ -2,10 +2,12 @@ package dev.eventchain.project;
 
 import dev.eventchain.model.Processors;
 import dev.eventchain.model.TopicIndex;
+import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage.Literals;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import java.util.List;
+import java.util.Optional;
 import org.eclipse.emf.ecore.EAttribute;
 
 /** Facts about components that language models are not asked for. */
@@ -35,6 +37,24 @@ final class UnaskedFacts {
           .forEach(node.getSynchronized()::add);
     }
     addProcessor(node, from);
+    addTransport(node.getInput(), node, from.getInput(), from);
+    addTransport(node.getOutput(), node, from.getOutput(), from);
+  }
+
+  /** Adds the transport times of topics on one side of a component. */
+  private static void addTransport(
+      List<Data> side, SoftwareNode node, List<Data> stated, SoftwareNode from) {
+    for (Data data : side) {
+      if (!data.isSetWorstCaseTransportTime()) {
+        Optional<String> topic = TopicIndex.nameOf(data, node);
+        stated.stream()
+            .filter(Data::isSetWorstCaseTransportTime)
+            .filter(it -> topic.isPresent() && topic.equals(TopicIndex.nameOf(it, from)))
+            .mapToDouble(Data::getWorstCaseTransportTime)
+            .max()
+            .ifPresent(data::setWorstCaseTransportTime);
+      }
+    }
   }
 
   private static void addProcessor(SoftwareNode node, SoftwareNode from) {

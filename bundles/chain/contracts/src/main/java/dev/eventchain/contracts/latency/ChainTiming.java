@@ -14,10 +14,8 @@ import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.LatencyKind;
 import dev.eventchain.model.eventchain.SoftwareNode;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -31,35 +29,58 @@ import java.util.Set;
  * Bounds on the latencies of an event chain. Each component is a periodic task of any phase: its
  * timer has the model's frequency, it reads the last messages when it starts, and publishes when it
  * has ended. That is after its worst-case execution time on a processor of its own, as in a
- * simulation, and after its response time on one that it shares. What activates a node that is
- * given whole is not in the model, so that no bound is known of a path with one: its timer may have
- * any period, and its messages may queue. Nor is how long a message waits for those that a
- * component takes together with it.
+ * simulation, and after its response time on one that it shares. A message is on its way as long as
+ * its ends state, and not at all where they state nothing. What activates a node that is given
+ * whole is not in the model, so that no bound is known of a path with one: its timer may have any
+ * period, and its messages may queue. Nor is how long a message waits for those that a component
+ * takes together with it.
  */
 public final class ChainTiming {
-
-  private static final double MILLISECOND = 1e6;
 
   private final EventChain chain;
   private final DataFlowIndex flow;
   private final TopicIndex topics;
-  private final Stimuli stimuli;
   private final Deployment deployment;
   private final TaskGraph graph = new TaskGraph();
   private final Map<SoftwareNode, String> names = new HashMap<>();
+  private final Transports transports;
+  private final Arrivals arrivals;
+
+  /** Ways of messages that take time, by the names of their tasks. */
+  private final Map<String, Transports.Way> ways = new HashMap<>();
 
   private ChainTiming(EventChain chain, Stimuli stimuli) {
     this.chain = chain;
-    this.stimuli = stimuli;
     deployment = Deployment.of(chain);
     flow = DataFlowIndex.of(chain);
     topics = TopicIndex.of(chain);
+    transports = new Transports(topics, flow);
+    arrivals = new Arrivals(topics, flow, deployment, transports, stimuli);
     // Names may be missing or occur twice, which other rules report.
     chain.getSoftware().forEach(node -> names.put(node, name(node)));
     chain.getSoftware().forEach(node -> graph.add(task(node, names.get(node))));
     for (SoftwareNode node : chain.getSoftware()) {
-      flow.successors(node).forEach(reader -> graph.connect(names.get(node), names.get(reader)));
+      flow.successors(node).forEach(reader -> connect(node, reader));
     }
+  }
+
+  /** Connects two components, by a task of its own where the messages between them take time. */
+  private void connect(SoftwareNode writer, SoftwareNode reader) {
+    String from = names.get(writer);
+    String to = names.get(reader);
+    Optional<Transports.Way> way = transports.between(writer, reader);
+    if (way.isEmpty()) {
+      graph.connect(from, to);
+      return;
+    }
+    String name = way.get().topic() + " from " + from + " to " + to;
+    while (names.containsValue(name) || ways.containsKey(name)) {
+      name += " (" + ways.size() + ")";
+    }
+    ways.put(name, way.get());
+    graph.add(Task.onMessage(name, way.get().time()));
+    graph.connect(from, name);
+    graph.connect(name, to);
   }
 
   /** Returns the bounds of a chain; later changes of the chain are not seen. */
@@ -79,25 +100,9 @@ public final class ChainTiming {
         timer ? Trigger.PERIODIC : Trigger.SPORADIC,
         timer ? NodeTimes.period(node) : OptionalLong.empty(),
         OptionalLong.empty(),
-        response(node),
+        deployment.response(node),
         0,
         placement(node));
-  }
-
-  /** Returns the worst-case response time; empty if it is unknown or may exceed the period. */
-  private OptionalLong response(SoftwareNode node) {
-    Optional<Deployment.Share> share = share(node);
-    if (share.isPresent()) {
-      return share.get().response().bound();
-    }
-    return NodeTimes.isOverloaded(node) ? OptionalLong.empty() : NodeTimes.execution(node);
-  }
-
-  /** Returns the share of a component in a processor that others use, too. */
-  private Optional<Deployment.Share> share(SoftwareNode node) {
-    return deployment
-        .shared(node)
-        .flatMap(load -> load.shares().stream().filter(it -> it.node() == node).findFirst());
   }
 
   /** Returns the place of a component; unknown where it has a processor of its own. */
@@ -117,7 +122,7 @@ public final class ChainTiming {
     LatencyType type =
         constraint.getKind() == LatencyKind.DATA_AGE ? LatencyType.DATA_AGE : LatencyType.REACTION;
     Set<String> unknown = new LinkedHashSet<>();
-    long outside = outside(type, constraint, unknown);
+    long outside = arrivals.before(type, constraint, unknown);
     return estimate(
         type, outside, List.of(constraint.getFirst()), List.of(constraint.getLast()), unknown);
   }
@@ -127,7 +132,7 @@ public final class ChainTiming {
    * of it, on whichever components read and write the same topics as they do.
    */
   public LatencyEstimate reaction(SoftwareNode first, SoftwareNode last) {
-    Set<String> read = stimuli(first);
+    Set<String> read = arrivals.topics(first);
     Set<SoftwareNode> firsts = new LinkedHashSet<>(List.of(first));
     Set<SoftwareNode> lasts = new LinkedHashSet<>(List.of(last));
     for (TopicIndex.Topic topic : topics.topics()) {
@@ -138,7 +143,12 @@ public final class ChainTiming {
         topic.publishers().forEach(end -> lasts.add(end.node()));
       }
     }
-    return estimate(LatencyType.REACTION, 0, firsts, lasts, new LinkedHashSet<>());
+    Set<String> unknown = new LinkedHashSet<>();
+    long outside = 0;
+    for (SoftwareNode each : firsts) {
+      outside = Math.max(outside, arrivals.transport(each, unknown));
+    }
+    return estimate(LatencyType.REACTION, outside, firsts, lasts, unknown);
   }
 
   private LatencyEstimate estimate(
@@ -159,32 +169,73 @@ public final class ChainTiming {
     }
     paths.forEach(path -> addUnknown(path, unknown));
     return new LatencyEstimate(
-        type, outside, paths, unavoidable(paths), placed(paths), List.copyOf(unknown));
+        type,
+        outside,
+        paths,
+        unavoidable(paths),
+        placed(paths) + transported(paths),
+        List.copyOf(unknown));
   }
 
   /** Returns the sum of the stated worst cases on the shortest path. */
   private long unavoidable(List<PathLatency> paths) {
     return paths.stream()
-        .mapToLong(
-            path ->
-                path.path().stream()
-                    .map(task -> node(task.name()))
-                    .filter(node -> !NodeTimes.isOverloaded(node))
-                    .mapToLong(node -> NodeTimes.execution(node).orElse(0))
-                    .sum())
+        .mapToLong(path -> path.path().stream().mapToLong(this::worstCase).sum())
         .min()
         .orElse(0);
+  }
+
+  /** Returns the worst case of a task by itself, and 0 where it is not known. */
+  private long worstCase(Task task) {
+    if (ways.containsKey(task.name())) {
+      return task.response().orElse(0);
+    }
+    SoftwareNode node = node(task.name());
+    return NodeTimes.isOverloaded(node) ? 0 : NodeTimes.execution(node).orElse(0);
+  }
+
+  /** Returns the components on a path, without the ways between them. */
+  private List<SoftwareNode> nodes(PathLatency path) {
+    return path.path().stream()
+        .map(Task::name)
+        .filter(name -> !ways.containsKey(name))
+        .map(this::node)
+        .toList();
+  }
+
+  /** Returns which messages between components are taken to be there at once, in words. */
+  private String transported(List<PathLatency> paths) {
+    Set<String> atOnce = new LinkedHashSet<>();
+    for (PathLatency path : paths) {
+      for (int i = 1; i < path.path().size(); i++) {
+        Task from = path.path().get(i - 1);
+        Task to = path.path().get(i);
+        if (!isWay(from) && !isWay(to)) {
+          atOnce.add("from '" + from.name() + "' to '" + to.name() + "'");
+        }
+      }
+    }
+    boolean none = chain.getData().stream().noneMatch(Data::isSetWorstCaseTransportTime);
+    if (atOnce.isEmpty()) {
+      return "";
+    }
+    return none
+        ? "; messages take no time"
+        : "; messages " + String.join(", ", atOnce) + " take no time";
+  }
+
+  private boolean isWay(Task task) {
+    return ways.containsKey(task.name());
   }
 
   /** Returns what is taken to execute the components on paths, in words. */
   private String placed(List<PathLatency> paths) {
     List<String> alone =
         paths.stream()
-            .flatMap(path -> path.path().stream())
-            .map(Task::name)
+            .flatMap(path -> nodes(path).stream())
             .distinct()
-            .filter(name -> node(name).getMappedTo() == null)
-            .map(name -> "'" + name + "'")
+            .filter(node -> node.getMappedTo() == null)
+            .map(node -> "'" + names.get(node) + "'")
             .toList();
     boolean none = chain.getSoftware().stream().allMatch(node -> node.getMappedTo() == null);
     if (none) {
@@ -197,90 +248,17 @@ public final class ChainTiming {
 
   /** Adds what is not known of a path, also where the sum would need no period. */
   private void addUnknown(PathLatency path, Set<String> unknown) {
-    for (Task task : path.path()) {
-      SoftwareNode node = node(task.name());
+    for (SoftwareNode node : nodes(path)) {
       if (!NodeTimes.isComponent(node)) {
-        unknown.add(activation(task.name()));
+        unknown.add(activation(names.get(node)));
       }
       if (TopicIndex.synchronizedBy(node).size() > 1) {
         unknown.add(
             "'%s' synchronizes its inputs, and the model does not say how long a message waits for the others"
-                .formatted(task.name()));
+                .formatted(names.get(node)));
       }
     }
     path.gaps().forEach(gap -> unknown.add(text(gap)));
-  }
-
-  /** Returns what counts before the first component, and adds what is not known of it. */
-  private long outside(LatencyType type, LatencyConstraint constraint, Set<String> unknown) {
-    long longest = 0;
-    for (String topic : stimuli(constraint.getFirst())) {
-      long time = stimuli.before(topic, constraint);
-      if (type == LatencyType.DATA_AGE) {
-        OptionalLong interval = interval(topic, constraint.getFirst());
-        if (interval.isEmpty()) {
-          unknown.add("how long a message of " + topic + " stays the last one is not known");
-        }
-        time += interval.orElse(0);
-      }
-      longest = Math.max(longest, time);
-    }
-    return longest;
-  }
-
-  /**
-   * Returns the topics that a component reads, except for those written by components behind it.
-   */
-  private Set<String> stimuli(SoftwareNode first) {
-    Set<SoftwareNode> behind = new LinkedHashSet<>(List.of(first));
-    Deque<SoftwareNode> open = new ArrayDeque<>(behind);
-    while (!open.isEmpty()) {
-      flow.successors(open.remove()).stream().filter(behind::add).forEach(open::add);
-    }
-    Set<String> found = new LinkedHashSet<>();
-    for (Data input : first.getInput()) {
-      TopicIndex.nameOf(input, first)
-          .filter(topic -> writers(topic).stream().noneMatch(behind::contains))
-          .ifPresent(found::add);
-    }
-    return found;
-  }
-
-  private List<SoftwareNode> writers(String topic) {
-    return topics.find(topic).stream()
-        .flatMap(found -> found.publishers().stream())
-        .map(TopicIndex.Endpoint::node)
-        .toList();
-  }
-
-  /** Returns how old a message may be when a component reads it; empty if not known. */
-  private OptionalLong interval(String topic, SoftwareNode reader) {
-    List<SoftwareNode> writers = writers(topic);
-    List<OptionalLong> intervals = new ArrayList<>();
-    if (writers.isEmpty()) {
-      intervals.add(stimuli.interval(topic));
-    }
-    for (SoftwareNode writer : writers) {
-      OptionalLong period =
-          NodeTimes.isComponent(writer) ? NodeTimes.period(writer) : OptionalLong.empty();
-      OptionalLong response = response(writer);
-      intervals.add(
-          period.isPresent() && response.isPresent()
-              ? OptionalLong.of(period.getAsLong() + response.getAsLong())
-              : OptionalLong.empty());
-    }
-    return intervals.stream().allMatch(OptionalLong::isPresent)
-        ? intervals.stream().mapToLong(OptionalLong::getAsLong).max()
-        : maximumAge(topic, reader);
-  }
-
-  /** Returns the age from which on a component does not execute with a message. */
-  private static OptionalLong maximumAge(String topic, SoftwareNode reader) {
-    return reader.getInput().stream()
-        .filter(input -> TopicIndex.nameOf(input, reader).filter(topic::equals).isPresent())
-        .filter(input -> input.isSetMaximumAge() && input.getMaximumAge() > 0)
-        .mapToLong(input -> (long) Math.ceil(input.getMaximumAge() * MILLISECOND))
-        .min();
   }
 
   private SoftwareNode node(String task) {
@@ -295,6 +273,9 @@ public final class ChainTiming {
   }
 
   private String text(Gap gap) {
+    if (ways.containsKey(gap.task())) {
+      return Arrivals.noTime(ways.get(gap.task()));
+    }
     SoftwareNode node = node(gap.task());
     String name = "'" + gap.task() + "'";
     if (gap.kind() == Gap.Kind.PERIOD) {
@@ -310,7 +291,8 @@ public final class ChainTiming {
 
   /** Returns why the response time on a shared processor is not known. */
   private String waiting(SoftwareNode node, String name) {
-    boolean late = share(node).filter(it -> it.response().outcome() == Outcome.LATE).isPresent();
+    boolean late =
+        deployment.share(node).filter(it -> it.response().outcome() == Outcome.LATE).isPresent();
     String on = " on '" + node.getMappedTo().getName() + "'";
     return late
         ? name + " may end after its period" + on

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.OptionalLong;
 
 /**
  * Processors of a chain, with the components that are mapped to them. Each component is one
@@ -139,5 +140,20 @@ public final class Deployment {
     return loads.stream()
         .filter(load -> load.processor() == node.getMappedTo() && load.shares().size() > 1)
         .findFirst();
+  }
+
+  /** Returns the share of a component in a processor that others use, too. */
+  Optional<Deployment.Share> share(SoftwareNode node) {
+    return shared(node)
+        .flatMap(load -> load.shares().stream().filter(it -> it.node() == node).findFirst());
+  }
+
+  /** Returns the worst-case response time; empty if it is unknown or may exceed the period. */
+  OptionalLong response(SoftwareNode node) {
+    Optional<Deployment.Share> share = share(node);
+    if (share.isPresent()) {
+      return share.get().response().bound();
+    }
+    return NodeTimes.isOverloaded(node) ? OptionalLong.empty() : NodeTimes.execution(node);
   }
 }

@@ -15,12 +15,13 @@ import java.util.stream.Collectors;
  *
  * @param outside the longest time before the first component that counts: the age of a message when
  *     it is read, as far as the latency is a data age, and what the constraint counts before its
- *     arrival; what is not known of it counts as 0
+ *     arrival, and the time on its way that the model states; what is not known of it counts as 0
  * @param paths along all paths of the data; none if nothing leads from the first to the last
  *     component, or if there are too many
- * @param unavoidable the longest latency that no phases avoid: the worst-case execution times that
- *     are known, on the shortest path
- * @param placed what executes the components on these paths, in words
+ * @param unavoidable the longest latency that no phases avoid: the worst-case execution and
+ *     transport times that are known, on the shortest path
+ * @param placed what executes the components on these paths, and which messages are taken to be
+ *     there at once, in words
  * @param unknown what is not known and would be needed for a bound, in words
  */
 public record LatencyEstimate(

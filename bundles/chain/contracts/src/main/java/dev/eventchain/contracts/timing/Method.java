@@ -3,7 +3,8 @@ package dev.eventchain.contracts.timing;
 /** Published bounds, each with what it assumes. */
 public enum Method {
   /** Exact for logical execution times; A. Hamann et al., ECRTS 2017, give the sum of periods. */
-  LET("exact for logical execution times with these phases"),
+  LET(
+      "exact for logical execution times with these phases and messages that take their longest times"),
   /** A. Davare et al., DAC 2007. */
   DAVARE("Davare et al. 2007: any phases, each worst-case response time holds"),
   /** M. Dürr et al., ACM TECS 2019. */

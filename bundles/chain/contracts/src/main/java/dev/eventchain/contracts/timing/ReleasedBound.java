@@ -6,7 +6,8 @@ import java.util.Optional;
 
 /**
  * Bounds for known phases of one clock: the releases of all tasks are followed through one
- * hyperperiod. Exact for logical execution times; Kloda's for others.
+ * hyperperiod. Exact for logical execution times, where messages between them may always be on
+ * their way for the longest time that is known of it; Kloda's for others.
  */
 final class ReleasedBound implements PathBound {
 
@@ -54,8 +55,7 @@ final class ReleasedBound implements PathBound {
   }
 
   private boolean applies(Segment segment) {
-    boolean alone = trigger == Trigger.PERIODIC || segment.followers().isEmpty();
-    return segment.head().trigger() == trigger && segment.head().phase().isPresent() && alone;
+    return segment.head().trigger() == trigger && segment.head().phase().isPresent();
   }
 
   /** Returns the hyperperiod; empty if it has too many releases of one period. */

@@ -88,12 +88,17 @@ public record Task(
 
   /** Returns a task that each message of the task before it activates. */
   public static Task onMessage(String name, long response) {
+    return onMessage(name, OptionalLong.of(response));
+  }
+
+  /** As {@link #onMessage(String, long)}; without a response time if it is not known. */
+  public static Task onMessage(String name, OptionalLong response) {
     return new Task(
         name,
         Trigger.MESSAGE,
         OptionalLong.empty(),
         OptionalLong.empty(),
-        OptionalLong.of(response),
+        response,
         0,
         Placement.UNKNOWN);
   }

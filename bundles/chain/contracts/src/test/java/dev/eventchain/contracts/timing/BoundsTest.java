@@ -24,7 +24,10 @@ class BoundsTest {
   private static final int[] PERIODS = {2, 3, 4, 5, 6, 8, 10, 12};
 
   /** Ticks that hold a hyperperiod of these periods many times over. */
-  private static final long TICKS = 500;
+  private static final long TICKS = 700;
+
+  /** The longest way of a message, longer than most periods. */
+  private static final int LONGEST_WAY = 15;
 
   private static long bound(LatencyType type, Method method, List<Task> path) {
     return PathLatency.of(type, path).bounds().stream()
@@ -117,15 +120,28 @@ class BoundsTest {
     List<Task> path = new ArrayList<>();
     for (int i = length(random); i > 0; i--) {
       long period = period(random);
+      addWay(random, path, new ArrayList<>());
       path.add(Task.logical("T" + i, period, random.nextInt((int) period)));
     }
-    List<Long> executions = path.stream().map(task -> 1L).toList();
-    TracedChain traced = new TracedChain(path, executions, TICKS, random);
+    List<Long> executions = path.stream().map(task -> task.response().orElseThrow()).toList();
+    TracedChain traced = new TracedChain(path, executions, TICKS, worst());
     assertEquals(traced.reaction(), bound(LatencyType.REACTION, Method.LET, path));
     assertEquals(traced.dataAge(), bound(LatencyType.DATA_AGE, Method.LET, path));
   }
 
-  /** Random tasks: of timers on one to three processors, of messages, of logical times. */
+  /** Adds the way of the messages between two tasks to some of them. */
+  private static void addWay(Random random, List<Task> path, List<Long> executions) {
+    if (!path.isEmpty() && random.nextBoolean()) {
+      long longest = 1L + random.nextInt(LONGEST_WAY);
+      path.add(Task.onMessage("way " + path.size(), longest));
+      executions.add(longest);
+    }
+  }
+
+  /**
+   * Random tasks: of timers on one to three processors, of messages, of logical times, with
+   * messages that are on their way for random times.
+   */
   @Property
   void noScheduleExceedsABound(@ForAll long seed) {
     Random random = new Random(seed);
@@ -154,6 +170,7 @@ class BoundsTest {
     for (int i = length(random); i > 0; i--) {
       long period = period(random);
       long execution = 1L + random.nextInt(3);
+      addWay(random, path, executions);
       executions.add(execution);
       String processor = "ecu" + random.nextInt(processors);
       int priority = 10 * random.nextInt(3) + i;
@@ -209,6 +226,29 @@ class BoundsTest {
         5 + 3 + 4 + 50 + 2,
         davare(LatencyType.DATA_AGE, List.of(sensor, wire, filter, brake)).time());
     assertEquals(3 + 20 + 2, davare(LatencyType.REACTION, List.of(wire, brake)).time());
+  }
+
+  /**
+   * The worst of three cases by hand: a message that leaves at 10 arrives at 11, and is read at 12.
+   */
+  @Test
+  void logicalExecutionTimesCountTheWay() {
+    List<Task> path =
+        List.of(Task.logical("A", 5, 0), Task.onMessage("way", 1), Task.logical("B", 2, 0));
+    assertEquals(14, bound(LatencyType.REACTION, Method.LET, path));
+    assertEquals(5 + 5 + 1 + 2 + 2, bound(LatencyType.REACTION, Method.DAVARE, path));
+  }
+
+  /** A message on its way to a task of the same processor has not been read before it is there. */
+  @Test
+  void prioritiesDoNotHelpMessagesOnTheirWay() {
+    Task first = Task.periodic("first", 10, 2).withPhase(0).on("ecu", 2);
+    Task second = Task.periodic("second", 10, 3).withPhase(0).on("ecu", 1);
+    List<Task> path = List.of(first, Task.onMessage("way", 1), second);
+    assertEquals(10 + 2 + 1 + 10 + 3, bound(LatencyType.REACTION, Method.DUERR, path));
+    assertEquals(10 + 10 + 3, bound(LatencyType.REACTION, Method.KLODA, path));
+    assertEquals(10 + 10 + 3, bound(LatencyType.REACTION, Method.DUERR, List.of(first, second)));
+    assertEquals(10 + 3, bound(LatencyType.REACTION, Method.KLODA, List.of(first, second)));
   }
 
   private static Bound davare(LatencyType type, List<Task> path) {
@@ -281,6 +321,10 @@ class BoundsTest {
     assertEquals(Map.of("camera", 0L, "fusion", 10L, "brake", 5L), aligned.phases());
     assertEquals(50 + 10 + 45 + 2, aligned.bound().time());
     assertTrue(aligned(List.of(Task.onMessage("filter", 1))).isEmpty());
+    AlignedTimers apart =
+        aligned(List.of(path.get(0), Task.onMessage("way", 7), path.get(1))).orElseThrow();
+    assertEquals(Map.of("camera", 0L, "fusion", 17L), apart.phases());
+    assertEquals(50 + 10 + 7 + 45, apart.bound().time());
   }
 
   private static Optional<AlignedTimers> aligned(List<Task> path) {

@@ -24,7 +24,7 @@ function latencyBar(before, parts, scale, maximum, label) {
 }
 
 function boundTable(latency, parts) {
-  const columns = [{ name: "Component", row: true }, { name: "Waiting", number: true }, { name: "Execution", number: true }, { name: "Share", number: true },
+  const columns = [{ name: "Component or message", row: true }, { name: "Waiting", number: true }, { name: "Execution or transport", number: true }, { name: "Share", number: true },
     { name: "Period", number: true }, { name: "Twice as often saves", number: true }, { name: "Largest period that holds", number: true }];
   const known = number(latency.maximum) !== null;
   const largest = (part) => number(part.largest) !== null ? milliseconds(part.largest)
@@ -133,7 +133,7 @@ function completeBounds() {
   const all = records(data.latencies);
   if (place && all.length > 0) {
     place.append(html("h3", null, "Bounds on latencies, in ms"),
-      html("p", { class: "lead" }, "What the periods and worst-case execution times of the model make possible, for all phases of the timers. The second bar is what the longest measured time consists of; "
+      html("p", { class: "lead" }, "What the periods and the worst-case execution and transport times of the model make possible, for all phases of the timers. The second bar is what the longest measured time consists of; "
         + "a simulation has some phases, and may stay below. The largest period that holds is that of one component while the others keep theirs."),
       ...all.map(boundFigure), ...all.flatMap(completeDelays));
   }
