@@ -22,12 +22,12 @@ FLOAT = "std_msgs/msg/Float32"
 
 
 class Running:
-    """A running node file, and its output lines."""
+    """A running node file or other program, and its output lines."""
 
-    def __init__(self, world: World, *arguments: object) -> None:
-        command = [sys.executable, "-m", "eventchain_ros2", *map(str, arguments)]
+    def __init__(self, environment: dict[str, str], *arguments: object) -> None:
+        command = [sys.executable, *map(str, arguments)]
         self.process = subprocess.Popen(
-            command, env=world.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8"
+            command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8"
         )
         self.said: list[str] = []
         self._lines: Queue[str | None] = Queue()
@@ -91,7 +91,13 @@ class World:
         self._repeated: list[Repeated] = []
 
     def run(self, *arguments: object) -> Running:
-        self._running.append(Running(self, *arguments))
+        self._running.append(Running(self.environment, "-m", "eventchain_ros2", *arguments))
+        return self._running[-1]
+
+    def foreign(self, *arguments: object) -> Running:
+        """Run a Python program that sees nothing of this runtime."""
+        elsewhere = {name: value for name, value in self.environment.items() if name != "PYTHONPATH"}
+        self._running.append(Running(elsewhere, *arguments))
         return self._running[-1]
 
     def probe(self, **parameters: object) -> Running:

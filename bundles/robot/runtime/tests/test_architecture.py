@@ -21,7 +21,7 @@ LAYERS = (
     {"simulation"},
     {"context", "discovery", "output_faults", "tasks", "value_latency"},
     {"dds_entities"},
-    {"endpoints", "failures", "message_objects", "pytest_plugin", "real_time", "watch"},
+    {"endpoints", "failures", "message_objects", "pytest_plugin", "real_time", "service_peers", "watch"},
     {"channel", "components", "dds", "services", "wire"},
     {"node_graph"},
     {"node"},
@@ -32,7 +32,7 @@ LAYERS = (
 LAYER_OF = {module: layer for layer, modules in enumerate(LAYERS) for module in modules}
 MODULES = sorted(PYTHON.glob(f"{RUNTIME}/*.py"))
 # Modules that use the library. A confined process refuses ctypes, so the modules that run in one do not use it.
-WIRE = {"cyclone", "dds_endpoints", "dds_entities", "dds_qos", "discovery", "type_support"}
+WIRE = {"cyclone", "dds_endpoints", "dds_entities", "dds_qos", "discovery", "service_peers", "type_support"}
 CONFINED = ("components", "executors", "simulation")
 PACKAGES = ("cyclonedds", "message_filters", "rclpy", "sensor_msgs_py", "tf2_geometry_msgs", "tf2_ros")
 FACADES = sorted(file for package in PACKAGES for file in PYTHON.glob(f"{package}/**/*.py"))

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from heapq import heappush
 from typing import Any, NamedTuple
 
-from eventchain_ros2.processes import Process, Publisher
+from eventchain_ros2.processes import Process, Publisher, ServicePeers
 
 SAMPLE, TIMER = 0, 1
 """Ranks of simultaneous events."""
@@ -41,6 +41,7 @@ class Agenda:
         self.running = True
         self.processes: list[Process] = []
         self.current: Process | None = None  # the process whose code is running, or has failed
+        self.service_peers: ServicePeers | None = None  # in real time
         self._events: list[Event] = []
         self._count = 0
         self._starting: Process | None = None

@@ -14,6 +14,9 @@ from eventchain_ros2.cyclone import ANY_STATE, CountStatus, checked
 from eventchain_ros2.dds_qos import LONGEST_BLOCK, policy_name, user_data
 
 GUID_SIZE = 16
+OWNERS = ("clientid", "serviceid")
+"""Keys in the user data of requests and replies, by which rmw_cyclonedds finds the two ends of a client or server."""
+
 _MOST_TAKEN = 64
 _HEADER = 4
 _TIMESTAMPS = (2**32 - 1) * 1_000_000_000  # RTPS counts seconds with 32 bits
@@ -33,12 +36,16 @@ class Received(NamedTuple):
 
 
 class Peer(NamedTuple):
-    """A matched writer or reader: handle, GUID, DDS name of its type, and type hash (`""`: not announced)."""
+    """A matched writer or reader: handle, GUID, DDS name of its type, and what its user data announce (`""`: nothing).
+
+    `owner` is the client or server that it belongs to, equal for the two ends of one: `clientid=` or `serviceid=`.
+    """
 
     handle: int
     guid: bytes
     type_name: str
     type_hash: str
+    owner: str
 
 
 class Announced(NamedTuple):
@@ -119,9 +126,15 @@ class _Endpoint:
             return None  # deleted meanwhile
         endpoint = found[0]
         guid = bytes(endpoint.guid)
-        name, hashed = endpoint.type_name.decode(errors="replace"), user_data(endpoint.qos).get("typehash", "")
+        name, announced = endpoint.type_name.decode(errors="replace"), user_data(endpoint.qos)
         self._library.dds_builtintopic_free_endpoint(found)
-        return Peer(handle, guid, name, hashed)
+        owner = next((f"{key}={announced[key]}" for key in OWNERS if key in announced), "")
+        return Peer(handle, guid, name, announced.get("typehash", ""), owner)
+
+    def peer(self, handle: int) -> Peer | None:
+        """Return a matched endpoint; None: it is gone."""
+        with self.opened():
+            return self._peer(handle)
 
     def new_peers(self) -> list[Peer]:
         """Return the endpoints that have matched since the last call and still exist."""

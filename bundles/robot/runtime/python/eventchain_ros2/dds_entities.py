@@ -152,13 +152,14 @@ class Participant:
             raise KeyError(type_name)
         return with_identity(found) if is_of_service(type_name) else found
 
-    def writer(self, topic: str, type_name: str, qos_profile: QoSProfile) -> Writer:
+    def writer(self, topic: str, type_name: str, qos_profile: QoSProfile, owner: str = "") -> Writer:
         """Create a writer.
 
         Args:
             topic: full name in ROS 2, such as `/scan`; on the wire it is `rt/scan`.
             type_name: full name of the message type, such as `sensor_msgs/msg/LaserScan`.
             qos_profile: the offered policies.
+            owner: the client or server that it belongs to, such as `clientid=1f`, equal for its two ends.
 
         Raises:
             KeyError: no such message type.
@@ -166,16 +167,19 @@ class Participant:
             DdsError: Cyclone DDS refuses it.
 
         """
-        return Writer(self.lifetime, *self._make("dds_create_writer", topic, type_name, qos_profile))
+        return Writer(self.lifetime, *self._make("dds_create_writer", topic, type_name, qos_profile, owner))
 
-    def reader(self, topic: str, type_name: str, qos_profile: QoSProfile) -> Reader:
+    def reader(self, topic: str, type_name: str, qos_profile: QoSProfile, owner: str = "") -> Reader:
         """Create a reader; see `writer`."""
-        return Reader(self.lifetime, *self._make("dds_create_reader", topic, type_name, qos_profile))
+        return Reader(self.lifetime, *self._make("dds_create_reader", topic, type_name, qos_profile, owner))
 
-    def _make(self, function: str, topic: str, type_name: str, profile: QoSProfile) -> tuple[int, str, str, Announced]:
+    def _make(
+        self, function: str, topic: str, type_name: str, profile: QoSProfile, owner: str
+    ) -> tuple[int, str, str, Announced]:
         hashed = "" if is_of_service(type_name) else type_hash(type_name, self.definition)
         name = dds_topic(topic, profile)
-        user_data = f"typehash={hashed};".encode() if hashed else b""
+        announced = f"typehash={hashed}" if hashed else owner
+        user_data = f"{announced};".encode() if announced else b""
         with self.lifetime.opened(), dds_qos(profile, user_data, ignore_own=self._ignore_own) as qos:
             made = getattr(self._library, function)(self.handle, self._topic(name, type_name), qos, None)
         return checked(made, f"topic {topic}"), topic, hashed, Announced(name, dds_type_name(type_name))

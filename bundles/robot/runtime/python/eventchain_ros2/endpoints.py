@@ -20,6 +20,9 @@ class ROSInterruptException(Exception):  # noqa: N818 - rclpy's name
 class Publisher:
     """Publishes messages of one type on a topic."""
 
+    owner = ""
+    """The client or server of a service that it belongs to, as others on DDS see it; empty: none."""
+
     def __class_getitem__(cls, item: object) -> type:
         return cls
 
@@ -90,6 +93,9 @@ class Publisher:
 
 class Subscription:
     """Runs a callback for each sample on a topic."""
+
+    owner = ""
+    """As that of a publisher."""
 
     def __class_getitem__(cls, item: object) -> type:
         return cls

@@ -19,6 +19,7 @@ from eventchain_ros2.best_available import for_publisher, for_subscription, is_u
 from eventchain_ros2.dds_entities import ClosedError, Participant, Reader, WaitSet, Writer
 from eventchain_ros2.parameters import Parameter
 from eventchain_ros2.qos import QoSProfile, ReliabilityPolicy
+from eventchain_ros2.service_peers import Matched
 from eventchain_ros2.simulation import End, Process, Publisher, Sample, Simulation, Subscription, Timer
 from eventchain_ros2.watch import Watch
 
@@ -53,6 +54,7 @@ class Live(Simulation):
         self._shown = 0  # by /clock, in ns
         self._writers: dict[Publisher, Writer] = {}
         self._readers: dict[Subscription, Reader] = {}
+        self.service_peers = Matched(self._writers, self._readers)
         self._timers: list[tuple[Timer, int]] = []  # with their tokens
         self._waits: dict[frozenset[Process], _Turns] = {}
         self._errands: deque[tuple[Process, Callable[[], None]]] = deque()
@@ -87,7 +89,7 @@ class Live(Simulation):
         publisher.topic.publishers.append(publisher)
         self._decide(publisher, publishes=True)
         profile = publisher.qos_profile
-        writer = self._participant.writer(publisher.topic.name, publisher.type_name, profile)
+        writer = self._participant.writer(publisher.topic.name, publisher.type_name, profile, _owner(publisher))
         self._writers[publisher] = writer
         matched: Any = _Elsewhere(writer)
         publisher.matched.append(matched)
@@ -99,7 +101,8 @@ class Live(Simulation):
         subscription.topic.subscriptions.append(subscription)
         self._decide(subscription, publishes=False)
         profile = subscription.qos_profile
-        reader = self._participant.reader(subscription.topic.name, subscription.type_name, profile)
+        owner = _owner(subscription)
+        reader = self._participant.reader(subscription.topic.name, subscription.type_name, profile, owner)
         self._readers[subscription] = reader
         self._watch.add(reader)
         self._changed()
@@ -301,6 +304,11 @@ class Live(Simulation):
         self._participant.close()
 
 
+def _owner(endpoint: Any) -> str:
+    owner: str = endpoint.owner
+    return owner
+
+
 class _Elsewhere:
     """Placeholder for the remote subscriptions matched by a writer."""
 
@@ -366,7 +374,8 @@ class _Turns:
         except ClosedError:
             return False  # destroyed meanwhile
         for sample in samples:
-            subscription.receive(Sample(subscription.topic.name, 0, sample.source_timestamp, sample.data))
+            topic, time = subscription.topic.name, sample.source_timestamp
+            subscription.receive(Sample(topic, 0, time, sample.data, sample.publication))
         return bool(samples)
 
     def wait(self, timeout: int | None, clock: Reader | None) -> None:

@@ -27,12 +27,16 @@ class LateEndpointError(BaseException):
 
 
 class Sample(NamedTuple):
-    """A message on the wire; `time` is when it becomes visible, `sequence` counts the publications on the topic."""
+    """A message on the wire; `time` is when it becomes visible, `sequence` counts the publications on the topic.
+
+    `writer` is the handle of its writer on DDS, where there is one.
+    """
 
     topic: str
     sequence: int
     time: int
     data: bytes | bytearray | memoryview
+    writer: int = 0
 
 
 class Activation(NamedTuple):
@@ -80,6 +84,16 @@ class Subscription(Protocol):
 
     def receive(self, sample: Sample) -> None:
         """Run the callback."""
+
+
+class ServicePeers(Protocol):
+    """Clients and servers outside of a simulation, for its own servers and clients."""
+
+    def is_served(self, requests: Publisher, replies: Subscription) -> bool:
+        """Return whether a server takes these requests and gives these replies."""
+
+    def wait_for_client(self, requests: Subscription, replies: Publisher, writer: int) -> None:
+        """Wait until the client whose requests come from a writer receives the replies, for a short time at most."""
 
 
 class Timer(Protocol):

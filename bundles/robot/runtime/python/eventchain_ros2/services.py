@@ -51,20 +51,25 @@ def service_of(topic: str, type_name: str) -> tuple[str, str]:
 
 
 class Identity(NamedTuple):
-    """The client of a request, and the number of the request."""
+    """The client of a request, the number of the request, and on DDS the handle of its writer."""
 
     client: int
     number: int
+    writer: int = 0
 
 
 class _Sender(Publisher):
     """Publishes requests or replies."""
 
+    def __init__(self, owner: str, *arguments: Any) -> None:
+        self.owner = owner
+        super().__init__(*arguments)
+
     def send(self, identity: Identity, message: Any) -> None:
         if not isinstance(message, Message) or type(message) is not self.msg_type:
             raise TypeError(f"Expected {self.msg_type}, got {type(message)}")
-        data = to_cdr(message)
-        self._simulation.publish(self, bytes(data[:_CDR_HEADER]) + _LITTLE.pack(*identity) + bytes(data[_CDR_HEADER:]))
+        data, header = to_cdr(message), _LITTLE.pack(identity.client, identity.number)
+        self._simulation.publish(self, bytes(data[:_CDR_HEADER]) + header + bytes(data[_CDR_HEADER:]))
 
     def decodes(self, data: bytes | bytearray | memoryview) -> bool:
         """Return whether these bytes are a request or reply of its type."""
@@ -74,9 +79,14 @@ class _Sender(Publisher):
 class _Receiver(Subscription):
     """Receives requests or replies, with their identities."""
 
+    def __init__(self, owner: str, *arguments: Any) -> None:
+        self.owner = owner
+        super().__init__(*arguments)
+
     def receive(self, sample: Sample) -> None:
         layout = _LITTLE if sample.data[1] & 1 else _BIG
-        identity = Identity(*layout.unpack_from(sample.data, _CDR_HEADER))
+        client, number = layout.unpack_from(sample.data, _CDR_HEADER)
+        identity = Identity(client, number, sample.writer)
         self.callback(identity, from_cdr(self.msg_type, _without_identity(sample.data)))  # type: ignore[call-arg]
 
 
@@ -105,6 +115,11 @@ def _identity(simulation: Simulation, client: str) -> int:
     return int.from_bytes(hashlib.blake2b(text, digest_size=8, salt=salt).digest(), "little")
 
 
+def _owner(simulation: Simulation, key: str) -> str:
+    """Return what the two ends of a client or server announce in real time, so that others know them as a pair."""
+    return "" if simulation.is_simulated else f"{key}={os.urandom(16).hex()}"
+
+
 class Service:
     """Answers requests with a callback, which is given a request and an empty response, and returns the response."""
 
@@ -126,9 +141,10 @@ class Service:
         self._simulation = simulation
         self._process = process
         request, response = service_type.Request, service_type.Response
-        self._replies = _Sender(simulation, process, response, REPLY.topic(name), qos_profile)
+        owner = _owner(simulation, "serviceid")
+        self._replies = _Sender(owner, simulation, process, response, REPLY.topic(name), qos_profile)
         topic = REQUEST.topic(name)
-        self._requests = _Receiver(simulation, process, request, topic, self._answer, qos_profile)  # type: ignore[arg-type]
+        self._requests = _Receiver(owner, simulation, process, request, topic, self._answer, qos_profile)
 
     def _answer(self, identity: Identity, request: Any) -> None:
         result = self.callback(request, self.srv_type.Response())
@@ -141,6 +157,9 @@ class Service:
             TypeError: it is no response of this service.
 
         """
+        peers = self._simulation.service_peers
+        if peers is not None:
+            peers.wait_for_client(self._requests, self._replies, header.writer)
         self._replies.send(header, response)
 
     def configure_introspection(
@@ -171,9 +190,9 @@ class Client:
         self._pending: dict[int, Future] = {}
         self._count = 0
         request, response = service_type.Request, service_type.Response
-        topic = REPLY.topic(name)
-        self._replies = _Receiver(simulation, process, response, topic, self._complete, qos_profile)  # type: ignore[arg-type]
-        self._requests = _Sender(simulation, process, request, REQUEST.topic(name), qos_profile)
+        owner, topic = _owner(simulation, "clientid"), REPLY.topic(name)
+        self._replies = _Receiver(owner, simulation, process, response, topic, self._complete, qos_profile)
+        self._requests = _Sender(owner, simulation, process, request, REQUEST.topic(name), qos_profile)
         self._identity = _identity(simulation, f"{process.name} {name}")
 
     def call_async(self, request: Any) -> Future:
@@ -220,6 +239,9 @@ class Client:
 
     def service_is_ready(self) -> bool:
         """Return whether a node offers the service."""
+        peers = self._simulation.service_peers
+        if peers is not None:
+            return peers.is_served(self._requests, self._replies)
         return self._requests.get_subscription_count() > 0 and self._replies.get_publisher_count() > 0
 
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:

@@ -89,7 +89,7 @@ class Watch:
             self._told[end] = monotonic_ns()
             _warn(f"Deadline missed on topic '{end.topic}': {_MISSED[type(end)]}")
         for peer in peers:
-            if peer.type_hash and peer.type_hash != end.type_hash:
+            if peer.type_hash and end.type_hash and peer.type_hash != end.type_hash:
                 _warn(
                     f"The definition of {peer.type_name} on topic '{end.topic}' differs between both sides: "
                     f"the type hash is {end.type_hash} here and {peer.type_hash} there"
