@@ -180,17 +180,7 @@ class MutateTest {
                 time.sleep(0.001)
                 self.output.publish(Bool(data=threat.time_to_collision < 2.6))
         """);
-    copy.replace(
-        "software-base/components.json",
-        "\"name\": \"" + NAME + "\",",
-        "\"name\": \""
-            + NAME
-            + "\", \"implementation\": \"node\", \"file\": \"nodes/warning.py\","
-            + " \"node\": {\"class\": \"Warning\"},");
-    copy.replace(
-        "model/chain.xmi",
-        "name=\"" + NAME + "\"",
-        "name=\"" + NAME + "\" implementation=\"NODE\"");
+    hostTheNode();
     new Program()
         .run("validate", copy.path())
         .expect(1)
@@ -206,6 +196,58 @@ class MutateTest {
     ended.says("[mutation.left-out]");
     ended.says("Collision_Warning                   9        0        4        0        5");
     assertTrue(outcomes().containsAll(Set.of("UNNOTICED", "UNCHANGED")), outcomes()::toString);
+  }
+
+  /** Hosts the node of the warning as it is, instead of the component. */
+  private void hostTheNode() throws IOException {
+    copy.replace(
+        "software-base/components.json",
+        "\"name\": \"" + NAME + "\",",
+        "\"name\": \""
+            + NAME
+            + "\", \"implementation\": \"node\", \"file\": \"nodes/warning.py\","
+            + " \"node\": {\"class\": \"Warning\"},");
+    copy.replace(
+        "model/chain.xmi",
+        "name=\"" + NAME + "\"",
+        "name=\"" + NAME + "\" implementation=\"NODE\"");
+  }
+
+  /** The host of the nodes is gone then, and others have to go on in a new one. */
+  @InTurn
+  @Test
+  void aMutantThatEndsTheProcessOfTheNodesIsCaught() throws IOException {
+    copy.delete(COMPONENT);
+    copy.write(
+        "software-base/nodes/warning.py",
+        """
+        import os
+        from demo_msgs.msg import Threat
+        from rclpy.node import Node
+        from std_msgs.msg import Bool
+
+        class Warning(Node):
+            def __init__(self):
+                super().__init__("warning")
+                self.output = self.create_publisher(Bool, "/cluster/collision_warning", 10)
+                self.create_subscription(Threat, "/aeb/threat", self.on_threat, 10)
+
+            def on_threat(self, threat):
+                if threat.time_to_collision < -1000000000000.0:
+                    os._exit(3)
+                self.output.publish(Bool(data=threat.time_to_collision < 2.6))
+        """);
+    hostTheNode();
+    mutate().expect(1).says("[" + SURVIVED + "]");
+    assertTrue(outcomes().containsAll(Set.of("ENDED", "UNNOTICED")), outcomes()::toString);
+    assertFalse(outcomes().contains("UNPROVED"), outcomes()::toString);
+    assertFalse(outcomes().contains("NOT_TRIED"), outcomes()::toString);
+    for (JsonNode mutant : results()) {
+      if (mutant.path("outcome").asText().equals("ENDED")) {
+        assertTrue(
+            mutant.path("words").asText().endsWith("with the exit code 3."), mutant::toString);
+      }
+    }
   }
 
   private void commit() throws IOException, InterruptedException {
@@ -245,6 +287,32 @@ class MutateTest {
     }
     assertEquals("TEST", loops.path("outcome").asText());
     assertTrue(loops.path("words").asText().contains("processor time"), loops::toString);
+  }
+
+  @InTurn
+  @Test
+  void aMutantThatEndsItsOwnProcessIsCaughtByItsTest() throws Exception {
+    copy.write(
+        COMPONENT,
+        """
+        import os
+
+        class Collision_Warning:
+            def execute(self, ttc):
+                if ttc < -1000000000000:
+                    os._exit(3)
+                return {"warns": ttc < 2.6}
+        """);
+    copy.write("tests/" + NAME + ".yaml", TESTS);
+    mutate().says("by test");
+    assertFalse(outcomes().contains("UNPROVED"), outcomes()::toString);
+    for (JsonNode mutant : results()) {
+      if (mutant.path("mutant").asText().equals(SIGN)) {
+        assertEquals("TEST", mutant.path("outcome").asText());
+        assertTrue(
+            mutant.path("words").asText().contains("ended with the exit code 3"), mutant::toString);
+      }
+    }
   }
 
   @Test

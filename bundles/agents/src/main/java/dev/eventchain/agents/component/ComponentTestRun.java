@@ -31,6 +31,7 @@ final class ComponentTestRun {
   private final Component component;
   private final ComponentTests tests;
   private final List<List<ComponentCall>> sequences = new ArrayList<>();
+  private boolean ended;
 
   ComponentTestRun(Component component, ComponentTests tests) {
     this.component = component;
@@ -67,6 +68,10 @@ final class ComponentTestRun {
       return List.of();
     }
     List<CallResults> results = probe.call(file, component.signature(), sequences);
+    ended =
+        results.stream()
+            .flatMap(each -> each.problem().stream())
+            .anyMatch(problem -> problem.is(ComponentRules.ENDED));
     if (results.size() != sequences.size()) {
       return List.of(results.get(0).problem().orElseThrow()); // the probe reports the reason
     }
@@ -85,6 +90,11 @@ final class ComponentTestRun {
       found.addAll(sameAgain(tests.tests().get(first), results.get(first), results.get(next)));
     }
     return found;
+  }
+
+  /** Returns whether a call ended the process of the component in the last run. */
+  boolean ended() {
+    return ended;
   }
 
   /** Returns the calls of the first test or property that return; empty if there is none. */

@@ -112,6 +112,21 @@ public final class ComponentTester {
   }
 
   /**
+   * Outcome of a run of the tests.
+   *
+   * @param findings as {@link #run} returns them
+   * @param ended whether a call ended the process of the component
+   */
+  public record Trial(List<Diagnostic> findings, boolean ended) {}
+
+  /** Runs the tests on a component, and tells whether one ends its process. */
+  public Trial trial(ComponentProbe probe, Path file) {
+    ComponentTestRun run = new ComponentTestRun(component, tests);
+    List<Diagnostic> findings = run.run(probe, file);
+    return new Trial(findings, run.ended());
+  }
+
+  /**
    * Runs the tests on a component that was never called before, such as a manually edited one. If
    * the calls of the first test fail, the other tests are skipped: each might hang.
    *

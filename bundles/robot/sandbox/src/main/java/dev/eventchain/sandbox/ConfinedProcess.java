@@ -147,6 +147,20 @@ public final class ConfinedProcess implements AutoCloseable {
     }
   }
 
+  /**
+   * Waits until it has ended, and kills it if it does not end by itself for a time: a process whose
+   * output ends is about to, unless it has closed that.
+   */
+  public Termination awaitOrKill(Duration patience) {
+    try {
+      process.waitFor(patience.toNanos(), TimeUnit.NANOSECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // which await() and close() heed
+    }
+    close();
+    return await();
+  }
+
   /** Kills it if it is still running. */
   @Override
   public void close() {

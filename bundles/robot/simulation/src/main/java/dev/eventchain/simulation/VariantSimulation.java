@@ -21,6 +21,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * Simulates variants of components in the scenarios that pass with the components as they are, in
@@ -29,10 +30,17 @@ import java.util.Optional;
  */
 public final class VariantSimulation {
 
+  /** Times that the end of a process has to be repeated, in new processes, to be evidence. */
+  public static final int REPETITIONS = 2;
+
   private final SimulationRequest request;
   private final SimulatedChain chain;
   private final NodePackage original;
   private final PythonEnvironment python;
+  private final Map<Integer, Ends> ends = new ConcurrentHashMap<>();
+
+  /** The ends of processes in a scenario of a variant: the reaction, and how often it came. */
+  private record Ends(VariantReaction reaction, int times) {}
 
   /**
    * A variant of a component.
@@ -94,7 +102,7 @@ public final class VariantSimulation {
               .map(run -> new PassedScenario(run, judge))
               .sorted(PassedScenario.ORDER)
               .toList();
-      HostPool.Job job = (number, hosts) -> work(number, variants, passed, hosts, listener);
+      HostPool.Job job = (number, hosts) -> work(number, same, variants, passed, hosts, listener);
       new HostPool(variants.size(), this::start, job).run(request.settings().processes());
     }
     return failed;
@@ -102,18 +110,30 @@ public final class VariantSimulation {
 
   private HostPool.State work(
       int number,
+      List<Variant> same,
       List<Variant> variants,
       List<PassedScenario> passed,
       NodeHosts hosts,
       Listener listener) {
     ScenarioRunner runner = runner(List.of(variants.get(number)), hosts);
-    VariantReaction reaction = new VariantTrial(passed).run(runner);
+    VariantTrial trial = new VariantTrial(passed);
+    Ends before = ends.get(number);
+    VariantReaction reaction =
+        before == null
+            ? trial.run(runner)
+            : trial.repeat(before.reaction(), runner(same, hosts), runner);
+    int times = before == null ? 0 : before.times();
+    if (reaction.kind() == VariantReaction.Kind.ENDED && times < REPETITIONS) {
+      ends.put(number, new Ends(reaction, times + 1));
+      return HostPool.State.UNDONE;
+    }
     synchronized (this) {
       listener.reacted(number, reaction);
     }
-    return reaction.kind() == VariantReaction.Kind.RAISED
-        ? HostPool.State.DONE_AT_THE_END
-        : HostPool.State.DONE;
+    return switch (reaction.kind()) {
+      case RAISED, ENDED, UNPROVED -> HostPool.State.DONE_AT_THE_END;
+      default -> HostPool.State.DONE;
+    };
   }
 
   private ScenarioRunner runner(List<Variant> loaded, NodeHosts hosts) {

@@ -7,6 +7,7 @@ import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.sandbox.ConfinedProcess;
+import java.time.Duration;
 import java.util.List;
 import java.util.function.Supplier;
 
@@ -22,18 +23,32 @@ public record HostFailures(String who, Supplier<LastWords> lastWords, UserFiles 
 
   private static final int LAST_LINES = 12;
 
+  /** Time in which a process whose output has ended should be gone, so that its exit code is. */
+  private static final Duration PATIENCE = Duration.ofSeconds(1);
+
+  private static final int SIGNALS = 128;
+
   /**
    * Cause and error output of an ended process.
    *
+   * @param termination how it ended
    * @param standardError its output on standard error
    */
-  public record LastWords(ConfinedProcess.Cause cause, String standardError) {
+  public record LastWords(ConfinedProcess.Termination termination, String standardError) {
 
     /** Ends a process and returns its cause and error output. */
     public static LastWords of(ConfinedProcess process) {
-      process.close();
-      ConfinedProcess.Cause cause = process.await().cause();
-      return new LastWords(cause, process.standardError());
+      ConfinedProcess.Termination termination = process.awaitOrKill(PATIENCE);
+      return new LastWords(termination, process.standardError());
+    }
+
+    /** Returns how it ended, as the end of a sentence; empty if it was ended. */
+    private String how() {
+      if (termination.cause() != ConfinedProcess.Cause.EXITED) {
+        return "";
+      }
+      int code = termination.exitCode();
+      return code > SIGNALS ? ", by signal " + (code - SIGNALS) : ", with the exit code " + code;
     }
   }
 
@@ -72,13 +87,16 @@ public record HostFailures(String who, Supplier<LastWords> lastWords, UserFiles 
           Diagnostic.of(HostRules.SIMULATION_STEP_TIMEOUT, message, files.folder())
               .withHint("Look for an endless loop or a wait in a node."));
     }
-    return switch (last.cause()) {
+    return switch (last.termination().cause()) {
       case OUTPUT ->
           ended(HostRules.SIMULATION_LIMIT, "The nodes write to standard error endlessly.", last);
       case WALL_TIME, CPU_TIME ->
           ended(HostRules.SIMULATION_RUN_TIMEOUT, "The simulation took longer than allowed.", last);
       default ->
-          ended(HostRules.SIMULATION_PROCESS_ENDED, who + " ended before the scenario did.", last);
+          ended(
+              HostRules.SIMULATION_PROCESS_ENDED,
+              who + " ended before the scenario did" + last.how() + ".",
+              last);
     };
   }
 

@@ -11,7 +11,10 @@ import dev.eventchain.simulation.verdict.VariantReaction;
 import java.util.List;
 import java.util.Optional;
 
-/** A variant of a component in one scenario after the other, until one notices it. */
+/**
+ * A variant of a component in one scenario after the other, until one notices it. A process that
+ * ends may have been ended by the machine, so that it is only evidence if it ends again.
+ */
 public final class VariantTrial {
 
   /** Failures of a node: by values of its component that it cannot send, or by its own code. */
@@ -23,6 +26,10 @@ public final class VariantTrial {
           HostRules.MESSAGE_MALFORMED,
           HostRules.SIMULATION_LIMIT,
           HostRules.SIMULATION_STEP_TIMEOUT);
+
+  /** Ends of a process, of which nobody says who caused them. */
+  private static final List<Rule> ENDS =
+      List.of(HostRules.SIMULATION_PROCESS_ENDED, ComponentRules.ENDED);
 
   private final List<PassedScenario> scenarios;
 
@@ -36,7 +43,7 @@ public final class VariantTrial {
   }
 
   /**
-   * Drives the scenarios.
+   * Drives the scenarios. If a process ends, the reaction has to be {@linkplain #repeat repeated}.
    *
    * @param runner runs them with the variant
    * @throws DiagnosticException if a run ends for another reason than what the component does
@@ -65,8 +72,40 @@ public final class VariantTrial {
         : new VariantReaction(VariantReaction.Kind.UNCHANGED, "", "", Optional.empty());
   }
 
+  /**
+   * Drives the scenario in which a process ended again, first with the components as they are.
+   *
+   * @param ended the reaction of the kind ENDED
+   * @param original runs scenarios with the components as they are
+   * @param variant runs them with the variant, in the same process
+   * @return the same reaction, or one of the kind UNPROVED
+   * @throws DiagnosticException if the run with the components as they are ends, too
+   */
+  public VariantReaction repeat(
+      VariantReaction ended, ScenarioRunner original, ScenarioRunner variant) {
+    PassedScenario scenario =
+        scenarios.stream()
+            .filter(each -> each.scenario().name().equals(ended.scenario()))
+            .findFirst()
+            .orElseThrow();
+    ScenarioRun without = original.run(scenario.scenario());
+    if (!scenario.judge(without).reaction().kind().isNoticed()) {
+      try {
+        variant.run(scenario.scenario());
+      } catch (DiagnosticException e) {
+        if (raised(scenario, e).equals(ended)) {
+          return ended;
+        }
+      }
+    }
+    return scenario.reaction(VariantReaction.Kind.UNPROVED, ended.words(), Optional.empty());
+  }
+
   private static VariantReaction raised(PassedScenario scenario, DiagnosticException end) {
     Diagnostic finding = end.diagnostics().get(0);
+    if (ENDS.stream().anyMatch(finding::is)) {
+      return scenario.reaction(VariantReaction.Kind.ENDED, finding.message(), Optional.empty());
+    }
     boolean ofComponent =
         ComponentRules.find(finding.id()).isPresent() || OF_NODE.stream().anyMatch(finding::is);
     if (end.reason() != DiagnosticException.Reason.FINDINGS || !ofComponent) {

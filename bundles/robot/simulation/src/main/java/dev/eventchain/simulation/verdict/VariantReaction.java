@@ -23,6 +23,13 @@ public record VariantReaction(Kind kind, String scenario, String words, Optional
     UNTESTED,
     /** The component does not work. */
     RAISED,
+    /**
+     * The process of the component or of the nodes ends, in each of several runs, and not with the
+     * component as it is.
+     */
+    ENDED,
+    /** A process ended, but not when that was repeated, so that nothing is known. */
+    UNPROVED,
     /** All criteria hold, although outputs changed. */
     UNNOTICED,
     /** All criteria hold, and no output changed in any scenario. */
@@ -30,7 +37,7 @@ public record VariantReaction(Kind kind, String scenario, String words, Optional
 
     /** Returns whether the scenarios noticed the variant. */
     public boolean isNoticed() {
-      return this != UNNOTICED && this != UNCHANGED;
+      return this != UNNOTICED && this != UNCHANGED && this != UNPROVED;
     }
   }
 }

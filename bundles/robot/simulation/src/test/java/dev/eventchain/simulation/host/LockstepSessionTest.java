@@ -44,7 +44,8 @@ class LockstepSessionTest {
             "The process that runs the nodes",
             () ->
                 new HostFailures.LastWords(
-                    ConfinedProcess.Cause.EXITED, "Traceback\nValueError: last words\n"),
+                    new ConfinedProcess.Termination(ConfinedProcess.Cause.EXITED, 139),
+                    "Traceback\nValueError: last words\n"),
             new UserFiles(Path.of("out/ros2/aeb"))));
   }
 
@@ -158,6 +159,9 @@ class LockstepSessionTest {
   void endWithinOrBeforeAnAnswerIsReportedWithLastWords(String hex) {
     Diagnostic finding = failure(HexFormat.of().parseHex(hex));
     assertEquals("simulation.process.ended", finding.id());
+    assertEquals(
+        "The process that runs the nodes ended before the scenario did, by signal 11.",
+        finding.message());
     assertEquals("out/ros2/aeb", finding.location().file());
     assertTrue(finding.hint().contains("last words"), finding::hint);
   }

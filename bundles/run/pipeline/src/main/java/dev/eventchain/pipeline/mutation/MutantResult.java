@@ -36,6 +36,10 @@ record MutantResult(
     UNTESTED(true),
     /** The component does not work in a scenario. */
     RAISED(true),
+    /** The process of the component or of the nodes ends, each time, and not without the defect. */
+    ENDED(true),
+    /** A process ended, but not when that was repeated, so that nothing is known. */
+    UNPROVED(false),
     /** Nothing noticed it, although outputs changed. */
     UNNOTICED(false),
     /** Nothing noticed it, and no output changed in any scenario. */

@@ -114,19 +114,19 @@ final class MutantTrials implements AutoCloseable {
       throws InterruptedException {
     for (Variant each : same) {
       if (mutants.stream().anyMatch(mutant -> mutant.component().equals(each.component()))) {
-        refuse(test(each.component(), each.file()).stream().toList());
+        refuse(test(each.component(), each.file()).map(Failure::finding).stream().toList());
       }
     }
     List<Mutant> left = new ArrayList<>();
     ExecutorService workers = Executors.newFixedThreadPool(processes);
     try {
-      Map<Mutant, Future<Optional<Diagnostic>>> begun = new LinkedHashMap<>();
+      Map<Mutant, Future<Optional<Failure>>> begun = new LinkedHashMap<>();
       for (Mutant mutant : mutants) {
         begun.put(mutant, workers.submit(() -> test(mutant)));
       }
       for (var each : begun.entrySet()) {
-        Optional<Diagnostic> failed = each.getValue().get();
-        failed.ifPresent(finding -> ended.accept(failed(each.getKey(), finding)));
+        Optional<Failure> failed = each.getValue().get();
+        failed.ifPresent(failure -> ended.accept(failed(each.getKey(), failure, same)));
         if (failed.isEmpty()) {
           left.add(each.getKey());
         }
@@ -141,20 +141,30 @@ final class MutantTrials implements AutoCloseable {
     return left;
   }
 
-  private Optional<Diagnostic> test(Mutant mutant) {
+  private Optional<Failure> test(Mutant mutant) {
     return tests.containsKey(mutant.component())
         ? test(mutant.component(), copy(mutant.file(), mutant.text()))
         : Optional.empty();
   }
 
-  private Optional<Diagnostic> test(String component, Path file) {
+  private Optional<Failure> test(String component, Path file) {
     if (!tests.containsKey(component)) {
       return Optional.empty();
     }
-    return tests.get(component).run(new ComponentProbe(python).ofExisting(), file).stream()
+    ComponentTester.Trial trial =
+        tests.get(component).trial(new ComponentProbe(python).ofExisting(), file);
+    return trial.findings().stream()
         .filter(finding -> finding.severity() == Severity.ERROR)
-        .findFirst();
+        .findFirst()
+        .map(finding -> new Failure(finding, trial.ended()));
   }
+
+  /**
+   * Failure of a test.
+   *
+   * @param ended whether a process ended, for which there may be another reason
+   */
+  private record Failure(Diagnostic finding, boolean ended) {}
 
   private static void refuse(List<Diagnostic> failed) {
     if (!failed.isEmpty()) {
@@ -170,13 +180,32 @@ final class MutantTrials implements AutoCloseable {
     }
   }
 
-  private static MutantResult failed(Mutant mutant, Diagnostic finding) {
+  private MutantResult failed(Mutant mutant, Failure failure, List<Variant> same) {
+    boolean proved = !failure.ended() || failsAgain(mutant, failure, same);
     return MutantResult.of(
         mutant,
-        MutantResult.Outcome.TEST,
+        proved ? MutantResult.Outcome.TEST : MutantResult.Outcome.UNPROVED,
         Optional.empty(),
-        Optional.of(finding.message()),
+        Optional.of(failure.finding().message()),
         Optional.empty());
+  }
+
+  /** Returns whether a test fails in the same way each time, and not without the defect. */
+  private boolean failsAgain(Mutant mutant, Failure failure, List<Variant> same) {
+    Path original =
+        same.stream()
+            .filter(each -> each.component().equals(mutant.component()))
+            .findFirst()
+            .orElseThrow()
+            .file();
+    for (int i = 0; i < VariantSimulation.REPETITIONS; i++) {
+      refuse(test(mutant.component(), original).map(Failure::finding).stream().toList());
+      Optional<String> again = test(mutant).map(each -> each.finding().message());
+      if (!again.equals(Optional.of(failure.finding().message()))) {
+        return false;
+      }
+    }
+    return true;
   }
 
   private static MutantResult result(Mutant mutant, VariantReaction reaction) {
@@ -185,6 +214,8 @@ final class MutantTrials implements AutoCloseable {
           case CRITERION -> MutantResult.Outcome.CRITERION;
           case UNTESTED -> MutantResult.Outcome.UNTESTED;
           case RAISED -> MutantResult.Outcome.RAISED;
+          case ENDED -> MutantResult.Outcome.ENDED;
+          case UNPROVED -> MutantResult.Outcome.UNPROVED;
           case UNNOTICED -> MutantResult.Outcome.UNNOTICED;
           case UNCHANGED -> MutantResult.Outcome.UNCHANGED;
         };

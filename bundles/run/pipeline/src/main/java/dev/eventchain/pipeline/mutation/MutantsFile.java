@@ -36,11 +36,18 @@ record MutantsFile(String chain, String inputs, List<MutantResult> mutants) {
           ? List.of()
           : Optional.of(ResultJson.read(bytes.get(), MutantsFile.class))
               .filter(file -> file.inputs().equals(inputs))
-              .map(MutantsFile::mutants)
+              .map(MutantsFile::proved)
               .orElse(List.of());
     } catch (IOException e) {
       return List.of(); // of another version, which only costs the time to try them again
     }
+  }
+
+  /** Returns the results without those of which nothing is known, so that they are tried again. */
+  private List<MutantResult> proved() {
+    return mutants.stream()
+        .filter(each -> each.outcome() != MutantResult.Outcome.UNPROVED)
+        .toList();
   }
 
   void write(RunContext run) {

@@ -192,6 +192,9 @@ public final class MutationTesting {
       if (result.survives() && accepted.find(result, options.today()).isEmpty()) {
         found.add(SurvivorFindings.of(mutant, result));
       }
+      if (result.outcome() == MutantResult.Outcome.UNPROVED) {
+        found.add(SurvivorFindings.unproved(mutant, result));
+      }
     }
     found.addAll(leftOut());
     if (chosen.isEmpty()) {

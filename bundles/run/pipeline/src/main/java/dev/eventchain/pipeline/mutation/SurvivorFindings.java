@@ -2,7 +2,7 @@ package dev.eventchain.pipeline.mutation;
 
 import dev.eventchain.diagnostics.Diagnostic;
 
-/** Findings about mutants that nothing notices. */
+/** Findings about mutants that nothing notices, or of which nothing is known. */
 final class SurvivorFindings {
 
   private SurvivorFindings() {}
@@ -15,6 +15,21 @@ final class SurvivorFindings {
     return Diagnostic.of(
             MutationRules.MUTATION_SURVIVED, message + result.mutant() + ".", mutant.location())
         .withHint(hint(mutant, result));
+  }
+
+  static Diagnostic unproved(Mutant mutant, MutantResult result) {
+    return Diagnostic.of(
+            MutationRules.MUTATION_UNPROVED,
+            "Nothing is known about this defect, since a process ended once and not when that was"
+                + " repeated ("
+                + result.words().orElse("")
+                + "): "
+                + result.mutant()
+                + ".",
+            mutant.location())
+        .withHint(
+            "Run the command again. If that stays, look for what differs from run to run, such as"
+                + " the memory of this machine.");
   }
 
   private static String hint(Mutant mutant, MutantResult result) {
