@@ -134,6 +134,35 @@ class OpenScenarioTest {
         .says("6 cases: 5 passed, 1 failed");
   }
 
+  /** The file says nothing of criteria; one case is slower than what it is asked for. */
+  @Test
+  void criteriaOfASuiteAreGivenByTagsAndValues() throws IOException {
+    Path suite = folder.resolve("tagged.yaml");
+    String text =
+        """
+        criteria:
+          - {tags: [rear-end], accept: {no_impact: true}}
+          - tags: [rear-end, fast]
+            where: [speed_kph > 40]
+            accept: {formulas: [{formula: eventually ego.acceleration <= -100 m/s2}]}
+        campaigns:
+          near:
+            tags: [fast, rear-end]
+            scenario: %s
+            factors: {speed_kph: {values: [30, 50]}}
+        """
+            .formatted(FILES.resolve("rear-end.xosc").toAbsolutePath());
+    Files.writeString(suite, text);
+    simulate("--suite", suite)
+        .expect(1)
+        .says("2 cases: 1 passed, 1 failed")
+        .says("(speed_kph = 50): eventually ego.acceleration <= -100 m/s2");
+    Files.writeString(suite, text.replace("speed_kph > 40", "speed_kph > 60"));
+    simulate("--suite", suite).expect(2).says("[campaign.criteria]");
+    Files.writeString(suite, text.replace("tags: [rear-end]", "tags: [rear_end]"));
+    simulate("--suite", suite).expect(2).says("No campaign has the tag 'rear_end'. [campaign.tag]");
+  }
+
   private Program.Ended campaign(Path file, Object... more) {
     return campaigns("campaign", file, more);
   }

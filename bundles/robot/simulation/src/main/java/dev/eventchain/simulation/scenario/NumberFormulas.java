@@ -32,6 +32,14 @@ public final class NumberFormulas {
    */
   public record Quantity(Set<String> names, ToDoubleFunction<Map<String, Double>> value) {}
 
+  /**
+   * A condition.
+   *
+   * @param names those of the numbers that it reads
+   * @param holds whether it is true, given the numbers by their names
+   */
+  public record Condition(Set<String> names, Predicate<Map<String, Double>> holds) {}
+
   private final Numbers numbers;
 
   /** Creates formulas over the numbers of these names. */
@@ -45,9 +53,9 @@ public final class NumberFormulas {
    * @throws dev.eventchain.diagnostics.DiagnosticException (INPUT) with what is wrong with it, as
    *     for a formula of a scenario
    */
-  public Predicate<Map<String, Double>> condition(SourceRange text) {
+  public Condition condition(SourceRange text) {
     Formula formula = Formula.parseCircumstance(text, numbers);
-    return values -> formula.holds(moment(values));
+    return new Condition(names(formula.signals()), values -> formula.holds(moment(values)));
   }
 
   /**
@@ -58,8 +66,11 @@ public final class NumberFormulas {
   public Quantity quantity(SourceRange text) {
     Term term = Term.parseCircumstance(text, numbers);
     return new Quantity(
-        term.signals().stream().map(Signal::name).collect(Collectors.toUnmodifiableSet()),
-        values -> term.values().in(moment(values)).applyAsDouble(0));
+        names(term.signals()), values -> term.values().in(moment(values)).applyAsDouble(0));
+  }
+
+  private static Set<String> names(Collection<Signal> signals) {
+    return signals.stream().map(Signal::name).collect(Collectors.toUnmodifiableSet());
   }
 
   private static SampledRun moment(Map<String, Double> values) {

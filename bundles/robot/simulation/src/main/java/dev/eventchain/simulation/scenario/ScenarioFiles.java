@@ -46,18 +46,17 @@ record ScenarioFiles(List<Path> files, List<String> accept) {
     if (!isOpenScenario(file)) {
       return SourceText.read(file);
     }
+    requireAny(file, accept);
     return SourceText.of(
         OPTION, written(file, file.toAbsolutePath().toString(), accept).toPrettyString());
   }
 
   /**
-   * Returns a scenario that plays a file in OpenSCENARIO XML.
+   * Requires criteria for a file in OpenSCENARIO XML.
    *
-   * @param path of the file, as the scenario names it
-   * @param accept what is required: {@code KEY} or {@code KEY=NUMBER} each
-   * @throws DiagnosticException (INPUT) if nothing is required
+   * @throws DiagnosticException (INPUT) if there are none
    */
-  static ObjectNode written(Path file, String path, List<String> accept) {
+  static void requireAny(Path file, List<String> accept) {
     if (accept.isEmpty()) {
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT,
@@ -71,6 +70,15 @@ record ScenarioFiles(List<Path> files, List<String> accept) {
                       + file.getFileName()
                       + "}` and `accept`."));
     }
+  }
+
+  /**
+   * Returns a scenario that plays a file in OpenSCENARIO XML.
+   *
+   * @param path of the file, as the scenario names it
+   * @param accept what is required: {@code KEY} or {@code KEY=NUMBER} each
+   */
+  static ObjectNode written(Path file, String path, List<String> accept) {
     ObjectNode scenario = JsonNodeFactory.instance.objectNode();
     String base = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
     scenario.put("name", nameOf(file));

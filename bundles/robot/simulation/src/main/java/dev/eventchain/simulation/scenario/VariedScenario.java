@@ -108,12 +108,13 @@ public record VariedScenario(
    * @throws dev.eventchain.diagnostics.DiagnosticException (INPUT) if nothing is required
    */
   public ObjectNode written(String path, List<String> accept) {
+    ScenarioFiles.requireAny(scenario, accept);
     return written(path, accept, Set.of());
   }
 
   /**
    * As {@link #written(String, List)}, with the values that more of its parameters have, as far as
-   * they are numbers: a factor replaces them.
+   * they are numbers: a factor replaces them. What is required may be said elsewhere.
    */
   public ObjectNode written(String path, List<String> accept, Set<String> more) {
     ObjectNode written = ScenarioFiles.written(scenario, path, accept);

@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline.campaign;
 
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -121,7 +122,8 @@ final class CampaignScene {
     String name = OpenScenarioCampaigns.FOLDER + "/" + plan.name() + "-scenario.yaml";
     Path file = run.file(name);
     String path = ScenarioTemplate.path(file.getParent(), played.varied().scenario());
-    String text = YamlLayout.of(played.written(path, plan.paths()));
+    ObjectNode written = played.written(path, plan.paths());
+    String text = YamlLayout.of(new CriteriaOfCases(plan).withThoseOfAll(written));
     run.writeResult(name, text.getBytes(StandardCharsets.UTF_8));
     return Optional.of(file);
   }

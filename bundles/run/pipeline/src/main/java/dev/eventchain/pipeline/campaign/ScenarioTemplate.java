@@ -22,6 +22,7 @@ import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.CaseSimulation;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.scenario.CaseReader;
+import dev.eventchain.simulation.scenario.Expectation;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.math.BigDecimal;
 import java.nio.file.Path;
@@ -57,6 +58,7 @@ final class ScenarioTemplate {
   private final ObjectNode scenario;
   private final Optional<ObjectNode> bench;
   private final boolean variesBench;
+  private final CriteriaOfCases criteria;
   private final CaseReader cases = new CaseReader();
 
   /**
@@ -72,7 +74,8 @@ final class ScenarioTemplate {
     Scenario.read(file, usualBench);
     this.plan = plan;
     this.file = file;
-    this.scenario = tree(SourceText.read(file));
+    this.criteria = new CriteriaOfCases(plan);
+    this.scenario = criteria.withThoseOfAll(tree(SourceText.read(file)));
     this.bench = benchFile.map(it -> tree(SourceText.read(it)));
     this.variesBench =
         paths(plan).values().stream().flatMap(List::stream).anyMatch(it -> it.startsWith(BENCH));
@@ -91,7 +94,17 @@ final class ScenarioTemplate {
         Document.parse(text, DocumentFormat.YAML, CampaignRules.OF_DOCUMENTS, finding -> {}).root();
   }
 
-  /** Returns a finding for each path that leads nowhere, or where another one leads. */
+  /** Returns the criteria of all cases. */
+  List<Expectation> criteria() {
+    return cases
+        .read(SourceText.of(file.toString(), scenario.toPrettyString()), usualBench)
+        .criteria();
+  }
+
+  /**
+   * Returns a finding for each path that leads nowhere, or where another one leads, and for the
+   * first criteria that no case can have.
+   */
   List<Diagnostic> check() {
     List<Diagnostic> found = new ArrayList<>();
     ObjectNode copy = scenario.deepCopy();
@@ -107,10 +120,23 @@ final class ScenarioTemplate {
         problem.ifPresent(it -> found.add(Diagnostic.of(CampaignRules.FACTOR, it, of.getKey())));
       }
     }
+    if (found.isEmpty()) {
+      found.addAll(criteria.check(this::ofCriteria));
+    }
     if (!found.isEmpty()) {
       return found;
     }
     return plan.sampling().kind() == Sampling.Kind.ROWS ? rows() : values();
+  }
+
+  /** Returns what is wrong with the criteria of a case. */
+  private Optional<Diagnostic> ofCriteria(CampaignCase each) {
+    try {
+      of(each);
+      return Optional.empty();
+    } catch (DiagnosticException e) {
+      return e.diagnostics().stream().filter(CriteriaOfCases::isAbout).findFirst();
+    }
   }
 
   /** Returns what is wrong with the path of a node's phase: any key is one, whatever the chain. */
@@ -217,7 +243,7 @@ final class ScenarioTemplate {
 
   /** Returns the scenario of a case as JSON, which is YAML, too, for the folder of its file. */
   private String text(CampaignCase each) {
-    ObjectNode copy = scenario.deepCopy();
+    ObjectNode copy = criteria.with(scenario, each);
     setAll(copy, false, each);
     if (plan.repetitions() > 1) {
       long seed = copy.path("seed").asLong(1);

@@ -25,7 +25,7 @@ final class SearchSpace {
    */
   SearchSpace(CampaignPlan plan) {
     this.plan = plan;
-    this.conditions = new Conditions(plan);
+    this.conditions = new Conditions(plan, plan.conditions());
   }
 
   int dimensions() {

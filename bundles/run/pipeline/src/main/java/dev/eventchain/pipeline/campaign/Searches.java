@@ -116,7 +116,7 @@ public final class Searches {
       return;
     }
     SearchSettings.Named named = settings.criterion().get();
-    List<String> all = scene.scenario().criteria().stream().map(Expectation::text).toList();
+    List<String> all = scene.template().criteria().stream().map(Expectation::text).toList();
     long meant = all.stream().filter(text -> text.startsWith(named.text())).count();
     if (meant != 1) {
       String words = meant == 0 ? "No criterion of '%s' begins" : "Several criteria of '%s' begin";

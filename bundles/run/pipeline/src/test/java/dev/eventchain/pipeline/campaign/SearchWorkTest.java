@@ -196,7 +196,9 @@ class SearchWorkTest {
             """);
     SearchWork.Result found = search(plan, at -> result(margin("sum", at[0] + at[1], "m")));
     assertEquals(10, new HashSet<>(simulated).size(), simulated::toString);
-    assertTrue(found.rows().stream().allMatch(row -> new Conditions(plan).keep(row.id())));
+    assertTrue(
+        found.rows().stream()
+            .allMatch(row -> new Conditions(plan, plan.conditions()).keep(row.id())));
     CampaignPlan none = plan(TWO_FACTORS + "where: [x > 20]\n");
     assertEquals(List.of(), search(none, SearchWorkTest::smallPit).runs());
   }

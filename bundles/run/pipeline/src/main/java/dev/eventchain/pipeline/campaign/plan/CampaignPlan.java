@@ -21,6 +21,7 @@ import java.util.stream.Stream;
  * @param played the file in OpenSCENARIO XML that {@code scenario} names, if it is one
  * @param computed what follows from the factors, in the order of the file
  * @param conditions keep the combinations for which all are true
+ * @param criteria what is required of cases, besides the criteria of the scenario
  * @param repetitions of each combination, with other seeds
  * @param seed of what is drawn
  * @param search what a search does with it
@@ -36,6 +37,7 @@ public record CampaignPlan(
     List<Computed> computed,
     Sampling sampling,
     List<SourceRange> conditions,
+    List<CaseCriteria> criteria,
     int repetitions,
     long seed,
     Optional<Boundary> boundary,
@@ -54,6 +56,7 @@ public record CampaignPlan(
     factors = List.copyOf(factors);
     computed = List.copyOf(computed);
     conditions = List.copyOf(conditions);
+    criteria = List.copyOf(criteria);
   }
 
   /** Returns the file of a scenario that is not one of the project's. */
@@ -75,6 +78,7 @@ public record CampaignPlan(
         computed,
         Sampling.USUAL,
         conditions,
+        criteria,
         1,
         seed,
         Optional.empty(),
@@ -84,6 +88,11 @@ public record CampaignPlan(
 
   public List<String> names() {
     return factors.stream().map(Factor::name).toList();
+  }
+
+  /** Returns the names of the factors, and of what is computed. */
+  public List<String> allNames() {
+    return Stream.concat(names().stream(), computed.stream().map(Computed::name)).toList();
   }
 
   /** Returns the tables that factors have their values from. */
@@ -117,7 +126,7 @@ public record CampaignPlan(
   }
 
   /** Returns the values of the factors of a case, by their names. */
-  public Map<String, Double> numbers(CampaignCase each) {
+  Map<String, Double> numbers(CampaignCase each) {
     Map<String, Double> numbers = new LinkedHashMap<>();
     for (int i = 0; i < factors.size(); i++) {
       numbers.put(factors.get(i).name(), each.values().get(i).doubleValue());
@@ -162,8 +171,12 @@ public record CampaignPlan(
     points.ifPresent(it -> it.require(allNumbers(each)));
   }
 
-  /** Returns the values of the factors of a case, and what is computed from them. */
-  private Map<String, Double> allNumbers(CampaignCase each) {
+  /**
+   * Returns the values of the factors of a case, and what is computed from them, by their names.
+   *
+   * @throws DiagnosticException (INPUT) if something has no value
+   */
+  public Map<String, Double> allNumbers(CampaignCase each) {
     Map<String, Double> numbers = numbers(each);
     for (Computed next : computed) {
       double value = next.formula().value().applyAsDouble(numbers);

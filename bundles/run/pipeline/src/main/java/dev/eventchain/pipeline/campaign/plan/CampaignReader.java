@@ -16,6 +16,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.Stream;
 
 /** Reads campaign files. */
 public final class CampaignReader {
@@ -25,10 +26,12 @@ public final class CampaignReader {
   private static final NumberRange REPETITIONS = NumberRange.of(1, 1000);
 
   private static final String FACTORS = "factors";
+  private static final String WHERE = "where";
 
   private final Path file;
   private final boolean isSearched;
   private final SourceText text;
+  private final CriteriaByTags criteria = new CriteriaByTags();
 
   private CampaignReader(Path file, boolean isSearched) {
     this.file = file;
@@ -71,8 +74,10 @@ public final class CampaignReader {
       return List.of(plan(document, Optional.empty()));
     }
     document.text("description"); // for people
+    criteria.ofFile(document);
     List<CampaignPlan> plans = new ArrayList<>();
     document.object("campaigns").ifPresent(section -> plans.addAll(named(section)));
+    criteria.refuseIdle(document);
     document.refuseOthers();
     return plans;
   }
@@ -92,12 +97,13 @@ public final class CampaignReader {
   private CampaignPlan plan(ObjectReader section, Optional<String> part) {
     String scenario = section.requiredText("scenario");
     section.text("description"); // for people
-    Optional<PlayedScenario> played = PlayedScenario.read(file, scenario, section);
+    List<CaseCriteria> given = criteria.of(section);
+    Optional<PlayedScenario> played = PlayedScenario.read(file, scenario, section, given);
     List<Factor> factors = factors(section, played);
     Sampling sampling = sampling(section, factors, played);
     FormulasOfCases formulas = new FormulasOfCases(section, factors);
-    List<Computed> computed = formulas.computed();
-    Optional<Points> points = formulas.points();
+    List<SourceRange> conditions = conditions(section);
+    Optional<Points> points = formulas.points(allConditions(conditions, given));
     CampaignPlan plan =
         new CampaignPlan(
             file,
@@ -106,9 +112,10 @@ public final class CampaignReader {
             scenario,
             played,
             factors,
-            computed,
+            formulas.computed(),
             sampling,
-            conditions(section),
+            conditions,
+            given,
             (int) section.wholeNumber("repetitions", REPETITIONS).orElse(1),
             section.wholeNumber("seed", SEED).orElse(1),
             section.object("boundary").flatMap(it -> boundary(it, factors, sampling)),
@@ -116,6 +123,12 @@ public final class CampaignReader {
             points);
     section.refuseOthers();
     return plan;
+  }
+
+  private static List<SourceRange> allConditions(
+      List<SourceRange> own, List<CaseCriteria> criteria) {
+    return Stream.concat(own.stream(), criteria.stream().flatMap(it -> it.conditions().stream()))
+        .toList();
   }
 
   /** Returns the name of a campaign's results. */
@@ -177,13 +190,11 @@ public final class CampaignReader {
         .withHint("Write, for example, `sampling: {latin_hypercube: 200}`, or values or steps.");
   }
 
-  private List<SourceRange> conditions(ObjectReader section) {
-    List<SourceRange> conditions = new ArrayList<>();
-    List<String> texts = section.texts("where");
-    for (int i = 0; i < texts.size(); i++) {
-      conditions.add(SourceText.within(section.at("where"), texts.get(i)).whole());
-    }
-    return conditions;
+  /** Returns the conditions of a campaign, or of some of its criteria. */
+  static List<SourceRange> conditions(ObjectReader section) {
+    return section.texts(WHERE).stream()
+        .map(text -> SourceText.within(section.at(WHERE), text).whole())
+        .toList();
   }
 
   private List<Factor> factors(ObjectReader section) {

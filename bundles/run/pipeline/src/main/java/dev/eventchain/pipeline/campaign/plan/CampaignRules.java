@@ -15,6 +15,7 @@ public final class CampaignRules {
   public static final Rule CONDITION = Rule.error("campaign.condition");
   public static final Rule CRITERION_UNTESTED =
       Rule.error("campaign.criterion.untested", CommonTrait.UNTESTED);
+  public static final Rule CRITERIA = Rule.error("campaign.criteria");
   public static final Rule EMPTY = Rule.error("campaign.empty");
   public static final Rule ENGINE = Rule.error("campaign.engine");
   public static final Rule FACTOR = Rule.error("campaign.factor");
@@ -32,6 +33,7 @@ public final class CampaignRules {
   public static final Rule SEARCH_NOTHING = Rule.warning("search.nothing-to-minimise");
   public static final Rule SIZE = Rule.error("campaign.size");
   public static final Rule SYNTAX = Rule.error("campaign.syntax", CommonTrait.UNSUPPRESSIBLE);
+  public static final Rule TAG = Rule.error("campaign.tag");
   public static final Rule VALUE_RANGE = Rule.error("campaign.value.range");
   public static final Rule VALUE_TYPE = Rule.error("campaign.value.type");
 

@@ -22,7 +22,7 @@ public final class CaseList {
 
   public CaseList(CampaignPlan plan) {
     this.plan = plan;
-    this.conditions = new Conditions(plan);
+    this.conditions = new Conditions(plan, plan.conditions());
   }
 
   /**

@@ -36,9 +36,8 @@ final class FormulasOfCases {
     this.known = new ArrayList<>(factors.stream().map(Factor::name).toList());
   }
 
-  /** Reads what is computed; without what is wrong, which is reported. */
+  /** Returns what is computed, once {@link #points} has read it; without what is wrong. */
   List<Computed> computed() {
-    section.object("computed").ifPresent(this::all);
     return List.copyOf(computed);
   }
 
@@ -64,13 +63,28 @@ final class FormulasOfCases {
   }
 
   /**
-   * Reads, after what is computed, how points are counted, and requires a use of all numbers; empty
-   * if there are no points, or if they are wrong, which is reported.
+   * Reads what is computed and how points are counted, and requires a use of all numbers; empty if
+   * there are no points, or if they are wrong, which is reported.
+   *
+   * @param conditions those of the campaign and of its criteria
    */
-  Optional<Points> points() {
+  Optional<Points> points(List<SourceRange> conditions) {
+    section.object("computed").ifPresent(this::all);
     Optional<Points> points = section.object("points").flatMap(this::points);
-    requireUse(points);
+    Set<String> read = new HashSet<>();
+    conditions.forEach(each -> read.addAll(namesOf(each)));
+    requireUse(points, read);
     return points;
+  }
+
+  /** Returns what a condition reads; one that is wrong is reported when cases are made. */
+  private Set<String> namesOf(SourceRange condition) {
+    try {
+      return new NumberFormulas(known).condition(condition).names();
+    } catch (DiagnosticException e) {
+      complete = false;
+      return Set.of();
+    }
   }
 
   private Optional<Points> points(ObjectReader part) {
@@ -116,11 +130,11 @@ final class FormulasOfCases {
    * Requires of each factor and of what is computed that the scenario or a formula reads it; not
    * where a formula is wrong, of which nobody knows what it reads.
    */
-  private void requireUse(Optional<Points> points) {
+  private void requireUse(Optional<Points> points, Set<String> readByConditions) {
     if (!complete) {
       return;
     }
-    Set<String> read = new HashSet<>();
+    Set<String> read = new HashSet<>(readByConditions);
     computed.forEach(each -> read.addAll(each.formula().names()));
     points.ifPresent(it -> read.addAll(it.names()));
     Map<String, SourceLocation> idle = new LinkedHashMap<>();
@@ -138,6 +152,6 @@ final class FormulasOfCases {
                     Diagnostic.of(CampaignRules.KEY_MISSING, "'path' is missing.", place)
                         .withHint(
                             "Write the number of the scenario that it is, such as ego.speed_kmh, or"
-                                + " read it in a formula under `computed`.")));
+                                + " read it in a formula under `computed` or a condition.")));
   }
 }

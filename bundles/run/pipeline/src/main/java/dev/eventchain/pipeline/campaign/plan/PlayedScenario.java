@@ -22,7 +22,8 @@ import java.util.stream.Stream;
  * A file in OpenSCENARIO XML that a campaign is about, in place of a scenario.
  *
  * @param file the file: of a scenario, or of distributions
- * @param accept what is required: {@code KEY} or {@code KEY=NUMBER} each
+ * @param accept what is required: {@code KEY} or {@code KEY=NUMBER} each; empty if only other
+ *     criteria of the campaign file say it
  */
 public record PlayedScenario(Path file, VariedScenario varied, List<String> accept) {
 
@@ -43,16 +44,19 @@ public record PlayedScenario(Path file, VariedScenario varied, List<String> acce
    * Reads the file that a campaign names, if it is one; what is wrong with the campaign is found
    * there.
    *
+   * @param given the criteria that the campaign file gives its cases elsewhere
    * @throws DiagnosticException with the problems of the file
    */
-  static Optional<PlayedScenario> read(Path campaign, String scenario, ObjectReader section) {
+  static Optional<PlayedScenario> read(
+      Path campaign, String scenario, ObjectReader section, List<CaseCriteria> given) {
     Optional<Path> named = file(campaign, scenario);
     if (named.isEmpty()) {
       return Optional.empty();
     }
     Path file = named.get();
     List<String> accept = section.texts(ACCEPT);
-    if (accept.isEmpty()) {
+    if (accept.isEmpty()
+        && (section.has(ACCEPT) || given.stream().noneMatch(CaseCriteria::areOfAll))) {
       section.find(
           Diagnostic.of(
                   CampaignRules.KEY_MISSING,

@@ -74,6 +74,7 @@ class CampaignReaderTest {
     all.append("computed: {g: {path: r, paths: [t], formula: 2 * f}}\n");
     all.append("sampling: {grid: true}\nwhere: [f > 0]\nrepetitions: 2\nseed: 3\n");
     all.append("boundary: {factor: f, resolution: 1}\n");
+    all.append("tags: [t]\ncriteria: [{where: [f > 0], accept: {no_impact: true}}]\n");
     all.append("points: {source: p, most: 2 * f, at_impact: if impact < g then 0.5 else 0}\n");
     all.append("search: {criterion: c, method: random, runs: 20, seeds: 2, stop: first_failure}\n");
     CampaignPlan plan =
@@ -108,6 +109,35 @@ class CampaignReaderTest {
     assertEquals(
         List.of("both-near s 1", "both-far t 3"),
         plans.stream().map(it -> it.name() + " " + it.scenario() + " " + it.seed()).toList());
+  }
+
+  /** By tags, all of which a campaign needs, and for some of its own cases. */
+  @Test
+  void criteriaAreThoseOfTheTagsOfACampaign() throws IOException {
+    String text =
+        """
+        criteria:
+          - {tags: [rear-end], accept: {no_impact: true}}
+          - {tags: [rear-end, RoadTypeMotorway], accept: {minimal_gap_m: 1}}
+        campaigns:
+          near:
+            tags: [rear-end]
+            scenario: s
+            factors: {f: {path: p, values: [1]}}
+            criteria: [{where: [f > 0], accept: {stops: true}}]
+          far: {tags: [RoadTypeMotorway, rear-end], scenario: t, factors: {f: {path: p, values: [1]}}}
+          other: {scenario: u, factors: {f: {path: p, values: [1]}}}
+        """;
+    List<CampaignPlan> plans =
+        CampaignReader.read(Files.writeString(folder.resolve("tags.yaml"), text));
+    assertEquals(
+        List.of(
+            List.of("{\"no_impact\":true}", "{\"stops\":true}"),
+            List.of("{\"no_impact\":true}", "{\"minimal_gap_m\":1}"),
+            List.of()),
+        plans.stream()
+            .map(plan -> plan.criteria().stream().map(it -> it.accept().toString()).toList())
+            .toList());
   }
 
   /** A search goes between bounds by itself, and a grid has no end of values there. */
