@@ -16,7 +16,8 @@ import org.junit.jupiter.api.Test;
 /** Tests the built site: its pages, and the Javadoc that they link to. */
 class SiteTest {
 
-  private static final Path SITE = Path.of("..", "..", "bundles", "documentation", "target", "site");
+  private static final Path SITE =
+      Path.of("..", "..", "bundles", "documentation", "target", "site");
   private static final Pattern LINK = Pattern.compile("(?:href|src)=\"([^\"#]+)");
 
   @Test
