@@ -285,6 +285,7 @@ public final class FaultTrial {
 
   private Reaction reaction(
       boolean noticed, JudgedScenario scenario, String criterion, Optional<Margin> margin) {
-    return new Reaction(fault.words(), noticed, scenario.scenario().name(), criterion, margin);
+    return new Reaction(
+        fault.node(), fault.words(), noticed, scenario.scenario().name(), criterion, margin);
   }
 }

@@ -25,12 +25,12 @@ public final class StrengthTrials {
 
   /**
    * The number of scenarios of a requirement in which a fault is tried. Further ones are tried only
-   * for requirements that have noticed no fault at all.
+   * for requirements that have noticed no fault at all, or fewer than the project asks for.
    */
   private static final int MOST_SCENARIOS = 3;
 
   /** The sample, and rounds for requirements that it does not show to be tested. */
-  private static final int ROUNDS = 4;
+  private static final int ROUNDS = 5;
 
   private final Map<SoftwareNode, List<String>> requirements = new LinkedHashMap<>();
   private final Map<String, List<FaultTrial>> trials = new LinkedHashMap<>();
@@ -76,8 +76,19 @@ public final class StrengthTrials {
       List<OutputRecord> records) {
     List<Output> outputs = Output.of(node, chain.catalog());
     return StandardFaults.of(outputs, records).stream()
-        .map(fault -> new FaultTrial(fault, ids, scenarios, fields(outputs, fault)))
+        .map(fault -> trial(fault, node, ids, scenarios, fields(outputs, fault)))
         .toList();
+  }
+
+  private static FaultTrial trial(
+      OutputFault fault,
+      SoftwareNode node,
+      List<String> ids,
+      List<JudgedScenario> scenarios,
+      List<String> fields) {
+    OutputPurpose purpose = new OutputPurpose(node);
+    List<String> served = ids.stream().filter(id -> purpose.mayServe(fault.topic(), id)).toList();
+    return new FaultTrial(fault, served, scenarios, fields);
   }
 
   private static List<String> fields(List<Output> outputs, OutputFault fault) {
@@ -127,13 +138,17 @@ public final class StrengthTrials {
       case 1 -> sample();
       case 2 -> unlimited(ids(this::isShort), MOST_SCENARIOS);
       case 3 -> unlimited(ids(each -> each.noticed() == 0), Integer.MAX_VALUE);
+      case 4 -> everyScenario(ids(each -> isBelowMinimum(each.sharpest())));
       default -> everywhere(ids(each -> !each.needed()));
     };
   }
 
   private boolean isShort(Strength.Requirement measured) {
-    return measured.noticed() == 0
-        || measured.percent() < budget.minimum().applyAsDouble(measured.id());
+    return measured.noticed() == 0 || isBelowMinimum(measured);
+  }
+
+  private boolean isBelowMinimum(Strength.Requirement measured) {
+    return measured.percent() < budget.minimum().applyAsDouble(measured.id());
   }
 
   private Set<String> ids(Predicate<Strength.Requirement> which) {
@@ -157,6 +172,19 @@ public final class StrengthTrials {
     List<FaultTrial> round = possible().stream().filter(trial -> trial.concerns(some)).toList();
     round.forEach(trial -> trial.aim(some, scenarios));
     return unlimited(round);
+  }
+
+  /**
+   * Returns the faults that requirements have not noticed, in all of their scenarios, as far as the
+   * budget goes: no requirement falls short of what the project asks for because of the choice of
+   * scenarios.
+   */
+  private TrialRound<FaultTrial> everyScenario(Set<String> some) {
+    List<FaultTrial> round = possible().stream().filter(trial -> trial.concerns(some)).toList();
+    round.forEach(trial -> trial.aim(some, Integer.MAX_VALUE));
+    List<FaultTrial> open =
+        SampleOrder.of(round.stream().filter(FaultTrial::isOpen).toList(), FaultTrial::fault);
+    return new TrialRound<>(open, FaultTrial::seconds, 0, budget.seconds());
   }
 
   /** Returns the omissions of components of requirements, in all scenarios of the project. */

@@ -66,6 +66,27 @@ public record Strength(
       return reactions.isEmpty() ? 0 : PERCENT * noticed() / faults();
     }
 
+    /**
+     * Returns the same for the faults of one component only: the one of which the criteria notice
+     * the largest part, the first of equal ones. A design that lets more components contribute to a
+     * requirement is not tested less.
+     */
+    public Requirement sharpest() {
+      return components.stream()
+          .map(this::of)
+          .reduce((one, other) -> other.percent() > one.percent() ? other : one)
+          .orElse(this);
+    }
+
+    private Requirement of(String component) {
+      return new Requirement(
+          id,
+          List.of(component),
+          needed,
+          reactions.stream().filter(each -> each.component().equals(component)).toList(),
+          leftOut);
+    }
+
     /** Returns the faults that were not noticed. */
     public List<Reaction> unnoticed() {
       return reactions.stream().filter(each -> !each.noticed()).toList();
@@ -75,6 +96,7 @@ public record Strength(
   /**
    * The reaction of a requirement's criteria to a fault.
    *
+   * @param component the component with the fault
    * @param fault the fault, for users
    * @param noticed true if a criterion that holds without the fault fails with it
    * @param scenario the scenario that noticed it, or else the one that came nearest
@@ -82,5 +104,10 @@ public record Strength(
    * @param margin the margin of that criterion with the fault; empty if it has no size
    */
   public record Reaction(
-      String fault, boolean noticed, String scenario, String criterion, Optional<Margin> margin) {}
+      String component,
+      String fault,
+      boolean noticed,
+      String scenario,
+      String criterion,
+      Optional<Margin> margin) {}
 }

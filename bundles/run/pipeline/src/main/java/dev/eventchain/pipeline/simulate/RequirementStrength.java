@@ -94,9 +94,10 @@ public final class RequirementStrength {
     if (!measured.needed()) {
       return Optional.of(idle(item, measured));
     }
-    return measured.percent() >= settings.minimumOf(item.id())
+    Strength.Requirement sharpest = measured.sharpest();
+    return sharpest.percent() >= settings.minimumOf(item.id())
         ? Optional.empty()
-        : Optional.of(low(item, measured));
+        : Optional.of(low(item, sharpest, measured.components().size() > 1));
   }
 
   private static Diagnostic none(WrittenRequirement item, Strength.Requirement measured) {
@@ -122,16 +123,25 @@ public final class RequirementStrength {
         "Add a scenario in which the component has to react, with a criterion that fails if it does not");
   }
 
-  private Diagnostic low(WrittenRequirement item, Strength.Requirement measured) {
+  /**
+   * Returns the finding that too few faults of a component are noticed.
+   *
+   * @param measured the strength on the component of which the largest part is noticed
+   * @param several true if the requirement has further components
+   */
+  private Diagnostic low(WrittenRequirement item, Strength.Requirement measured, boolean several) {
     return finding(
         item,
         SimulateRules.SIMULATION_STRENGTH_LOW,
         String.format(
             Locale.ROOT,
-            "The criteria of %s notice %d of %d standard faults, which is %.1f %% and not %.1f %%. Not: %s.",
+            "The criteria of %s notice %d of %d standard faults%s, which is %.1f %% and not %.1f %%. Not: %s.",
             item.id(),
             measured.noticed(),
             measured.faults(),
+            several
+                ? " of " + components(measured) + ", the component of which they notice most"
+                : "",
             measured.percent(),
             settings.minimumOf(item.id()),
             named(measured)),

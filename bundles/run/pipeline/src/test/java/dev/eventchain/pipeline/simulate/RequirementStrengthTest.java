@@ -10,9 +10,11 @@ import dev.eventchain.pipeline.project.StrengthExtent;
 import dev.eventchain.pipeline.project.StrengthSettings;
 import dev.eventchain.simulation.verdict.Strength;
 import dev.eventchain.simulation.verdict.Strength.Reaction;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /** Tests the findings about the strength of evidence. */
@@ -61,8 +63,25 @@ class RequirementStrengthTest {
   }
 
   @Test
+  void aDesignMayLetFurtherComponentsContribute() {
+    List<Reaction> half = List.of(reaction("Brake", true), reaction("Brake", false));
+    List<Reaction> more = new ArrayList<>(half);
+    more.addAll(List.of(reaction("Radar", false), reaction("Radar", false)));
+    assertTrue(strength(true, half, 0).findings().isEmpty());
+    assertTrue(strength(true, more, 0).findings().isEmpty());
+    more.add(reaction("Brake", false));
+    Diagnostic found = only(strength(true, more, 0));
+    assertEquals("simulation.strength.low", found.id());
+    assertTrue(found.message().contains("1 of 3 standard faults of 'Brake'"), found.message());
+  }
+
+  private static Reaction reaction(String component, boolean noticed) {
+    return new Reaction(component, "fault", noticed, "far", "ego stops", Optional.empty());
+  }
+
+  @Test
   void aSampleIsSaid() {
-    Reaction noticed = new Reaction("fault", true, "far", "ego stops", Optional.empty());
+    Reaction noticed = new Reaction("Brake", "fault", true, "far", "ego stops", Optional.empty());
     RequirementStrength sample = strength(true, List.of(noticed), 4);
     assertEquals(
         "notices 1 of 1 faults, a sample of 5",
@@ -80,15 +99,19 @@ class RequirementStrengthTest {
   private static RequirementStrength strength(boolean needed, Boolean... noticed) {
     List<Reaction> reactions =
         List.of(noticed).stream()
-            .map(each -> new Reaction("fault", each, "far", "ego stops", Optional.empty()))
+            .map(each -> new Reaction("Brake", "fault", each, "far", "ego stops", Optional.empty()))
             .toList();
     return strength(needed, reactions, 0);
   }
 
   private static RequirementStrength strength(
       boolean needed, List<Reaction> reactions, int leftOut) {
+    List<String> components =
+        Stream.concat(Stream.of("Brake"), reactions.stream().map(Reaction::component))
+            .distinct()
+            .toList();
     Strength.Requirement requirement =
-        new Strength.Requirement("BRK-1", List.of("Brake"), needed, reactions, leftOut);
+        new Strength.Requirement("BRK-1", components, needed, reactions, leftOut);
     int tried = reactions.size();
     Strength measured = new Strength(List.of(requirement), tried, 30, tried, tried + leftOut);
     WrittenRequirement written =
