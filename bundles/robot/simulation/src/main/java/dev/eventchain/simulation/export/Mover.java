@@ -16,7 +16,7 @@ import java.util.function.DoubleFunction;
  *
  * @param entity the name of its entity
  * @param pointer to its part of the scenario
- * @param gap from the ego's front bumper to its nearest end at the start, in m
+ * @param gap from the ego's front bumper to the end of it that comes first at the start, in m
  * @param reach from its reference point ahead to the point whose way is scripted, in m
  * @param direction relative to that of the road, in rad
  * @param turns whether it turns while it moves sideways

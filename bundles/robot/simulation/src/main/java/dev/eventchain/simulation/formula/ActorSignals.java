@@ -31,7 +31,10 @@ public final class ActorSignals implements Signal.Source {
 
   /** A quantity of an actor. */
   private enum Part {
-    GAP("gap", "m", "from the ego's front bumper along the road to its nearest end") {
+    GAP(
+        "gap",
+        "m",
+        "from the ego's front bumper along the road to the end of it that comes first; behind the ego, that is the far one") {
       @Override
       double of(Actor actor, Trace.State state, Trace trace) {
         return actor.rear(seconds(state)) - state.position();

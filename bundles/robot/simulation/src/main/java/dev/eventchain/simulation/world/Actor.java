@@ -30,7 +30,8 @@ public final class Actor {
    * Creates an actor.
    *
    * @param name its name for users
-   * @param gap from the ego's front bumper to its nearest end at the start, in m; negative behind
+   * @param gap from the ego's front bumper to the end of it that comes first along the road, at the
+   *     start, in m; negative behind
    * @param heading from the direction of the road, in rad, to the left is positive
    */
   public Actor(
