@@ -209,6 +209,11 @@ public final class ScenarioJudge {
     if (criterion instanceof FormulaCriterion formula && !dependsOnSoftware(formula)) {
       return Outcome.untested("no component's output changes what it reads");
     }
+    Optional<Outcome> other =
+        criterion.isOfEveryScenario() ? Optional.empty() : TestConditions.broken(run);
+    if (other.isPresent()) {
+      return other.get();
+    }
     Outcome outcome = criterion.judge(run.trace());
     return outcome.passed() ? unlessItEndedEarly(criterion, run).orElse(outcome) : outcome;
   }

@@ -33,6 +33,11 @@ public interface Expectation {
     return false;
   }
 
+  /** Returns whether it is on an output of which the chain has none or several. */
+  default boolean isUnresolved() {
+    return false;
+  }
+
   /** Returns the numbers that it compares signals with; empty for other comparisons. */
   List<ScenarioVerdict.Limit> limits();
 

@@ -86,6 +86,13 @@ public final class FormulasReader {
     return observed.read(scenario.objects("observe"));
   }
 
+  /** Reads what makes a run the test that a scenario describes. */
+  List<Expectation> readConditions(ObjectReader scenario) {
+    FormulasReader conditions =
+        new FormulasReader(source.source(), signals, duration, NamedRequirements.none(), ranges);
+    return conditions.read(scenario.objects("test_conditions"));
+  }
+
   /**
    * Reads the requirements that an entry of a list names or judges, and whether it is optional.
    *

@@ -43,10 +43,11 @@ final class InputsReader {
   }
 
   /** Rejects inputs without effect, which the author of the scenario cannot have intended. */
-  static void requireUse(
-      ObjectReader scenario, Set<String> names, Scenario.Asked asked, Bench bench) {
+  static void requireUse(ObjectReader scenario, Set<String> names, Asked asked, Bench bench) {
     List<Expectation> criteria =
-        Stream.concat(asked.criteria().stream(), asked.observed().stream()).toList();
+        Stream.of(asked.criteria(), asked.conditions(), asked.observed())
+            .flatMap(List::stream)
+            .toList();
     for (String name : names) {
       boolean judged =
           criteria.stream().anyMatch(UnresolvedCriterion.class::isInstance) // It may read any.

@@ -77,30 +77,10 @@ public final class Scenario {
     }
   }
 
-  /**
-   * Demands on the software in a scenario.
-   *
-   * @param criteria what it has to keep to
-   * @param observed what is reported, and not judged
-   * @param judged the words of requirements that criteria judge
-   * @param optional the locations of criteria that are asked only where their premise comes true
-   */
-  record Asked(
-      List<Expectation> criteria,
-      List<Expectation> observed,
-      List<JudgedWords> judged,
-      Set<SourceLocation> optional) {
-
-    /** Copies the lists. */
-    Asked {
-      criteria = List.copyOf(criteria);
-      observed = List.copyOf(observed);
-    }
-  }
-
   /** Returns a copy with other criteria. */
   public Scenario with(List<Expectation> others) {
-    Asked other = new Asked(others, asked.observed, asked.judged, asked.optional);
+    Asked other =
+        new Asked(others, asked.conditions(), asked.observed(), asked.judged(), asked.optional());
     return new Scenario(heading, seed, duration, situation, inputs, phases, other);
   }
 
@@ -111,25 +91,30 @@ public final class Scenario {
    */
   public Scenario without(Set<SourceLocation> unasked) {
     return with(
-        asked.criteria.stream().filter(each -> !unasked.contains(each.location())).toList());
+        asked.criteria().stream().filter(each -> !unasked.contains(each.location())).toList());
   }
 
   /** Returns the words of requirements that its criteria judge, in their order. */
   public List<JudgedWords> judged() {
-    return asked.judged;
+    return asked.judged();
   }
 
   /** Returns the words of requirements that a criterion judges, in their order. */
   public List<ScenarioVerdict.Judged> judgedBy(Expectation criterion) {
-    return asked.judged.stream()
+    return asked.judged().stream()
         .filter(each -> each.criterion().equals(criterion.location()))
         .map(each -> new ScenarioVerdict.Judged(each.requirement(), each.words()))
         .toList();
   }
 
+  /** Returns what makes a run the test that is described: where one fails, nothing is judged. */
+  public List<Expectation> conditions() {
+    return asked.conditions();
+  }
+
   /** Returns the formulas that are reported, and not judged. */
   public List<Expectation> observed() {
-    return asked.observed;
+    return asked.observed();
   }
 
   /**
@@ -137,7 +122,7 @@ public final class Scenario {
    * the chain has none or several.
    */
   public List<Diagnostic> unresolved() {
-    return asked.criteria.stream()
+    return Stream.concat(asked.criteria().stream(), asked.conditions().stream())
         .filter(each -> each instanceof UnresolvedCriterion && !isOptional(each))
         .map(each -> ((UnresolvedCriterion) each).finding())
         .toList();
@@ -148,7 +133,7 @@ public final class Scenario {
    * asked where that does not come.
    */
   public boolean isOptional(Expectation criterion) {
-    return asked.optional.contains(criterion.location());
+    return asked.optional().contains(criterion.location());
   }
 
   /**
@@ -357,7 +342,8 @@ public final class Scenario {
 
   /** Returns the signals that its formulas read, also those that are only reported. */
   public Set<Signal> signals() {
-    return Stream.concat(asked.criteria.stream(), asked.observed.stream())
+    return Stream.of(asked.criteria(), asked.conditions(), asked.observed())
+        .flatMap(List::stream)
         .flatMap(each -> each.signals().stream())
         .collect(Collectors.toCollection(LinkedHashSet::new));
   }
@@ -382,10 +368,11 @@ public final class Scenario {
   /** Returns the end of the part of a run that the criteria need without an impact, in ns. */
   public long horizon() {
     long longest = World.nanoseconds(duration);
-    return Math.min(longest, criteria().stream().mapToLong(Expectation::horizon).max().orElse(0));
+    Stream<Expectation> all = Stream.concat(asked.criteria().stream(), asked.conditions().stream());
+    return Math.min(longest, all.mapToLong(Expectation::horizon).max().orElse(0));
   }
 
   public List<Expectation> criteria() {
-    return asked.criteria;
+    return asked.criteria();
   }
 }

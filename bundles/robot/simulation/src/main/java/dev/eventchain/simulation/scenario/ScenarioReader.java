@@ -168,7 +168,7 @@ final class ScenarioReader {
     FormulasReader formulas =
         new FormulasReader(text, signals, longest(section), requirements, ranges);
     NodePhases phases = section.object("phases_ms").map(NodePhases::read).orElse(NodePhases.NONE);
-    Scenario.Asked asked = asked(section, formulas);
+    Asked asked = asked(section, formulas);
     if (sound.getAsBoolean()) { // A criterion with an error may be the one that needs an input.
       InputsReader.requireUse(section, reader.notAwaited(inputs.keySet()), asked, bench);
     }
@@ -208,15 +208,16 @@ final class ScenarioReader {
         played.map(PlayedFile::end));
   }
 
-  private static Scenario.Asked asked(ObjectReader section, FormulasReader formulas) {
+  private static Asked asked(ObjectReader section, FormulasReader formulas) {
     List<Expectation> criteria =
         section
             .requiredObject("accept")
             .map(part -> CriteriaReader.read(part, formulas))
             .orElse(List.of());
     NamedRequirements requirements = formulas.requirements();
-    return new Scenario.Asked(
+    return new Asked(
         requirements.distributed(criteria),
+        formulas.readConditions(section),
         formulas.readObserved(section),
         requirements.judged(),
         formulas.optional().locations());

@@ -38,6 +38,11 @@ record UnresolvedCriterion(
   }
 
   @Override
+  public boolean isUnresolved() {
+    return true;
+  }
+
+  @Override
   public UnresolvedCriterion testing(List<String> ids) {
     return new UnresolvedCriterion(text, reason, location, ids);
   }

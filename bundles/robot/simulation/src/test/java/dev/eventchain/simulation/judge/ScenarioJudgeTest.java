@@ -56,6 +56,46 @@ class ScenarioJudgeTest {
     assertTrue(optional.stream().anyMatch(CriterionResult::passed), optional::toString);
   }
 
+  /** Braking at once before a car that stands is no test of what brakes 2 s before it. */
+  @Test
+  void nothingIsTestedOfARunThatIsNotTheTest() throws Exception {
+    List<CriterionResult> kept = brakingUnder("always[3, 4] ego.acceleration >= -1 m/s2");
+    assertTrue(kept.stream().anyMatch(CriterionResult::passed), kept::toString);
+    List<CriterionResult> other = brakingUnder("always[0, 1] ego.acceleration >= -1 m/s2");
+    assertTrue(
+        other.subList(0, 2).stream()
+            .allMatch(
+                each ->
+                    !each.tested()
+                        && each.measured().startsWith("this was not the test, the test speed:")),
+        other::toString);
+    List<CriterionResult> unknown = brakingUnder("always output(AEB-9, bool)");
+    assertTrue(
+        unknown.get(0).measured().startsWith("nobody knows if this was the test"),
+        unknown::toString);
+  }
+
+  private List<CriterionResult> brakingUnder(String condition) throws Exception {
+    String scenario =
+        """
+        name: approach
+        title: A car stands
+        requirements: [AEB-1]
+        duration_s: 8
+        ego: {speed_kmh: 50}
+        actors: [{gap_m: 60, speed_kmh: 0}]
+        test_conditions: [{name: the test speed, formula: "%s"}]
+        accept: {no_impact: true, stops: true}
+        """
+            .formatted(condition);
+    Scenario read = Scenario.parse(SourceText.of("s.yaml", scenario), Bench.carla());
+    Path project = Files.createTempDirectory(folder, "approach");
+    ScenarioJudge judge =
+        new ScenarioJudge(
+            new AebProject(project).request(List.of(read)).simulatedChain(), List.of(), false);
+    return judge.criteria(braking(read), true);
+  }
+
   private static final String NEVER = "never began: that of car 1 when ego.speed > 99 m/s";
 
   /** Brakes at once before a car that waits for something. */

@@ -107,6 +107,9 @@ class ScenarioSchemaTest {
           lateral_offset_m: 2.4
           count: 4
           spacing_m: 6
+      test_conditions:
+        - name: the test speed is kept
+          formula: always[0, 3] ego.acceleration >= -1 m/s2
       accept:
         no_impact: true
         settles:
@@ -156,6 +159,8 @@ class ScenarioSchemaTest {
         List.of("requirements: [A]", "requirements: A"),
         List.of("no_impact: [B]", "no_impct: [B]"),
         List.of("no_impact: [B]", "no_impact: []"),
+        List.of("name: the test speed is kept", "title: the test speed is kept"),
+        List.of("formula: always[0, 3] ego.acceleration >= -1 m/s2", "judges: {}"),
         List.of("no_impact: true", "no_crash: true"));
   }
 

@@ -14,6 +14,7 @@ import dev.eventchain.simulation.scenario.Expectation;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -72,7 +73,7 @@ class SuitesTest {
     for (CampaignPlan plan : CampaignReader.read(Suites.file(name, folder))) {
       Scenario scenario = Scenario.read(plan.scenarioFile().orElseThrow(), Bench.carla());
       assertTrue(
-          scenario.criteria().stream()
+          Stream.concat(scenario.conditions().stream(), scenario.criteria().stream())
               .map(Expectation::text)
               .anyMatch(
                   text -> text.equals("no braking at all") || text.startsWith("the test speed is")),
