@@ -47,7 +47,12 @@ record CampaignPoints(String source, List<Score> scores) {
 
   /** Returns the number of cases that were not tested, or ended by an error. */
   private long without() {
-    return scores.stream().filter(each -> each.points().isEmpty()).count();
+    return scores.stream().filter(each -> each.isCounted() && each.points().isEmpty()).count();
+  }
+
+  /** Returns the number of cases that the protocol does not have. */
+  private long others() {
+    return scores.stream().filter(each -> !each.isCounted()).count();
   }
 
   /** Returns the sum of all, such as "12.5 of 14". */
@@ -57,9 +62,13 @@ record CampaignPoints(String source, List<Score> scores) {
 
   /** Returns what people have to know about the sum. */
   String note() {
-    return without() == 0
-        ? source
-        : source + "; none for " + Coverage.counted(without(), "case") + " without a verdict";
+    String note = source;
+    if (without() > 0) {
+      note += "; none for " + Coverage.counted(without(), "case") + " without a verdict";
+    }
+    return others() == 0
+        ? note
+        : note + "; none for " + Coverage.counted(others(), "case") + " that it does not have";
   }
 
   /** Returns the points of a case, such as "0.5"; "-" if it has none. */
@@ -70,7 +79,9 @@ record CampaignPoints(String source, List<Score> scores) {
 
   /** Returns the points of a case beside those that it may have, such as "0.5 of 2". */
   String ofMost(int index) {
-    return of(index) + " of " + number(scores.get(index).most());
+    return scores.get(index).isCounted()
+        ? of(index) + " of " + number(scores.get(index).most())
+        : "none, since the protocol does not have this case";
   }
 
   /** Returns the points of a case with their protocol, such as "points: 0.5 of 2 (Protocol 1)". */
@@ -84,7 +95,7 @@ record CampaignPoints(String source, List<Score> scores) {
     List<String> most = new ArrayList<>();
     for (Score each : scores) {
       points.add(each.points().isPresent() ? number(each.points().getAsDouble()) : "");
-      most.add(number(each.most()));
+      most.add(each.isCounted() ? number(each.most()) : "");
     }
     return table.with("points", points).with("most_points", most);
   }
@@ -95,7 +106,7 @@ record CampaignPoints(String source, List<Score> scores) {
       Map<String, BigDecimal> values,
       String verdict,
       OptionalDouble points,
-      double most) {}
+      OptionalDouble most) {}
 
   /** All of them in JSON. */
   private record Written(
@@ -110,7 +121,9 @@ record CampaignPoints(String source, List<Score> scores) {
       }
       Score score = scores.get(i);
       String verdict = rows.get(i).word();
-      cases.add(new Case(i + 1, values, verdict, score.points(), score.most()));
+      OptionalDouble most =
+          score.isCounted() ? OptionalDouble.of(score.most()) : OptionalDouble.empty();
+      cases.add(new Case(i + 1, values, verdict, score.points(), most));
     }
     return ResultJson.bytes(new Written(plan.name(), source, sum(), most(), cases));
   }

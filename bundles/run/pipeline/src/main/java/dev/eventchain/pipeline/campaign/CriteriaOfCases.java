@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
@@ -12,6 +13,7 @@ import dev.eventchain.pipeline.campaign.plan.CampaignRules;
 import dev.eventchain.pipeline.campaign.plan.CaseCriteria;
 import dev.eventchain.pipeline.campaign.plan.CaseList;
 import dev.eventchain.pipeline.campaign.plan.Conditions;
+import dev.eventchain.pipeline.campaign.plan.Points;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -96,6 +98,17 @@ final class CriteriaOfCases {
     return one.isNumber() && other.isNumber()
         ? one.decimalValue().compareTo(other.decimalValue()) == 0
         : one.equals(other);
+  }
+
+  /** Returns a finding for each criterion on which points depend, and that is none of a case. */
+  static List<Diagnostic> unknown(Points points, List<String> texts) {
+    return points.criteria().stream()
+        .filter(named -> texts.stream().noneMatch(text -> text.startsWith(named)))
+        .map(
+            named ->
+                finding("No criterion of the cases begins with '" + named + "'.", points.place())
+                    .withHint(NearestName.hint(named, texts)))
+        .toList();
   }
 
   /** Returns whether a finding on the scenario of a case is about criteria. */

@@ -123,6 +123,10 @@ final class ScenarioTemplate {
     if (found.isEmpty()) {
       found.addAll(criteria.check(this::ofCriteria));
     }
+    if (found.isEmpty()) {
+      List<String> texts = criteria().stream().map(Expectation::text).toList();
+      plan.points().ifPresent(it -> found.addAll(CriteriaOfCases.unknown(it, texts)));
+    }
     if (!found.isEmpty()) {
       return found;
     }

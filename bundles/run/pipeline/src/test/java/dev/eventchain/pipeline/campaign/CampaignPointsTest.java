@@ -13,6 +13,7 @@ import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
 import dev.eventchain.pipeline.campaign.plan.CaseList;
 import dev.eventchain.simulation.verdict.CaseResult;
+import dev.eventchain.simulation.verdict.CaseResult.CriterionMargin;
 import dev.eventchain.simulation.verdict.CaseResult.Label;
 import java.io.IOException;
 import java.math.BigDecimal;
@@ -93,6 +94,47 @@ class CampaignPointsTest {
     assertTrue(json.at("/cases/4/points").isMissingNode(), json::toString);
   }
 
+  /** What fails another criterion keeps its points, and what fails a named one has none. */
+  @Test
+  void pointsDependOnNamedCriteriaAndOnTheCasesOfTheProtocol() throws IOException {
+    CampaignPlan plan =
+        plan(
+            "{source: Protocol 1, most: 2, at_impact: if impact < half then 0.5 else 0,"
+                + " criteria: [the lane], where: [speed > 10]}");
+    List<CampaignRow> rows =
+        List.of(
+            judged(10, Label.PASSED, 0, Label.PASSED),
+            judged(20, Label.FAILED, 0, Label.PASSED),
+            judged(30, Label.FAILED, 0, Label.FAILED),
+            judged(40, Label.FAILED, 9, Label.PASSED),
+            judged(50, Label.FAILED, 9, Label.UNTESTED));
+    assertEquals(
+        List.of(
+            "points: none, since the protocol does not have this case (Protocol 1)",
+            "points: 2 of 2 (Protocol 1)",
+            "points: 0 of 2 (Protocol 1)",
+            "points: 1 of 2 (Protocol 1)",
+            "points: 1 of 2 (Protocol 1)"),
+        new CampaignSummary(plan, rows).trials().stream().map(Trial::text).toList());
+    CampaignPoints points = CampaignPoints.of(plan, rows).orElseThrow();
+    assertEquals("4 of 8", points.total());
+    assertEquals("Protocol 1; none for 1 case that it does not have", points.note());
+    String table =
+        new String(points.in(new CampaignTable(plan.names(), rows)).csv(), StandardCharsets.UTF_8);
+    assertTrue(table.contains("\n1,,,10,"), table);
+    JsonNode json = new ObjectMapper().readTree(points.json(plan, rows));
+    assertTrue(json.at("/cases/0/most").isMissingNode(), json::toString);
+  }
+
+  private static CampaignRow judged(double value, Label label, double kmh, Label named) {
+    CampaignRow row = row(value, label, kmh);
+    CriterionMargin criterion =
+        new CriterionMargin("the lane is kept (always x)", named, OptionalDouble.empty(), "");
+    CaseResult result = row.result();
+    return new CampaignRow(
+        row.id(), new CaseResult(label, "", List.of(criterion), result.impactSpeed(), 1));
+  }
+
   /** The cells of the suite, at and beside the bounds of the bands, in km/h. */
   @ParameterizedTest
   @CsvSource({
@@ -116,6 +158,25 @@ class CampaignPointsTest {
         expected,
         plan.score(new CampaignCase(values, 1), result).orElseThrow().points().getAsDouble(),
         1e-12);
+  }
+
+  /** A copy of the suite with other cells counts only those of the protocol. */
+  @ParameterizedTest
+  @CsvSource({
+    "ccrs, 10, 100, true", "ccrs, 50, -75, true", "ccrs, 55, 100, false", "ccrs, 12, 100, false",
+    "ccrs, 10, 60, false", "ccrs, 10, -100, false", "ccrs, 10, 25, false", "ccrm, 80, 50, true",
+    "ccrm, 25, 50, false"
+  })
+  void casesOfTheProtocolHavePoints(String part, double speed, double overlap, boolean counted) {
+    CampaignPlan plan =
+        CampaignReader.read(Suites.file("euro-ncap-2023-c2c", folder)).stream()
+            .filter(each -> each.part().equals(Optional.of(part)))
+            .findFirst()
+            .orElseThrow();
+    List<BigDecimal> values = List.of(BigDecimal.valueOf(speed), BigDecimal.valueOf(overlap));
+    CaseResult result = row(speed, Label.PASSED, 0).result();
+    assertEquals(
+        counted, plan.score(new CampaignCase(values, 1), result).orElseThrow().isCounted());
   }
 
   @ParameterizedTest

@@ -118,6 +118,24 @@ class CriteriaOfCasesTest {
   }
 
   @Test
+  void pointsDependOnCriteriaThatThereAre() throws IOException {
+    Path file = folder.resolve("p.yaml");
+    String text =
+        """
+        scenario: s
+        factors: {f: {path: p, values: [1]}}
+        points: {source: p, most: 1, criteria: [no impact, the lane is held]}
+        """;
+    CampaignPlan plan = CampaignReader.read(Files.writeString(file, text)).get(0);
+    List<Diagnostic> found =
+        CriteriaOfCases.unknown(
+            plan.points().orElseThrow(), List.of("no impact", "the lane is kept (always x)"));
+    assertEquals(
+        List.of("No criterion of the cases begins with 'the lane is held'."),
+        found.stream().map(Diagnostic::message).toList());
+  }
+
+  @Test
   void conditionsThatCannotBeReadAreRefused() throws IOException {
     CampaignPlan plan = plan("- {where: [sped > 1], accept: {no_impact: true}}");
     DiagnosticException refused =

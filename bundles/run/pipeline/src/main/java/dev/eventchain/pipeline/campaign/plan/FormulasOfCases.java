@@ -99,9 +99,30 @@ final class FormulasOfCases {
     boolean partial = part.has("at_impact");
     Optional<NumberFormulas.Quantity> share =
         partial ? formula(part, "at_impact", names) : Optional.empty();
+    List<String> criteria = part.texts("criteria");
+    List<NumberFormulas.Condition> counted = counted(part);
     part.refuseOthers();
     complete &= most.isPresent() && share.isPresent() == partial;
-    return most.map(it -> new Points(source, it, share, part.location()));
+    return most.map(it -> new Points(source, it, share, criteria, counted, part.location()));
+  }
+
+  /** Reads the conditions on the cases for which there are points. */
+  private List<NumberFormulas.Condition> counted(ObjectReader part) {
+    List<NumberFormulas.Condition> counted = new ArrayList<>();
+    for (SourceRange each : CampaignReader.conditions(part)) {
+      try {
+        counted.add(new NumberFormulas(known).condition(each));
+      } catch (DiagnosticException e) {
+        part.find(wrong(e, part.at("where")));
+        complete = false;
+      }
+    }
+    return counted;
+  }
+
+  private static Diagnostic wrong(DiagnosticException e, SourceLocation place) {
+    Diagnostic first = e.diagnostics().get(0);
+    return Diagnostic.of(CampaignRules.FORMULA, first.message(), place).withHint(first.hint());
   }
 
   private static Optional<NumberFormulas.Quantity> formula(
@@ -118,10 +139,7 @@ final class FormulasOfCases {
       SourceRange range = SourceText.within(part.at(key), formula).whole();
       return Optional.of(new NumberFormulas(names).quantity(range));
     } catch (DiagnosticException e) {
-      Diagnostic first = e.diagnostics().get(0);
-      part.find(
-          Diagnostic.of(CampaignRules.FORMULA, first.message(), part.at(key))
-              .withHint(first.hint()));
+      part.find(wrong(e, part.at(key)));
       return Optional.empty();
     }
   }

@@ -3,10 +3,12 @@ package dev.eventchain.pipeline.campaign.plan;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.simulation.scenario.NumberFormulas.Condition;
 import dev.eventchain.simulation.scenario.NumberFormulas.Quantity;
 import dev.eventchain.simulation.verdict.CaseResult;
 import dev.eventchain.simulation.verdict.CaseResult.Label;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -19,8 +21,17 @@ import java.util.TreeSet;
  * @param source the protocol, with its version
  * @param most the points of a case that passed without an impact
  * @param share the part of them for an impact, from 0 to 1; empty if there are none
+ * @param criteria beginnings of the texts of the criteria on which points depend besides impacts;
+ *     empty if they depend on all, as long as there is no impact
+ * @param counted true of the cases that the protocol has
  */
-public record Points(String source, Quantity most, Optional<Quantity> share, SourceLocation place) {
+public record Points(
+    String source,
+    Quantity most,
+    Optional<Quantity> share,
+    List<String> criteria,
+    List<Condition> counted,
+    SourceLocation place) {
 
   /** The name of the relative impact speed in formulas, in km/h. */
   static final String IMPACT = "impact";
@@ -33,15 +44,23 @@ public record Points(String source, Quantity most, Optional<Quantity> share, Sou
   /**
    * Points of a case.
    *
-   * @param points empty if the case was not tested, or ended by an error
-   * @param most for a case that passes without an impact
+   * @param points empty if the case was not tested, ended by an error, or is none of the protocol
+   * @param most for a case that passes without an impact; 0 if it is none of the protocol
+   * @param isCounted whether the protocol has such a case
    */
-  public record Score(OptionalDouble points, double most) {}
+  public record Score(OptionalDouble points, double most, boolean isCounted) {}
+
+  /** Copies the lists. */
+  public Points {
+    criteria = List.copyOf(criteria);
+    counted = List.copyOf(counted);
+  }
 
   /** Returns the names that the formulas read, without that of the impact speed. */
   Set<String> names() {
     Set<String> names = new TreeSet<>(most.names());
     share.ifPresent(it -> names.addAll(it.names()));
+    counted.forEach(it -> names.addAll(it.names()));
     names.remove(IMPACT);
     return names;
   }
@@ -53,6 +72,9 @@ public record Points(String source, Quantity most, Optional<Quantity> share, Sou
    * @throws DiagnosticException (INPUT) if it has none
    */
   void require(Map<String, Double> numbers) {
+    if (!isCounted(numbers)) {
+      return;
+    }
     most(numbers);
     share(numbers, 0.0);
     share(numbers, FASTEST);
@@ -60,16 +82,29 @@ public record Points(String source, Quantity most, Optional<Quantity> share, Sou
 
   /** Returns the points of a case. */
   public Score of(Map<String, Double> numbers, CaseResult result) {
+    if (!isCounted(numbers)) {
+      return new Score(OptionalDouble.empty(), 0.0, false);
+    }
     double whole = most(numbers);
     if (result.label() == Label.ERROR || result.label() == Label.UNTESTED) {
-      return new Score(OptionalDouble.empty(), whole);
+      return new Score(OptionalDouble.empty(), whole, true);
     }
-    double without = result.label() == Label.PASSED ? 1.0 : 0.0;
-    double part =
-        result.impactSpeed().isPresent()
-            ? share(numbers, result.impactSpeed().getAsDouble() * KMH)
-            : without;
-    return new Score(OptionalDouble.of(part * whole), whole);
+    OptionalDouble impact = result.impactSpeed();
+    double part = impact.isPresent() ? share(numbers, impact.getAsDouble() * KMH) : 1.0;
+    return new Score(OptionalDouble.of(isKept(result) ? part * whole : 0.0), whole, true);
+  }
+
+  /** Returns whether a case fails none of the criteria on which its points depend. */
+  private boolean isKept(CaseResult result) {
+    return criteria.isEmpty()
+        ? result.label() == Label.PASSED || result.impactSpeed().isPresent()
+        : result.criteria().stream()
+            .filter(each -> criteria.stream().anyMatch(each.name()::startsWith))
+            .noneMatch(each -> each.label() == Label.FAILED);
+  }
+
+  private boolean isCounted(Map<String, Double> numbers) {
+    return counted.stream().allMatch(each -> each.holds().test(numbers));
   }
 
   private double most(Map<String, Double> numbers) {

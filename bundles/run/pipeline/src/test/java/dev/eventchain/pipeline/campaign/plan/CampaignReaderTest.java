@@ -75,7 +75,8 @@ class CampaignReaderTest {
     all.append("sampling: {grid: true}\nwhere: [f > 0]\nrepetitions: 2\nseed: 3\n");
     all.append("boundary: {factor: f, resolution: 1}\n");
     all.append("tags: [t]\ncriteria: [{where: [f > 0], accept: {no_impact: true}}]\n");
-    all.append("points: {source: p, most: 2 * f, at_impact: if impact < g then 0.5 else 0}\n");
+    all.append("points: {source: p, most: 2 * f, at_impact: if impact < g then 0.5 else 0,\n");
+    all.append("  criteria: [no impact], where: [f > 1]}\n");
     all.append("search: {criterion: c, method: random, runs: 20, seeds: 2, stop: first_failure}\n");
     CampaignPlan plan =
         CampaignReader.read(Files.writeString(folder.resolve("a.yaml"), all)).get(0);
