@@ -64,7 +64,8 @@ final class JunitCase {
     xml.append("\" name=\"").append(Xml.attribute(name)).append('"').append(time(seconds()));
     Optional<Trial.Evidence> evidence = trial.flatMap(Trial::evidence);
     evidence.ifPresent(each -> xml.append(JunitLinks.attributes(each.place(), !skipped())));
-    String properties = evidence.map(JunitLinks::properties).orElse("");
+    String figures = trial.map(each -> JunitLinks.element(each.figures())).orElse("");
+    String properties = evidence.map(JunitLinks::properties).orElse(figures);
     if (!failed() && !skipped() && output().isEmpty() && properties.isEmpty()) {
       xml.append("/>\n");
       return;

@@ -42,9 +42,16 @@ public final class JunitLinks {
         Stream.concat(evidence.fully().stream(), evidence.partially().stream()).toList());
     properties.put("TestType", "requirements-based");
     properties.put("DerivationTechnique", "requirements-analysis");
-    return properties.entrySet().stream()
-        .map(each -> property(each.getKey(), each.getValue()))
-        .collect(Collectors.joining("", "      <properties>\n", "      </properties>\n"));
+    return element(properties);
+  }
+
+  /** Returns the element with properties; empty if there are none. */
+  static String element(Map<String, String> properties) {
+    return properties.isEmpty()
+        ? ""
+        : properties.entrySet().stream()
+            .map(each -> property(each.getKey(), each.getValue()))
+            .collect(Collectors.joining("", "      <properties>\n", "      </properties>\n"));
   }
 
   private static void put(Map<String, String> properties, String name, List<String> ids) {

@@ -1,6 +1,9 @@
 package dev.eventchain.diagnostics;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -12,6 +15,7 @@ import java.util.Optional;
  * @param seconds the simulated time that it took, in s: equal for equal inputs
  * @param findings those findings of the command that are about it
  * @param evidence what it says about requirements; empty if it is no evidence by itself
+ * @param figures what else tools may read of a test that is no evidence, by names, in their order
  */
 public record Trial(
     Kind kind,
@@ -20,7 +24,8 @@ public record Trial(
     String text,
     double seconds,
     List<Diagnostic> findings,
-    Optional<Evidence> evidence) {
+    Optional<Evidence> evidence,
+    Map<String, String> figures) {
 
   /** Subject of the test. */
   public enum Kind {
@@ -88,12 +93,30 @@ public record Trial(
     this(kind, name, outcome, text, seconds, findings, Optional.empty());
   }
 
-  /** Copies the list. */
+  /** Creates a test without figures. */
+  public Trial(
+      Kind kind,
+      String name,
+      Outcome outcome,
+      String text,
+      double seconds,
+      List<Diagnostic> findings,
+      Optional<Evidence> evidence) {
+    this(kind, name, outcome, text, seconds, findings, evidence, Map.of());
+  }
+
+  /** Returns a copy with figures. */
+  public Trial withFigures(Map<String, String> others) {
+    return new Trial(kind, name, outcome, text, seconds, findings, evidence, others);
+  }
+
+  /** Copies what may be changed. */
   public Trial {
     Objects.requireNonNull(kind);
     Objects.requireNonNull(name);
     Objects.requireNonNull(outcome);
     Objects.requireNonNull(text);
     findings = List.copyOf(findings);
+    figures = Collections.unmodifiableMap(new LinkedHashMap<>(figures));
   }
 }

@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Coverage.Check;
 import dev.eventchain.diagnostics.Coverage.Kind;
 import java.time.LocalDate;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /** Reports that tests render. */
@@ -76,7 +77,8 @@ final class Reports {
         linked("wait", Trial.Outcome.UNTESTED, List.of(), List.of("REQ-2")),
         linked("turn", Trial.Outcome.PASSED, List.of("REQ-3", "REQ \"4\""), List.of("REQ-5")),
         linked("free", Trial.Outcome.PASSED, List.of(), List.of()),
-        trial(Trial.Kind.FAULT, "radar-dies in stop", Trial.Outcome.PASSED, "it stops", 12.5));
+        trial(Trial.Kind.FAULT, "radar-dies in stop", Trial.Outcome.PASSED, "it stops", 12.5)
+            .withFigures(Map.of("points", "1.5")));
   }
 
   private static Trial trial(

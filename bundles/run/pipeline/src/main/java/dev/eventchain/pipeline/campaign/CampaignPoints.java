@@ -89,6 +89,18 @@ record CampaignPoints(String source, List<Score> scores) {
     return "points: " + ofMost(index) + " (" + source + ")";
   }
 
+  /** Returns the points of a case as a report for tools names them; none if it has none. */
+  Map<String, String> figures(int index) {
+    Score score = scores.get(index);
+    Map<String, String> figures = new LinkedHashMap<>();
+    if (score.points().isPresent()) {
+      figures.put("points", number(score.points().getAsDouble()));
+      figures.put("most_points", number(score.most()));
+      figures.put("points_source", source);
+    }
+    return figures;
+  }
+
   /** Adds the columns of points. */
   CampaignTable in(CampaignTable table) {
     List<String> points = new ArrayList<>();

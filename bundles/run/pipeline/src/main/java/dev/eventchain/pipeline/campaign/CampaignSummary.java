@@ -118,7 +118,10 @@ final class CampaignSummary {
           Stream.of(result.reason(), points.map(it -> it.words(index)).orElse(""))
               .filter(words -> !words.isEmpty())
               .collect(Collectors.joining("; "));
-      trials.add(new Trial(Trial.Kind.CASE, name, outcome, text, result.end(), List.of()));
+      Map<String, String> figures = points.map(it -> it.figures(index)).orElse(Map.of());
+      trials.add(
+          new Trial(Trial.Kind.CASE, name, outcome, text, result.end(), List.of())
+              .withFigures(figures));
     }
     return trials;
   }

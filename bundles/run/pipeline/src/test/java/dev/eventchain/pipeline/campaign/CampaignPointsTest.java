@@ -21,6 +21,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
@@ -80,6 +81,12 @@ class CampaignPointsTest {
             "points: 0 of 2 (Protocol 1)",
             "points: - of 1 (Protocol 1)"),
         new CampaignSummary(plan, rows).trials().stream().map(Trial::text).toList());
+    assertEquals(
+        List.of(
+            Map.of("points", "1.5", "most_points", "2", "points_source", "Protocol 1"), Map.of()),
+        List.of(1, 4).stream()
+            .map(index -> new CampaignSummary(plan, rows).trials().get(index).figures())
+            .toList());
     CampaignPoints points = CampaignPoints.of(plan, rows).orElseThrow();
     String table =
         new String(points.in(new CampaignTable(plan.names(), rows)).csv(), StandardCharsets.UTF_8);
