@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.fixtures.Thorough;
 import dev.eventchain.m2t.generation.GenerationContext;
 import dev.eventchain.m2t.generation.GenerationResult;
 import dev.eventchain.m2t.generation.GenerationTrace;
@@ -28,7 +29,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Repeated and concurrent generations give equal results. */
 class SameBytesTest {
   private static final Path CASES = Path.of("src/test/resources/cases");
-  private static final int THREADS = 8;
+  private static final int THREADS = Thorough.IS_ON ? 8 : 4;
   private static final int RUNS_EACH = 3;
 
   /** Comparable result of a run. */

@@ -7,6 +7,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.fixtures.ExpectedFile;
+import dev.eventchain.fixtures.Thorough;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -15,6 +16,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -34,12 +36,21 @@ class ComponentProbeTest {
     try (Stream<Path> files = Files.walk(FIXTURES)) {
       List<Path> components =
           files.filter(file -> file.toString().endsWith(".py")).sorted().toList();
-      return components.stream()
+      return IntStream.range(0, components.size())
+          .boxed()
           .flatMap(
-              component ->
-                  TestEnvironment.confinements().stream()
-                      .map(confinement -> Arguments.of(component, confinement)));
+              index ->
+                  confinements(index).stream()
+                      .map(confinement -> Arguments.of(components.get(index), confinement)));
     }
+  }
+
+  /** All in the profile {@code thorough}, else another one each day. */
+  private static List<Confinement> confinements(int component) {
+    List<Confinement> all = TestEnvironment.confinements();
+    return Thorough.IS_ON
+        ? all
+        : List.of(all.get(Math.floorMod(Thorough.turn() + component, all.size())));
   }
 
   @ParameterizedTest
