@@ -32,6 +32,7 @@ class Configuration(NamedTuple):
         outputs: names of its results; None: not known.
         restricted: whether the rules of generated components apply to it.
         seed: the seed of its random numbers, of the scenario and its name.
+        path: folders with modules that it imports instead of those beside it.
 
     """
 
@@ -42,6 +43,7 @@ class Configuration(NamedTuple):
     outputs: list[Output] | None
     restricted: bool
     seed: str = ""
+    path: tuple[str, ...] = ()
 
     @classmethod
     def of(cls, json: dict[str, Any]) -> Configuration:
@@ -55,6 +57,7 @@ class Configuration(NamedTuple):
             None if outputs is None else [Output(output["name"], output.get("type", "")) for output in outputs],
             bool(json.get("restricted", False)),
             str(json.get("seed", "")),
+            tuple(json.get("path", ())),
         )
 
 
@@ -154,7 +157,7 @@ class Components(MetaPathFinder, Loader):
             "file": configuration.file,
             "module": configuration.module,
             "class": configuration.class_name,
-            "path": environment.path,
+            "path": [*environment.path, *configuration.path],
             "sources": environment.sources,
             "messages": environment.messages,
             "seed": configuration.seed,

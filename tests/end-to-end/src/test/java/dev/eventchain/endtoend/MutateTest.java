@@ -42,6 +42,17 @@ class MutateTest {
   private static final String ENTRY =
       "- {component: Collision_Warning, mutant: '%s', reason: a measurement, expires: %s}\n";
 
+  private static final String LIMITS =
+      """
+      WARNING = 2.6
+
+      def is_near(seconds):
+          return seconds < WARNING
+
+      def never_called(seconds):
+          return seconds < 7.5
+      """;
+
   private static final String SIGN = "sign in execute, -1000000000000 -> 1000000000000";
 
   @TempDir Path folder;
@@ -70,9 +81,13 @@ class MutateTest {
   }
 
   private Set<String> outcomes() throws IOException {
+    return outcomes(NAME);
+  }
+
+  private Set<String> outcomes(String component) throws IOException {
     Set<String> outcomes = new TreeSet<>();
     for (JsonNode mutant : results()) {
-      if (mutant.path("component").asText().equals(NAME)) {
+      if (mutant.path("component").asText().equals(component)) {
         outcomes.add(mutant.path("outcome").asText());
       }
     }
@@ -165,6 +180,7 @@ class MutateTest {
         "software-base/nodes/warning.py",
         """
         import time
+        import limits
         import stamps
         from demo_msgs.msg import Threat
         from rclpy.node import Node
@@ -178,24 +194,27 @@ class MutateTest {
 
             def on_threat(self, threat):
                 time.sleep(0.001)
-                self.output.publish(Bool(data=threat.time_to_collision < 2.6))
+                self.output.publish(Bool(data=limits.is_near(threat.time_to_collision)))
         """);
+    copy.write("software-base/nodes/limits.py", LIMITS);
     hostTheNode();
     new Program()
         .run("validate", copy.path())
         .expect(1)
-        .says("software-base/nodes/warning.py:14:14: error: 'time.sleep'")
+        .says("software-base/nodes/warning.py:15:14: error: 'time.sleep'")
         .says("software-base/nodes/stamps.py:5:17: warning: 'time.time'")
         .says("self.get_clock()");
     copy.replace("software-base/nodes/warning.py", "time.sleep(0.001)", "pass");
     Program.Ended ended = mutate().expect(1);
-    ended.says("software-base/nodes/warning.py:15:");
-    ended.says("No test and no scenario notices this defect: constant in on_threat");
+    ended.says("software-base/nodes/limits.py:4:12: error: No scenario would tell this defect");
+    ended.says("No test and no scenario notices this defect: constant in module");
     ended.says("add a scenario, in which this line decides. If it is right, too");
     ended.says("software-base/nodes/stamps.py: warning: No mutants were made of this module");
     ended.says("[mutation.left-out]");
-    ended.says("Collision_Warning                   9        0        4        0        5");
-    assertTrue(outcomes().containsAll(Set.of("UNNOTICED", "UNCHANGED")), outcomes()::toString);
+    ended.says("Collision_Warning                    3        0        3        0        0");
+    ended.says("software-base/nodes/limits.py        6        0        1        0        5");
+    assertEquals(
+        Set.of("CRITERION", "UNNOTICED", "UNCHANGED"), outcomes("software-base/nodes/limits.py"));
   }
 
   /** Hosts the node of the warning as it is, instead of the component. */
@@ -248,6 +267,34 @@ class MutateTest {
             mutant.path("words").asText().endsWith("with the exit code 3."), mutant::toString);
       }
     }
+  }
+
+  /** A module has each mutant once, whoever imports it, and is tried in all of them. */
+  @InTurn
+  @Test
+  void mutantsAreMadeOfModulesThatComponentsImport() throws IOException {
+    copy.write("software-base/components/limits.py", LIMITS);
+    copy.write(
+        COMPONENT,
+        """
+        import limits
+
+        class Collision_Warning:
+            def execute(self, ttc):
+                return {"warns": limits.is_near(ttc)}
+        """);
+    copy.write("tests/" + NAME + ".yaml", TESTS.replaceFirst("(?m)^.*just below.*\n", ""));
+    Program.Ended ended = mutate();
+    ended.says("limits.py:1:11: error: No test and no scenario notices this defect");
+    ended.says("add a test to tests/Collision_Warning.yaml");
+    Set<String> outcomes = outcomes("software-base/components/limits.py");
+    assertTrue(outcomes.containsAll(Set.of("TEST", "UNNOTICED")), outcomes::toString);
+    assertFalse(outcomes.contains("NOT_TRIED"), outcomes::toString);
+    assertFalse(results().toString().contains("never_called"), "nobody names it");
+    copy.delete("tests/" + NAME + ".yaml");
+    mutate();
+    outcomes = outcomes("software-base/components/limits.py");
+    assertTrue(outcomes.containsAll(Set.of("CRITERION", "UNNOTICED")), outcomes::toString);
   }
 
   private void commit() throws IOException, InterruptedException {

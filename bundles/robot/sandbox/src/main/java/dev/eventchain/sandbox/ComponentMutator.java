@@ -16,6 +16,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -67,6 +68,22 @@ public final class ComponentMutator {
    */
   public List<ComponentMutant> ofNode(SourceText source, String className) {
     return mutants(source, request(source, className, List.of(), List.of()).put("node", true));
+  }
+
+  /**
+   * Returns the mutants of a module that components or nodes import, in the order of their places:
+   * of what these name in it, and of what that reaches in its file, without what creates endpoints
+   * and timers.
+   *
+   * @param source its file
+   * @param importers the texts of the files that may import it
+   * @throws DiagnosticException FINDINGS, {@code component.syntax}: it cannot be parsed
+   */
+  public List<ComponentMutant> ofModule(SourceText source, Collection<String> importers) {
+    ObjectNode request = request(source, "", List.of(), List.of());
+    ArrayNode texts = request.putArray("importers");
+    importers.forEach(texts::add);
+    return mutants(source, request);
   }
 
   private List<ComponentMutant> mutants(SourceText source, ObjectNode request) {

@@ -1,8 +1,9 @@
 """List the mutants of a component: small defects, each in one place of its source. Nothing of it is run.
 
 Standard input is a JSON object: ``source``, ``class``, ``swaps`` (pairs of parameters of `execute` of the same type
-and unit), ``outputs`` (each a name, and whether it is a single value) and ``node`` (true for a node that is hosted as
-it is: mutants are made of what it reaches, and not of what creates its endpoints). Standard output is a JSON object:
+and unit), ``outputs`` (each a name, and whether it is a single value), ``node`` (true for a node that is hosted as it
+is: mutants are made of what it reaches, and not of what creates its endpoints) and ``importers`` (for a module, the
+texts of the files that may import it: mutants are made of what they name). Standard output is a JSON object:
 ``mutants``, each with ``operator``, ``function``, ``line`` and ``column`` (both from 1, the column in characters),
 ``before``, ``after`` and ``edits`` (start, end and new text, in bytes of the source in UTF-8), or ``problem`` if the
 source cannot be parsed.
@@ -87,8 +88,11 @@ class Lister:
         self._swaps: list[tuple[str, str]] = [(first, second) for first, second in request["swaps"]]
         self._outputs: list[tuple[str, bool]] = [(name, single) for name, single in request["outputs"]]
         self._original = ast.dump(self._source.tree)
-        is_node = request.get("node", False)
-        self._reached = node_rules.reached(self._source.tree, self._class) if is_node else None
+        self._reached: set[str] | None = None
+        if "importers" in request:
+            self._reached = node_rules.reached(self._source.tree, node_rules.named(request["importers"]))
+        elif request.get("node", False):
+            self._reached = node_rules.reached(self._source.tree, {self._class})
 
     def mutants(self) -> list[Mutant]:
         """Return the mutants in the order of their places; each differs from the source and from the others."""
@@ -126,7 +130,7 @@ class Lister:
             yield from self._visit(child, inner, node)
 
     def _is_left_out_of_node(self, node: ast.AST, names: list[str]) -> bool:
-        """Return whether a part of a hosted node's file creates its endpoints, or belongs to something else."""
+        """Return whether a part of a node's file or of a module creates endpoints, or belongs to something else."""
         if self._reached is None:
             return False
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)) and not names:

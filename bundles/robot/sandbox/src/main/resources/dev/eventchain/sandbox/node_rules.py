@@ -36,7 +36,7 @@ class Found(NamedTuple):
 def uses(tree: ast.Module, class_name: str) -> Iterator[Found]:
     """Find what differs from run to run in the file of a node, or in a module that it imports (no class)."""
     statements = list(_flat(tree.body))
-    known = _reached(statements, class_name)
+    known = _reached(statements, {class_name})
     for use in component_repeatability.uses(tree):
         owner = next((each for each in statements if _holds(each, use.node)), None)
         named = owner.name if isinstance(owner, _DEFINITIONS) else ""
@@ -47,9 +47,35 @@ def uses(tree: ast.Module, class_name: str) -> Iterator[Found]:
         yield Found(use._replace(hint=hint), certain)
 
 
-def reached(tree: ast.Module, class_name: str) -> set[str]:
-    """Return the names of the functions and classes of a node's file that it or an import of the file may run."""
-    return _reached(list(_flat(tree.body)), class_name)
+def reached(tree: ast.Module, names: set[str] | None) -> set[str]:
+    """Return the functions and classes of a file that those of these names, or an import of it, may run; None: all."""
+    statements = list(_flat(tree.body))
+    return _reached(
+        statements, {each.name for each in statements if isinstance(each, _DEFINITIONS)} if names is None else names
+    )
+
+
+def named(sources: Iterable[str]) -> set[str] | None:
+    """Return the names in files that may mean something of a module that they import; None: any, by `import *`.
+
+    A file that cannot be parsed names nothing: it cannot import anything either.
+    """
+    found: set[str] = set()
+    for source in sources:
+        try:
+            tree = ast.parse(source)
+        except (SyntaxError, ValueError):
+            continue
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Name):
+                found.add(node.id)
+            elif isinstance(node, ast.Attribute):
+                found.add(node.attr)
+            elif isinstance(node, ast.alias):
+                if node.name == "*":
+                    return None
+                found.add(node.name)
+    return found
 
 
 def _flat(body: Iterable[ast.stmt]) -> Iterator[ast.stmt]:
@@ -71,12 +97,12 @@ def _holds(statement: ast.stmt, node: ast.AST) -> bool:
     return first <= line <= (statement.end_lineno or statement.lineno)
 
 
-def _reached(statements: list[ast.stmt], class_name: str) -> set[str]:
-    """Return the names of the definitions that the class or an import names, directly or through others."""
+def _reached(statements: list[ast.stmt], first: set[str]) -> set[str]:
+    """Return the names of the definitions that these names or an import mean, directly or through others."""
     definitions: dict[str, Definition] = {each.name: each for each in statements if isinstance(each, _DEFINITIONS)}
     pending: list[ast.AST] = [each for each in statements if not isinstance(each, _DEFINITIONS)]
     found: set[str] = set()
-    names = {class_name}
+    names = set(first)
     while names or pending:
         for part in pending:
             names.update(each.id for each in ast.walk(part) if isinstance(each, ast.Name))

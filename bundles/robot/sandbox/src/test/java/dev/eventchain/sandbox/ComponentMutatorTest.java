@@ -1,6 +1,7 @@
 package dev.eventchain.sandbox;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -49,6 +50,9 @@ class ComponentMutatorTest {
     if (operator.equals("node")) {
       return mutator.ofNode(source, "Example");
     }
+    if (operator.equals("module")) {
+      return mutator.ofModule(source, List.of("from a import Filter", "import a\na.limit(3)\n"));
+    }
     return mutator.mutants(
         source,
         "Example",
@@ -80,6 +84,16 @@ class ComponentMutatorTest {
       assertTrue(ids.add(mutant.id()), mutant.id());
       assertTrue(texts.add(mutant.in(source.text())), mutant.id());
     }
+  }
+
+  /** An import of everything names everything; a file that cannot be parsed imports nothing. */
+  @Test
+  void mutantsOfAModuleAreThoseOfWhatImportersName() {
+    ComponentMutator mutator = new ComponentMutator(TestEnvironment.PYTHON);
+    SourceText module = SourceText.of("a.py", "def f(x):\n    return x < 2\n");
+    assertTrue(mutator.ofModule(module, List.of("import a", "a.f(")).isEmpty());
+    assertFalse(mutator.ofModule(module, List.of("from a import *")).isEmpty());
+    assertFalse(mutator.ofModule(module, List.of("from a import f as g")).isEmpty());
   }
 
   @Test

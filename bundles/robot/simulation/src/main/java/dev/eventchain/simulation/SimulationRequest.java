@@ -7,6 +7,7 @@ import dev.eventchain.simulation.chain.SimulatedChain;
 import dev.eventchain.simulation.host.UserFiles;
 import dev.eventchain.simulation.node.NodeManifest;
 import dev.eventchain.simulation.node.NodePackage;
+import dev.eventchain.simulation.node.Replacements;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.nio.file.Path;
 import java.util.List;
@@ -97,7 +98,7 @@ public record SimulationRequest(
         settings.generated(),
         settings.limits(),
         List.of(),
-        Map.of());
+        Replacements.NONE);
   }
 
   /**

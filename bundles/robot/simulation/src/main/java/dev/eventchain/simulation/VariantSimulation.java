@@ -10,6 +10,7 @@ import dev.eventchain.simulation.host.LockstepProcess;
 import dev.eventchain.simulation.host.NodeHosts;
 import dev.eventchain.simulation.judge.ScenarioJudge;
 import dev.eventchain.simulation.node.NodePackage;
+import dev.eventchain.simulation.node.Replacements;
 import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.run.ScenarioRunner;
 import dev.eventchain.simulation.strength.StrengthTrials;
@@ -24,7 +25,7 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Simulates variants of components in the scenarios that pass with the components as they are, in
+ * Simulates variants of components and of modules that these import in the scenarios that pass with the components as they are, in
  * lock-step. A process reads the component again for each scenario, so a few processes are enough
  * for all variants.
  */
@@ -41,14 +42,6 @@ public final class VariantSimulation {
 
   /** The ends of processes in a scenario of a variant: the reaction, and how often it came. */
   private record Ends(VariantReaction reaction, int times) {}
-
-  /**
-   * A variant of a component.
-   *
-   * @param component the component's name
-   * @param file the file that its process loads instead
-   */
-  public record Variant(String component, Path file) {}
 
   /** Receives reactions, one at a time, in an order that depends on the machine. */
   public interface Listener {
@@ -81,7 +74,7 @@ public final class VariantSimulation {
    *     for failures of a variant
    * @throws InterruptedException if the calling thread was interrupted; the processes are ended
    */
-  public List<Diagnostic> run(List<Variant> same, List<Variant> variants, Listener listener)
+  public List<Diagnostic> run(List<Replacements> same, List<Replacements> variants, Listener listener)
       throws InterruptedException {
     ScenarioRun[] runs = new ScenarioRun[request.scenarios().size()];
     HostPool.Job drive =
@@ -110,8 +103,8 @@ public final class VariantSimulation {
 
   private HostPool.State work(
       int number,
-      List<Variant> same,
-      List<Variant> variants,
+      List<Replacements> same,
+      List<Replacements> variants,
       List<PassedScenario> passed,
       NodeHosts hosts,
       Listener listener) {
@@ -136,10 +129,10 @@ public final class VariantSimulation {
     };
   }
 
-  private ScenarioRunner runner(List<Variant> loaded, NodeHosts hosts) {
+  private ScenarioRunner runner(List<Replacements> loaded, NodeHosts hosts) {
     NodePackage nodes = original;
-    for (Variant variant : loaded) {
-      nodes = nodes.with(variant.component(), variant.file());
+    for (Replacements files : loaded) {
+      nodes = nodes.with(files);
     }
     Map<String, List<String>> recorded = StrengthTrials.recorded(chain);
     return new ScenarioRunner(

@@ -75,14 +75,18 @@ public final class NodeConfiguration {
 
   /** Names the files that modules of nodes as they are are read from instead of their own. */
   private void replaced(ObjectNode json) {
+    Map<String, Path> files = generated.replaced().files();
     for (NodeManifest.Node node : generated.manifest().nodes()) {
-      if (node.component().isEmpty() && generated.replaced().containsKey(node.name())) {
+      if (node.component().isEmpty() && files.containsKey(node.name())) {
         json.withObject("/replaced")
-            .put(
-                absolute(generated.nodeFile(node)),
-                absolute(generated.replaced().get(node.name())));
+            .put(absolute(generated.nodeFile(node)), absolute(files.get(node.name())));
       }
     }
+    new TreeMap<>(generated.replaced().modules())
+        .forEach(
+            (module, file) ->
+                json.withObject("/replaced")
+                    .put(absolute(generated.folder().resolve(module)), absolute(file)));
   }
 
   private static String absolute(Path folder) {
@@ -116,6 +120,10 @@ public final class NodeConfiguration {
     json.put("file", absolute(generated.componentFile(node, known)));
     json.put("seed", seed + "/" + node.name());
     json.put("restricted", generated.restricted().contains(node.name()));
+    Path modules = generated.replaced().folders().get(node.name());
+    if (modules != null) {
+      json.putArray("path").add(absolute(modules));
+    }
     ArrayNode inputs = json.putArray("inputs");
     known.inputs().forEach(inputs::add);
     ArrayNode outputs = json.putArray("outputs");

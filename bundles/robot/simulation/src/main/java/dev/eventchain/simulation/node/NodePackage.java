@@ -2,9 +2,7 @@ package dev.eventchain.simulation.node;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
 
 /**
  * The Python package of the generated nodes, with their limits.
@@ -15,8 +13,7 @@ import java.util.TreeMap;
  * @param restricted names of the components that must follow the rules for generated code
  * @param limits the limits of the nodes and their components
  * @param variants folders with other versions of components
- * @param replaced the files in these folders that components, and nodes as they are, are loaded
- *     from instead of their own, by the names of the components
+ * @param replaced the files in these folders that are loaded instead of those of the package
  */
 public record NodePackage(
     Path folder,
@@ -25,18 +22,17 @@ public record NodePackage(
     Set<String> restricted,
     NodeLimits limits,
     List<Path> variants,
-    Map<String, Path> replaced) {
+    Replacements replaced) {
 
   /** Copies the collections. */
   public NodePackage {
     restricted = Set.copyOf(restricted);
     variants = List.copyOf(variants);
-    replaced = Map.copyOf(replaced);
   }
 
   /** Returns the file of a node's component. */
   public Path componentFile(NodeManifest.Node node, NodeManifest.Component component) {
-    return replaced.getOrDefault(node.name(), folder.resolve(component.file()));
+    return replaced.files().getOrDefault(node.name(), folder.resolve(component.file()));
   }
 
   /** Returns the file of the module of a node that is hosted as it is. */
@@ -49,10 +45,9 @@ public record NodePackage(
     return new NodePackage(folder, manifest, messages, restricted, limits, List.of(from), replaced);
   }
 
-  /** Returns a copy that loads a component from another file. */
-  public NodePackage with(String component, Path file) {
-    Map<String, Path> files = new TreeMap<>(replaced);
-    files.put(component, file);
-    return new NodePackage(folder, manifest, messages, restricted, limits, variants, files);
+  /** Returns a copy that loads other files. */
+  public NodePackage with(Replacements files) {
+    return new NodePackage(
+        folder, manifest, messages, restricted, limits, variants, replaced.with(files));
   }
 }

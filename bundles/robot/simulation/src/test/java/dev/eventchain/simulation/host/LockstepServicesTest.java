@@ -15,6 +15,7 @@ import dev.eventchain.simulation.host.NodeSession.Outbound;
 import dev.eventchain.simulation.node.NodeLimits;
 import dev.eventchain.simulation.node.NodeManifest;
 import dev.eventchain.simulation.node.NodePackage;
+import dev.eventchain.simulation.node.Replacements;
 import java.io.IOException;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
@@ -46,7 +47,7 @@ class LockstepServicesTest {
             Set.of(),
             NodeLimits.DEFAULT,
             List.of(),
-            Map.of());
+            Replacements.NONE);
     PythonEnvironment python = PythonEnvironment.ensure(line -> {});
     return new LockstepProcess(new HostProgram(nodes, python, Confinement.detect()), 2, 0);
   }

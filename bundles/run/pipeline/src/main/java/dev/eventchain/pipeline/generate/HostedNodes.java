@@ -73,7 +73,8 @@ public final class HostedNodes {
     return copies;
   }
 
-  private static String copy(Path root, Path file) {
+  /** Returns the path of the copy of a file, in the folder of the generated package. */
+  public static String copy(Path root, Path file) {
     return NodeManifest.NODES + "/" + root.relativize(file).toString().replace('\\', '/');
   }
 

@@ -12,13 +12,14 @@ import dev.eventchain.pipeline.simulate.SimulateStage;
 import dev.eventchain.pipeline.stage.ComponentFiles;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.SoftwareBase;
 import dev.eventchain.sandbox.ComponentProbe;
 import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.sandbox.WorkFolder;
 import dev.eventchain.simulation.SimulationRequest;
 import dev.eventchain.simulation.VariantSimulation;
-import dev.eventchain.simulation.VariantSimulation.Variant;
 import dev.eventchain.simulation.node.NodeLimits;
+import dev.eventchain.simulation.node.Replacements;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Margin;
 import dev.eventchain.simulation.verdict.VariantReaction;
 import java.io.IOException;
@@ -56,6 +57,8 @@ final class MutantTrials implements AutoCloseable {
   private final int processes = Runtime.getRuntime().availableProcessors();
   private final WorkFolder folder = WorkFolder.create();
   private final Map<String, ComponentTester> tests = new TreeMap<>();
+  private final Map<String, Path> originals = new LinkedHashMap<>();
+  private final ImportedModules modules;
   private int copies;
 
   /**
@@ -67,6 +70,7 @@ final class MutantTrials implements AutoCloseable {
     this.run = run;
     this.python = run.python(Stage.SIMULATE);
     this.ended = ended;
+    this.modules = ProjectMutants.modules(run);
     TestFiles files =
         new TestFiles(run, SourceText.read(run.required(ProjectFolder.DESCRIPTION, Stage.DESIGN)));
     List<SoftwareNode> components = new ArrayList<>(ProjectMutants.nodes(run));
@@ -86,16 +90,15 @@ final class MutantTrials implements AutoCloseable {
    * @throws InterruptedException if the calling thread was interrupted
    */
   void tryAll(List<Mutant> mutants) throws InterruptedException {
-    List<Variant> same = new ArrayList<>();
+    List<Replacements> same = new ArrayList<>();
     for (SoftwareNode node : ProjectMutants.nodes(run)) {
       Path file = ComponentFiles.of(run, node);
-      same.add(new Variant(node.getName(), copy(file, SourceText.read(file).text())));
+      Path copy = copy(file, SourceText.read(file).text());
+      originals.put(node.getName(), copy);
+      same.add(Replacements.of(node.getName(), copy));
     }
-    List<Mutant> left = untested(same, mutants);
-    List<Variant> variants = new ArrayList<>();
-    for (Mutant mutant : left) {
-      variants.add(new Variant(mutant.component(), copy(mutant.file(), mutant.text())));
-    }
+    List<Mutant> left = untested(mutants);
+    List<Replacements> variants = left.stream().map(this::variant).toList();
     if (variants.isEmpty()) {
       return;
     }
@@ -109,12 +112,27 @@ final class MutantTrials implements AutoCloseable {
     refuse(failed);
   }
 
+  private Replacements variant(Mutant mutant) {
+    if (mutant.kind() != Mutant.Kind.MODULE) {
+      return Replacements.of(mutant.component(), copy(mutant.file(), mutant.text()));
+    }
+    Path alone = write(mutant.file(), mutant.text());
+    Map<String, Path> folders = new TreeMap<>();
+    for (SoftwareBase.Component user : modules.users(mutant.file())) {
+      if (user.node().isEmpty()) {
+        folders.put(user.name(), alone.getParent());
+      }
+    }
+    Map<String, Path> copied = new TreeMap<>();
+    modules.copy(mutant.file()).ifPresent(copy -> copied.put(copy, alone));
+    return new Replacements(Map.of(), folders, copied);
+  }
+
   /** Returns the mutants that pass the tests of their components, or have none. */
-  private List<Mutant> untested(List<Variant> same, List<Mutant> mutants)
-      throws InterruptedException {
-    for (Variant each : same) {
-      if (mutants.stream().anyMatch(mutant -> mutant.component().equals(each.component()))) {
-        refuse(test(each.component(), each.file()).map(Failure::finding).stream().toList());
+  private List<Mutant> untested(List<Mutant> mutants) throws InterruptedException {
+    for (Map.Entry<String, Path> each : originals.entrySet()) {
+      if (mutants.stream().anyMatch(mutant -> mutant.users().contains(each.getKey()))) {
+        refuse(test(each.getKey(), each.getValue()).map(Failure::finding).stream().toList());
       }
     }
     List<Mutant> left = new ArrayList<>();
@@ -126,7 +144,7 @@ final class MutantTrials implements AutoCloseable {
       }
       for (var each : begun.entrySet()) {
         Optional<Failure> failed = each.getValue().get();
-        failed.ifPresent(failure -> ended.accept(failed(each.getKey(), failure, same)));
+        failed.ifPresent(failure -> ended.accept(failed(each.getKey(), failure)));
         if (failed.isEmpty()) {
           left.add(each.getKey());
         }
@@ -141,10 +159,28 @@ final class MutantTrials implements AutoCloseable {
     return left;
   }
 
+  /** Runs the tests of the components that run a mutant, until one fails. */
   private Optional<Failure> test(Mutant mutant) {
-    return tests.containsKey(mutant.component())
-        ? test(mutant.component(), copy(mutant.file(), mutant.text()))
-        : Optional.empty();
+    for (String user : mutant.users()) {
+      if (tests.containsKey(user)) {
+        Optional<Failure> failure = test(user, mutated(user, mutant));
+        if (failure.isPresent()) {
+          return failure;
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Returns the file of a component with a mutant, in a folder with all that is beside it. */
+  private Path mutated(String component, Mutant mutant) {
+    if (mutant.kind() != Mutant.Kind.MODULE) {
+      return copy(mutant.file(), mutant.text());
+    }
+    Path original = run.softwareBase().find(component).orElseThrow().file();
+    Path copy = copy(original, SourceText.read(original).text());
+    write(copy.resolveSibling(mutant.file().getFileName()), mutant);
+    return copy;
   }
 
   private Optional<Failure> test(String component, Path file) {
@@ -156,15 +192,16 @@ final class MutantTrials implements AutoCloseable {
     return trial.findings().stream()
         .filter(finding -> finding.severity() == Severity.ERROR)
         .findFirst()
-        .map(finding -> new Failure(finding, trial.ended()));
+        .map(finding -> new Failure(component, finding, trial.ended()));
   }
 
   /**
    * Failure of a test.
    *
+   * @param component the component that is tested
    * @param ended whether a process ended, for which there may be another reason
    */
-  private record Failure(Diagnostic finding, boolean ended) {}
+  private record Failure(String component, Diagnostic finding, boolean ended) {}
 
   private static void refuse(List<Diagnostic> failed) {
     if (!failed.isEmpty()) {
@@ -180,8 +217,8 @@ final class MutantTrials implements AutoCloseable {
     }
   }
 
-  private MutantResult failed(Mutant mutant, Failure failure, List<Variant> same) {
-    boolean proved = !failure.ended() || failsAgain(mutant, failure, same);
+  private MutantResult failed(Mutant mutant, Failure failure) {
+    boolean proved = !failure.ended() || failsAgain(mutant, failure);
     return MutantResult.of(
         mutant,
         proved ? MutantResult.Outcome.TEST : MutantResult.Outcome.UNPROVED,
@@ -191,15 +228,11 @@ final class MutantTrials implements AutoCloseable {
   }
 
   /** Returns whether a test fails in the same way each time, and not without the defect. */
-  private boolean failsAgain(Mutant mutant, Failure failure, List<Variant> same) {
-    Path original =
-        same.stream()
-            .filter(each -> each.component().equals(mutant.component()))
-            .findFirst()
-            .orElseThrow()
-            .file();
+  private boolean failsAgain(Mutant mutant, Failure failure) {
+    String component = failure.component();
     for (int i = 0; i < VariantSimulation.REPETITIONS; i++) {
-      refuse(test(mutant.component(), original).map(Failure::finding).stream().toList());
+      refuse(
+          test(component, originals.get(component)).map(Failure::finding).stream().toList());
       Optional<String> again = test(mutant).map(each -> each.finding().message());
       if (!again.equals(Optional.of(failure.finding().message()))) {
         return false;
@@ -234,15 +267,40 @@ final class MutantTrials implements AutoCloseable {
 
   /** Writes a version of a component into a folder of its own, with the modules next to it. */
   private Path copy(Path file, String text) {
-    Path own = folder.path().resolve("copy-" + nextCopy());
+    Path own = ownFolder();
     try {
-      Files.createDirectory(own);
       try (Stream<Path> beside = Files.list(file.toAbsolutePath().getParent())) {
         for (Path module : beside.filter(each -> each.toString().endsWith(".py")).toList()) {
           Files.copy(module, own.resolve(module.getFileName()));
         }
       }
       return Files.writeString(own.resolve(file.getFileName()), text);
+    } catch (IOException e) {
+      throw folder.unwritable(e);
+    }
+  }
+
+  /** Writes a module into a folder of its own. */
+  private Path write(Path file, String text) {
+    try {
+      return Files.writeString(ownFolder().resolve(file.getFileName()), text);
+    } catch (IOException e) {
+      throw folder.unwritable(e);
+    }
+  }
+
+  /** Writes the text of a mutant into a file. */
+  private void write(Path file, Mutant mutant) {
+    try {
+      Files.writeString(file, mutant.text());
+    } catch (IOException e) {
+      throw folder.unwritable(e);
+    }
+  }
+
+  private Path ownFolder() {
+    try {
+      return Files.createDirectory(folder.path().resolve("copy-" + nextCopy()));
     } catch (IOException e) {
       throw folder.unwritable(e);
     }

@@ -7,8 +7,11 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.Predicate;
 
-/** A line for each component: how many of its mutants were noticed, and by what. */
+/** A line for each component or module: how many of its mutants were noticed, and by what. */
 final class MutationTable {
+
+  /** Least width of the names. */
+  private static final int WIDTH = 28;
 
   private MutationTable() {}
 
@@ -23,26 +26,27 @@ final class MutationTable {
     for (MutantResult result : results) {
       components.computeIfAbsent(result.component(), name -> new ArrayList<>()).add(result);
     }
+    int width = components.keySet().stream().mapToInt(String::length).reduce(WIDTH, Math::max);
     StringBuilder table = new StringBuilder();
-    table.append(line("component", "mutants", "by test", "by run", "accepted", "survive"));
-    components.forEach((name, all) -> table.append(row(name, all, accepted)));
+    table.append(line(width, "component", "mutants", "by test", "by run", "accepted", "survive"));
+    components.forEach((name, all) -> table.append(row(width, name, all, accepted)));
     if (components.size() > 1) {
-      table.append(row("all", results, accepted));
+      table.append(row(width, "all", results, accepted));
     }
     return table.toString();
   }
 
   private static String row(
-      String name, List<MutantResult> results, Predicate<MutantResult> accepted) {
+      int width, String name, List<MutantResult> results, Predicate<MutantResult> accepted) {
     long tests =
         results.stream().filter(each -> each.outcome() == MutantResult.Outcome.TEST).count();
     long caught = results.stream().filter(each -> each.outcome().isCaught()).count();
     long explained = results.stream().filter(MutantResult::survives).filter(accepted).count();
     long survive = results.stream().filter(MutantResult::survives).count() - explained;
-    return line(name, results.size(), tests, caught - tests, explained, survive);
+    return line(width, name, results.size(), tests, caught - tests, explained, survive);
   }
 
-  private static String line(Object... cells) {
-    return String.format(Locale.ROOT, "%-28s %8s %8s %8s %8s %8s%n", cells);
+  private static String line(int width, Object... cells) {
+    return String.format(Locale.ROOT, "%-" + width + "s %8s %8s %8s %8s %8s%n", cells);
   }
 }

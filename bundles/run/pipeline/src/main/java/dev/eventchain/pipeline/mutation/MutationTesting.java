@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.output.OutputFolder;
@@ -97,7 +98,7 @@ public final class MutationTesting {
     List<Mutant> chosen = all.stream().filter(chosen()).toList();
     List<Mutant> open = chosen.stream().filter(this::isNotTried).toList();
     tryAll(open, chosen.size() - open.size());
-    MutationOutcome outcome = outcome(chosen);
+    MutationOutcome outcome = outcome(all, chosen);
     Duration duration = Duration.ofNanos(System.nanoTime() - start);
     run.progress()
         .ended(
@@ -132,8 +133,12 @@ public final class MutationTesting {
     Optional<ChangedLines> changed =
         options.since().map(revision -> new ChangedLines(run.project(), revision));
     return mutant ->
-        (options.components().isEmpty() || options.components().contains(mutant.component()))
+        mutant.users().stream().anyMatch(this::isChosen)
             && changed.map(lines -> lines.hold(mutant)).orElse(true);
+  }
+
+  private boolean isChosen(String component) {
+    return options.components().isEmpty() || options.components().contains(component);
   }
 
   /** Returns a hash of all that a result depends on: what a simulation does, and the tests. */
@@ -185,7 +190,7 @@ public final class MutationTesting {
         .write(run);
   }
 
-  private MutationOutcome outcome(List<Mutant> chosen) {
+  private MutationOutcome outcome(List<Mutant> all, List<Mutant> chosen) {
     List<Diagnostic> found = new ArrayList<>(run.takeFindings());
     for (Mutant mutant : chosen) {
       MutantResult result = result(mutant);
@@ -196,7 +201,7 @@ public final class MutationTesting {
         found.add(SurvivorFindings.unproved(mutant, result));
       }
     }
-    found.addAll(leftOut());
+    found.addAll(leftOut(all));
     if (chosen.isEmpty()) {
       found.add(none());
     }
@@ -212,27 +217,33 @@ public final class MutationTesting {
   }
 
   /** Returns the findings about code that the chosen components run, and that has no mutants. */
-  private List<Diagnostic> leftOut() {
-    Set<String> mutated =
-        results.values().stream().map(MutantResult::component).collect(Collectors.toSet());
-    Predicate<String> chosen =
-        name -> options.components().isEmpty() || options.components().contains(name);
+  private List<Diagnostic> leftOut(List<Mutant> all) {
+    Set<Path> mutated = all.stream().map(Mutant::file).collect(Collectors.toSet());
+    Set<String> users =
+        all.stream().flatMap(each -> each.users().stream()).collect(Collectors.toSet());
     List<Diagnostic> found = new ArrayList<>();
     ProjectMutants.hosted(run).stream()
-        .filter(node -> chosen.test(node.getName()) && !mutated.contains(node.getName()))
+        .filter(node -> isChosen(node.getName()) && !users.contains(node.getName()))
+        .filter(node -> !mutated.contains(ComponentFiles.of(run, node)))
         .forEach(node -> found.add(leftOut(node)));
-    ProjectMutants.modules(run, chosen).forEach(file -> found.add(leftOut(file)));
+    ImportedModules modules = ProjectMutants.modules(run);
+    for (Path file : modules.files()) {
+      boolean chosen = modules.users(file).stream().anyMatch(user -> isChosen(user.name()));
+      if (chosen && !mutated.contains(file) && !SourceText.read(file).text().isBlank()) {
+        found.add(leftOut(file));
+      }
+    }
     return found;
   }
 
   private static Diagnostic leftOut(Path module) {
     return Diagnostic.of(
             MutationRules.MUTATION_LEFT_OUT,
-            "No mutants were made of this module, which components import: nobody knows which of"
-                + " its defects would be noticed.",
+            "No mutants were made of this module, which components import: what these name in it"
+                + " holds nothing that could have a small defect.",
             SourceLocation.of(module))
         .withSeverity(Severity.WARNING)
-        .withHint("Move what it decides into the component, or test the module by itself.");
+        .withHint("Test the module by itself, if it decides something.");
   }
 
   private Diagnostic leftOut(SoftwareNode node) {
@@ -240,8 +251,8 @@ public final class MutationTesting {
             MutationRules.MUTATION_LEFT_OUT,
             "No mutants were made of '"
                 + node.getName()
-                + "', whose file holds nothing that could have a small defect: nobody knows which"
-                + " of its defects would be noticed.",
+                + "', whose file and modules hold nothing that could have a small defect: nobody"
+                + " knows which of its defects would be noticed.",
             SourceLocation.of(ComponentFiles.of(run, node)).withElement(node.getName()))
         .withHint("Name the file in which it calculates, or move that into this one.");
   }

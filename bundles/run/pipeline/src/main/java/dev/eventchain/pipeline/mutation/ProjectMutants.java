@@ -5,7 +5,6 @@ import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.generate.GeneratedPackage;
 import dev.eventchain.pipeline.stage.ComponentFiles;
-import dev.eventchain.pipeline.stage.ComponentSources;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.project.SoftwareBase;
 import dev.eventchain.sandbox.ComponentMutant;
@@ -13,11 +12,11 @@ import dev.eventchain.sandbox.ComponentMutator;
 import dev.eventchain.simulation.node.NodeManifest;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.SortedSet;
-import java.util.function.Predicate;
 
 /** The mutants of all components and nodes that a project's chain executes. */
 final class ProjectMutants {
@@ -41,35 +40,70 @@ final class ProjectMutants {
   }
 
   /** Returns the modules of the project that simulated components import, without their files. */
-  static SortedSet<Path> modules(RunContext run, Predicate<String> chosen) {
-    List<SoftwareBase.Component> existing =
+  static ImportedModules modules(RunContext run) {
+    return new ImportedModules(
         nodes(run).stream()
-            .filter(node -> chosen.test(node.getName()))
             .flatMap(node -> run.softwareBase().find(node.getName()).stream())
-            .toList();
-    return ComponentSources.modules(existing);
+            .toList());
   }
 
   /**
-   * Returns all mutants, in the order of the chain and of their places.
+   * Returns all mutants, in the order of the chain and of their places; then those of modules.
+   * What two nodes of one file share has its mutants once.
    *
    * @throws dev.eventchain.diagnostics.DiagnosticException if a file cannot be parsed
    */
   static List<Mutant> of(RunContext run, ComponentMutator mutator) {
     NodeManifest manifest = GeneratedPackage.required(run).manifest();
-    List<Mutant> mutants = new ArrayList<>();
+    Map<String, Mutant> mutants = new LinkedHashMap<>();
     for (SoftwareNode node : nodes(run)) {
       NodeManifest.Node simulated = manifest.find(node.getName()).orElseThrow();
       Path file = ComponentFiles.of(run, node);
       SourceText source = SourceText.read(file);
-      defects(node, simulated, source, mutator)
-          .forEach(
-              defect ->
-                  mutants.add(
-                      new Mutant(
-                          node.getName(), file, source, defect, simulated.component().isEmpty())));
+      boolean hosted = simulated.component().isEmpty();
+      for (ComponentMutant defect : defects(node, simulated, source, mutator)) {
+        Mutant mutant = mutant(node.getName(), file, source, defect, hosted);
+        String key = (hosted ? file : node.getName()) + "\n" + defect.edits();
+        mutants.merge(key, mutant, (first, same) -> first.alsoIn(node.getName()));
+      }
     }
-    return mutants;
+    List<Mutant> all = new ArrayList<>(mutants.values());
+    addModules(run, mutator, all);
+    return all;
+  }
+
+  private static Mutant mutant(
+      String name, Path file, SourceText source, ComponentMutant defect, boolean hosted) {
+    Mutant.Kind kind = hosted ? Mutant.Kind.NODE : Mutant.Kind.COMPONENT;
+    Optional<String> tested = hosted ? Optional.empty() : Optional.of(name);
+    return new Mutant(name, file, source, defect, kind, List.of(name), tested);
+  }
+
+  private static void addModules(RunContext run, ComponentMutator mutator, List<Mutant> mutants) {
+    ImportedModules modules = modules(run);
+    for (Path file : modules.files()) {
+      SourceText source = SourceText.read(file);
+      List<String> users =
+          modules.users(file).stream().map(SoftwareBase.Component::name).toList();
+      Optional<String> tested =
+          modules.users(file).stream()
+              .filter(user -> user.node().isEmpty())
+              .map(SoftwareBase.Component::name)
+              .findFirst();
+      for (ComponentMutant defect : mutator.ofModule(source, modules.importers(file))) {
+        mutants.add(
+            new Mutant(name(run, file), file, source, defect, Mutant.Kind.MODULE, users, tested));
+      }
+    }
+  }
+
+  /** Returns the path of a module in the project; of one elsewhere, its name. */
+  private static String name(RunContext run, Path file) {
+    Path folder = run.project().folder().toAbsolutePath().normalize();
+    Path absolute = file.toAbsolutePath().normalize();
+    return absolute.startsWith(folder)
+        ? folder.relativize(absolute).toString().replace('\\', '/')
+        : String.valueOf(absolute.getFileName());
   }
 
   private static List<ComponentMutant> defects(

@@ -33,7 +33,8 @@ final class SurvivorFindings {
   }
 
   private static String hint(Mutant mutant, MutantResult result) {
-    String test = "a test to tests/" + result.component() + ".yaml";
+    boolean hosted = mutant.tested().isEmpty();
+    String test = "a test to tests/" + mutant.tested().orElse("") + ".yaml";
     String add =
         result.scenario().isPresent() && result.words().isPresent()
             ? "Nearest is '%s' in the scenario %s%s: ask for more there, or add %s."
@@ -41,13 +42,13 @@ final class SurvivorFindings {
                     result.words().get(),
                     result.scenario().get(),
                     result.left().map(left -> ", which has " + left + " left").orElse(""),
-                    mutant.hosted() ? "a scenario" : test)
+                    hosted ? "a scenario" : test)
             : "%sdd %sa scenario, in which this line decides."
                 .formatted(
                     result.outcome() == MutantResult.Outcome.UNNOTICED
                         ? "Outputs change, but no criterion comes nearer to failing: a"
                         : "A",
-                    mutant.hosted() ? "" : test + ", or ");
+                    hosted ? "" : test + ", or ");
     String entry = "{component: %s, mutant: %s, reason: ..., expires: ...}";
     return add
         + " If it is right, too, accept it in mutants.yaml: - "
