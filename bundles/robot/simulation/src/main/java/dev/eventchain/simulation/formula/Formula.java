@@ -179,6 +179,15 @@ public final class Formula {
     return strict.verdict() > 0.0 ? outcome(true, strict, run) : unknown(strict, run);
   }
 
+  /**
+   * Returns whether the premises of all its implications came true in a run; false if it has no
+   * implication.
+   */
+  public boolean cameToPremises(Trace trace) {
+    FormulaEvaluation strict = FormulaEvaluation.strictly(condition, new SampledRun(trace));
+    return strict.hasImplication() && !strict.isVacuous();
+  }
+
   private static Outcome unknown(FormulaEvaluation evaluation, SampledRun run) {
     FormulaEvaluation.Decision decision = evaluation.decision();
     if (decision.vacuity().isPresent()) {

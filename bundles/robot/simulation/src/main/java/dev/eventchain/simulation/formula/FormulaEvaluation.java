@@ -88,6 +88,17 @@ final class FormulaEvaluation {
     }
   }
 
+  /** Returns whether it or a part of it is an implication. */
+  boolean hasImplication() {
+    return condition instanceof Condition.Implication
+        || parts.stream().anyMatch(FormulaEvaluation::hasImplication);
+  }
+
+  /** Returns whether it or a part of it is true only as nothing came that could make it false. */
+  boolean isVacuous() {
+    return vacuity.isPresent() || parts.stream().anyMatch(FormulaEvaluation::isVacuous);
+  }
+
   /** Returns the truth at the start, see {@link Robustness}. */
   double verdict() {
     return truth[0];

@@ -125,14 +125,20 @@ public final class ScenarioJudge {
 
   /**
    * Returns whether a criterion is optional, and the software did not come to its premise. Software
-   * that sends nothing on a topic that it is to write has not avoided anything.
+   * that sends nothing on a topic that it is to write has not avoided anything, and neither has
+   * software in a run that came to the premise and ended before the criterion was decided.
    */
   public boolean isUnasked(Expectation criterion, ScenarioRun run) {
     return run.scenario().isOptional(criterion)
         && !run.isOverrun()
         && !run.trace().isCut()
-        && !criterion.judge(run.trace()).tested()
+        && isLeftAside(criterion, run.trace())
         && criterion.signals().stream().noneMatch(signal -> isSilent(signal, run.trace()));
+  }
+
+  private static boolean isLeftAside(Expectation criterion, Trace trace) {
+    Outcome outcome = criterion.judge(trace);
+    return !outcome.tested() && !(outcome.undecided() && criterion.cameToPremise(trace));
   }
 
   /**

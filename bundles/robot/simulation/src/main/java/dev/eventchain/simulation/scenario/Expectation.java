@@ -65,6 +65,14 @@ public interface Expectation {
   Outcome judge(Trace trace);
 
   /**
+   * Returns whether a run came to its premise, as far as the run went; false where it has none of
+   * its own.
+   */
+  default boolean cameToPremise(Trace trace) {
+    return false;
+  }
+
+  /**
    * Returns whether it fails in every run that begins like this.
    *
    * @param beginning the trace of a run that goes on

@@ -104,6 +104,11 @@ public record FormulaCriterion(
   }
 
   @Override
+  public boolean cameToPremise(Trace trace) {
+    return formula.cameToPremises(trace);
+  }
+
+  @Override
   public boolean isViolated(Trace beginning) {
     return formula.isViolated(SampledRun.beginning(beginning));
   }

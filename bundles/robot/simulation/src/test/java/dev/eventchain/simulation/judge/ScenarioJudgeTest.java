@@ -11,6 +11,7 @@ import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.host.RunLog;
 import dev.eventchain.simulation.run.OutputRecord;
 import dev.eventchain.simulation.run.ScenarioRun;
+import dev.eventchain.simulation.scenario.Expectation;
 import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import dev.eventchain.simulation.world.Trace;
@@ -142,6 +143,28 @@ class ScenarioJudgeTest {
     assertEquals("", causeOf(afterAnImpact("stops: true").get(0), List.of()));
   }
 
+  @Test
+  void anOptionalCriterionIsAskedOnceItsPremiseCameTrue() throws Exception {
+    String allowed = "maximal_impact_speed_kmh: 90, ";
+    String met = "always[0, 7] (ttc < 1 s implies eventually[0, 0.2] ego.speed > 1 m/s)";
+    String never = "always[0, 7] (ego.speed > 15 m/s implies eventually[0, 0.2] brake > 0)";
+    assertEquals(List.of(), unasked(allowed, met, 0.0), "the impact ended the run too soon");
+    assertEquals(List.of(never), unasked(allowed, never, 0.0));
+    assertEquals(List.of(met), unasked(allowed, met, 1.0), "the vehicle brakes in time");
+  }
+
+  /** Returns the formulas that a run with an optional one does not ask. */
+  private List<String> unasked(String criteria, String formula, double brake) throws Exception {
+    Scenario read =
+        hit(criteria + "formulas: [{optional: true, formula: '%s'}]".formatted(formula));
+    ScenarioRun run = run(read, brake);
+    ScenarioJudge judge = judge(read);
+    return read.criteria().stream()
+        .filter(each -> judge.isUnasked(each, run))
+        .map(Expectation::text)
+        .toList();
+  }
+
   private static String causeOf(CriterionResult consequence, List<CriterionResult> all) {
     return consequence
         .cause()
@@ -152,6 +175,13 @@ class ScenarioJudgeTest {
 
   /** Judges a run of a vehicle that drives into a car without braking. */
   private List<CriterionResult> afterAnImpact(String criteria) throws Exception {
+    Scenario read = hit(criteria);
+    return judge(read).criteria(run(read, 0.0), true).stream()
+        .filter(each -> !each.passed())
+        .toList();
+  }
+
+  private static Scenario hit(String criteria) {
     String scenario =
         """
         name: hit
@@ -163,12 +193,13 @@ class ScenarioJudgeTest {
         accept: {%s}
         """
             .formatted(criteria);
-    Scenario read = Scenario.parse(SourceText.of("s.yaml", scenario), Bench.carla());
+    return Scenario.parse(SourceText.of("s.yaml", scenario), Bench.carla());
+  }
+
+  private ScenarioJudge judge(Scenario scenario) throws Exception {
     Path project = Files.createTempDirectory(folder, "hit");
-    ScenarioJudge judge =
-        new ScenarioJudge(
-            new AebProject(project).request(List.of(read)).simulatedChain(), List.of(), false);
-    return judge.criteria(run(read, 0.0), true).stream().filter(each -> !each.passed()).toList();
+    return new ScenarioJudge(
+        new AebProject(project).request(List.of(scenario)).simulatedChain(), List.of(), false);
   }
 
   /** Judges a run that brakes at once, so that the criteria on impact and standstill hold. */
@@ -191,7 +222,7 @@ class ScenarioJudgeTest {
         new World(scenario.situation(), new Trace(scenario.inputs(), scenario.situation().road()));
     world.command(0, VehicleCommand.brake(brake));
     world.advanceTo(World.nanoseconds(scenario.duration()));
-    if (world.impacted()) {
+    if (world.impacted() && !scenario.allowsImpact()) {
       world.trace().cutShort();
     }
     return new ScenarioRun(
