@@ -5,6 +5,7 @@ import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * The requirements that the outputs of a component may serve. An output that is marked with
@@ -26,12 +27,22 @@ final class OutputPurpose {
         || node.getOutput().stream().allMatch(data -> isMarkedForOthers(data, requirement));
   }
 
+  /** Returns the topics of the outputs that are marked with a requirement. */
+  Stream<String> markedWith(String requirement) {
+    return node.getOutput().stream()
+        .filter(data -> isMarked(data, requirement))
+        .flatMap(data -> TopicIndex.nameOf(data, node).stream());
+  }
+
   private boolean isOn(String topic, Data data) {
     return TopicIndex.nameOf(data, node).equals(Optional.of(topic));
   }
 
   private static boolean isMarkedForOthers(Data data, String requirement) {
-    return !data.getSatisfies().isEmpty()
-        && data.getSatisfies().stream().map(Requirement::getId).noneMatch(requirement::equals);
+    return !data.getSatisfies().isEmpty() && !isMarked(data, requirement);
+  }
+
+  private static boolean isMarked(Data data, String requirement) {
+    return data.getSatisfies().stream().map(Requirement::getId).anyMatch(requirement::equals);
   }
 }

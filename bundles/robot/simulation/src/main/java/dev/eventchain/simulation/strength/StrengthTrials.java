@@ -216,20 +216,31 @@ public final class StrengthTrials {
     return ids.stream().map(this::requirement).toList();
   }
 
+  /** Returns the topics of the outputs that are marked with a requirement. */
+  private Set<String> askedFor(String id) {
+    return requirements.keySet().stream()
+        .filter(node -> requirements.get(node).contains(id))
+        .flatMap(node -> new OutputPurpose(node).markedWith(id))
+        .collect(Collectors.toCollection(TreeSet::new));
+  }
+
   private Strength.Requirement requirement(String id) {
     List<String> components =
         requirements.keySet().stream()
             .filter(node -> requirements.get(node).contains(id))
             .map(SoftwareNode::getName)
             .toList();
+    Set<String> asked = askedFor(id);
     boolean needed =
         components.stream()
             .flatMap(node -> trials.get(node).stream())
+            .filter(trial -> asked.isEmpty() || asked.contains(trial.fault().topic()))
             .anyMatch(trial -> trial.isOmission() && trial.noticedAtAll());
     int leftOut = (int) all().stream().filter(trial -> trial.leavesOut(id)).count();
     return new Strength.Requirement(
         id,
         components,
+        asked,
         needed,
         all().stream().flatMap(it -> it.reaction(id).stream()).toList(),
         leftOut);

@@ -1,8 +1,11 @@
 package dev.eventchain.simulation.verdict;
 
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Margin;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 
 /**
  * Strength of the evidence for requirements: which standard faults of the components that satisfy a
@@ -36,18 +39,26 @@ public record Strength(
    *
    * @param id the identifier of the requirement
    * @param components the components that satisfy it
-   * @param needed true if a criterion of any scenario notices that one of them does nothing, or
-   *     always the same
+   * @param outputs the topics of their outputs that are marked with it; empty if none is, so that
+   *     each of their outputs may be what it asks for
+   * @param needed true if a criterion of any scenario notices that nothing, or always the same, is
+   *     sent on one of these outputs
    * @param reactions one for each fault that was tried and changed a message in one of its
    *     scenarios
    * @param leftOut the number of further faults that may change one, but were not tried
    */
   public record Requirement(
-      String id, List<String> components, boolean needed, List<Reaction> reactions, int leftOut) {
+      String id,
+      List<String> components,
+      Set<String> outputs,
+      boolean needed,
+      List<Reaction> reactions,
+      int leftOut) {
 
     /** Copies the lists. */
     public Requirement {
       components = List.copyOf(components);
+      outputs = Collections.unmodifiableSortedSet(new TreeSet<>(outputs));
       reactions = List.copyOf(reactions);
     }
 
@@ -82,6 +93,7 @@ public record Strength(
       return new Requirement(
           id,
           List.of(component),
+          outputs,
           needed,
           reactions.stream().filter(each -> each.component().equals(component)).toList(),
           leftOut);

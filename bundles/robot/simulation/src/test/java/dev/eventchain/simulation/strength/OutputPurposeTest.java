@@ -1,5 +1,6 @@
 package dev.eventchain.simulation.strength;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -7,6 +8,7 @@ import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventchainFactory;
 import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Tests which requirements of a component the faults of each of its outputs count for. */
@@ -45,6 +47,8 @@ class OutputPurposeTest {
     assertTrue(mayServe("/emergency", "AEB-3"));
     assertTrue(mayServe("/brake_force", "AEB-3"));
     assertTrue(mayServe("/brake_force", "AEB-4"));
+    assertEquals(List.of("/emergency"), new OutputPurpose(node).markedWith("AEB-3").toList());
+    assertEquals(List.of(), new OutputPurpose(node).markedWith("AEB-4").toList());
   }
 
   @Test

@@ -118,8 +118,8 @@ public final class RequirementStrength {
     return finding(
         item,
         SimulateRules.SIMULATION_STRENGTH_IDLE,
-        "No criterion of any scenario notices when %s sends nothing, or always the same, so nothing shows that it does what %s asks for."
-            .formatted(components(measured), item.id()),
+        "No criterion of any scenario notices when %s sends nothing%s, or always the same, so nothing shows that it does what %s asks for."
+            .formatted(components(measured), on(measured), item.id()),
         "Add a scenario in which the component has to react, with a criterion that fails if it does not");
   }
 
@@ -158,6 +158,11 @@ public final class RequirementStrength {
   private static String components(Strength.Requirement measured) {
     return String.join(
         " and ", measured.components().stream().map(name -> "'" + name + "'").toList());
+  }
+
+  /** Returns the outputs of which a requirement asks for one, in words; empty for any output. */
+  private static String on(Strength.Requirement measured) {
+    return measured.outputs().isEmpty() ? "" : " on " + String.join(" or ", measured.outputs());
   }
 
   private static String named(Strength.Requirement measured) {

@@ -13,6 +13,7 @@ import dev.eventchain.simulation.verdict.Strength.Reaction;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -37,7 +38,8 @@ class RequirementStrengthTest {
     assertEquals("simulation.strength.idle", found.id());
     assertEquals(3, found.location().line());
     assertEquals("BRK-1", found.rule());
-    assertTrue(found.message().contains("'Brake'"), found.message());
+    assertTrue(
+        found.message().contains("'Brake' sends nothing on /emergency, or"), found.message());
     assertTrue(strength.isUntested("BRK-1"));
   }
 
@@ -111,7 +113,8 @@ class RequirementStrengthTest {
             .distinct()
             .toList();
     Strength.Requirement requirement =
-        new Strength.Requirement("BRK-1", components, needed, reactions, leftOut);
+        new Strength.Requirement(
+            "BRK-1", components, Set.of("/emergency"), needed, reactions, leftOut);
     int tried = reactions.size();
     Strength measured = new Strength(List.of(requirement), tried, 30, tried, tried + leftOut);
     WrittenRequirement written =
