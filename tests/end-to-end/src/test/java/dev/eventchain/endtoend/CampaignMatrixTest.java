@@ -46,8 +46,9 @@ class CampaignMatrixTest {
   void theCommandsOfAMatrixComeToTheWholeCampaign(String service) throws Exception {
     Matrix matrix = service.equals("github") ? github() : gitlab();
     assertEquals(3, matrix.parts().size());
-    Path project = ProjectCopy.of("radar-aeb", folder).path();
-    Files.move(project, folder.resolve(matrix.common().get("PROJECT")));
+    ProjectCopy copy = ProjectCopy.of("radar-aeb", folder);
+    copy.endAtEightSeconds();
+    Files.move(copy.path(), folder.resolve(matrix.common().get("PROJECT")));
     Path campaign = folder.resolve(matrix.common().get("CAMPAIGN"));
     Files.createDirectories(campaign.getParent());
     Files.writeString(

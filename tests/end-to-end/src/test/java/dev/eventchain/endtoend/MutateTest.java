@@ -62,6 +62,7 @@ class MutateTest {
   void copyTheExample() throws IOException {
     copy = ProjectCopy.of("radar-aeb", folder);
     copy.onlyScenario("scenarios/stopped-vehicle-50.yaml");
+    copy.endAtEightSeconds();
   }
 
   private Program.Ended mutate(Object... more) {

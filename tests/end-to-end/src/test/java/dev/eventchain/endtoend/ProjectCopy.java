@@ -2,6 +2,7 @@ package dev.eventchain.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -51,6 +52,15 @@ record ProjectCopy(Path path) {
         Files.delete(file);
       }
     }
+  }
+
+  /** Ends the scenario of the radar example earlier: by then, the vehicle stands. */
+  void endAtEightSeconds() throws IOException {
+    String scenario = "scenarios/stopped-vehicle-50.yaml";
+    String text = Files.readString(path.resolve(scenario));
+    assertTrue(text.contains("duration_s: 12\n") && text.contains(", 11.5]"), text);
+    write(
+        scenario, text.replace("duration_s: 12\n", "duration_s: 8\n").replace(", 11.5]", ", 7.5]"));
   }
 
   /** Runs all stages. */

@@ -48,6 +48,7 @@ class StrengthTest {
   void copyProject() throws IOException {
     project = ProjectCopy.of("radar-aeb", folder);
     project.onlyScenario(SCENARIO);
+    project.endAtEightSeconds();
   }
 
   private Program.Ended run(Object... more) {
