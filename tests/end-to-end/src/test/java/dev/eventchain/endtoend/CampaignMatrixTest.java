@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.fixtures.InTurn;
 import dev.eventchain.fixtures.Thorough;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -41,6 +42,7 @@ class CampaignMatrixTest {
     return Thorough.allOrOne(List.of("github", "gitlab"));
   }
 
+  @InTurn
   @ParameterizedTest
   @MethodSource("services")
   void theCommandsOfAMatrixComeToTheWholeCampaign(String service) throws Exception {

@@ -102,6 +102,25 @@ class CampaignTest {
   }
 
   @Test
+  void partsComeToTheWhole() throws IOException {
+    copy.endAtEightSeconds();
+    copy.write(
+        "approach.yaml",
+        """
+        scenario: stopped-vehicle-50
+        factors: {gap: {path: "actors[0].gap_m", values: [10, 60]}}
+        """);
+    campaign().expect(1).says("2 cases: 1 passed, 1 failed");
+    List<byte[]> expected = bytes();
+    copy.delete("out/campaigns/approach");
+    campaign("--shard", "2/2").expect(0);
+    campaign("--merge", results("approach-2-of-2")).expect(2).says("lack part 1 of 2");
+    campaign("--shard", "1/2").expect(0);
+    campaign("--merge", results("approach-2-of-2"), results("approach-1-of-2")).expect(1);
+    assertSame(expected, bytes());
+  }
+
+  @Test
   void theCampaignOfAnExampleFindsWhatItsReadmeSays() throws IOException {
     assumeTrue(Thorough.IS_ON, "takes a minute");
     ProjectCopy example = ProjectCopy.of("aeb", folder);
