@@ -1,16 +1,21 @@
 package dev.eventchain.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
 
+import dev.eventchain.fixtures.Thorough;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Tests that a defect of the program names the input file. The program is broken on purpose for it.
@@ -37,13 +42,18 @@ class DefectTest {
     Files.writeString(folder.resolve("decided.yaml"), "[]\n");
   }
 
+  static Stream<Arguments> files() {
+    return Thorough.allOrOne(
+        List.of(
+            arguments("xmi.MetamodelChecks", "library.ecore:"),
+            arguments("constraints.document.RuleDocument", "rules.ocl:"),
+            arguments("constraints.RuleComments", "rules.ocl:2:1:"),
+            arguments("documents.YamlTree", "decided.yaml:")))
+        .stream();
+  }
+
   @ParameterizedTest
-  @CsvSource({
-    "xmi.MetamodelChecks, library.ecore:",
-    "constraints.document.RuleDocument, rules.ocl:",
-    "constraints.RuleComments, rules.ocl:2:1:",
-    "documents.YamlTree, decided.yaml:"
-  })
+  @MethodSource("files")
   void ofAValidationNamesTheFile(String broken, String place) throws IOException {
     breaking(broken)
         .run(

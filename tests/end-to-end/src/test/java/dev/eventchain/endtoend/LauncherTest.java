@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import dev.eventchain.fixtures.InTurn;
+import dev.eventchain.fixtures.Thorough;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,6 +19,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the launcher with a copy of the build's output, as on a user's machine. */
@@ -146,8 +148,12 @@ class LauncherTest {
     assertEquals("", ended.out());
   }
 
+  static List<String> memory() {
+    return Thorough.allOrOne(List.of("65536k", "64m", "1g", "67108864"));
+  }
+
   @ParameterizedTest
-  @ValueSource(strings = {"65536k", "64m", "1g", "67108864"})
+  @MethodSource("memory")
   void memoryHasAnyUnit(String memory) throws IOException {
     assertVersionAlone(ended("launched", start(fakeJava("one", FORGER), "launched", memory)));
   }
