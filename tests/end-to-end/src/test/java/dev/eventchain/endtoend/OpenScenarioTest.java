@@ -226,6 +226,12 @@ class OpenScenarioTest {
         .says("un-r152-moving_target: 12 cases: 12 passed")
         .says("un-r152-bend_ahead: 6 cases: 0 passed, 6 failed")
         .says("8 campaigns: errors in un-r152-stationary_target, un-r152-bend_ahead");
+  }
+
+  /** As above. */
+  @InTurn
+  @Test
+  void theSuiteOfTheRegulationHasPedestrians() {
     simulate("--suite", "un-r152-pedestrian")
         .expect(1)
         .says("un-r152-pedestrian-crossing: 9 cases: 6 passed, 3 failed")
