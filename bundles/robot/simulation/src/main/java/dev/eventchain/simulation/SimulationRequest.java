@@ -11,7 +11,6 @@ import dev.eventchain.simulation.node.Replacements;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;

@@ -25,9 +25,9 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Simulates variants of components and of modules that these import in the scenarios that pass with the components as they are, in
- * lock-step. A process reads the component again for each scenario, so a few processes are enough
- * for all variants.
+ * Simulates variants of components and of modules that these import in the scenarios that pass with
+ * the components as they are, in lock-step. A process reads the component again for each scenario,
+ * so a few processes are enough for all variants.
  */
 public final class VariantSimulation {
 
@@ -74,7 +74,8 @@ public final class VariantSimulation {
    *     for failures of a variant
    * @throws InterruptedException if the calling thread was interrupted; the processes are ended
    */
-  public List<Diagnostic> run(List<Replacements> same, List<Replacements> variants, Listener listener)
+  public List<Diagnostic> run(
+      List<Replacements> same, List<Replacements> variants, Listener listener)
       throws InterruptedException {
     ScenarioRun[] runs = new ScenarioRun[request.scenarios().size()];
     HostPool.Job drive =

@@ -70,7 +70,10 @@ public final class SoftwareBaseFiles {
   private boolean isOfAChain(DescribedNode node) {
     boolean reads = node.endpoints().stream().anyMatch(each -> !each.isOutput());
     boolean writes = node.endpoints().stream().anyMatch(DescribedEndpoint::isOutput);
-    if ((reads && writes) || !node.node().isComplete()) {
+    boolean isKnown =
+        node.node().isComplete()
+            && node.node().endpoints().stream().allMatch(each -> isDefined(each.type()));
+    if ((reads && writes) || !isKnown) {
       return true;
     }
     ask(
@@ -78,6 +81,15 @@ public final class SoftwareBaseFiles {
             .formatted(node.node().name(), reads ? "only reads" : "only writes"),
         node.node());
     return false;
+  }
+
+  /** Returns whether there is a definition of a type, without asking for it again. */
+  private boolean isDefined(String type) {
+    try {
+      return messages.find(type).isPresent();
+    } catch (DiagnosticException e) {
+      return false;
+    }
   }
 
   private String components(List<DescribedNode> nodes) {
@@ -147,7 +159,8 @@ public final class SoftwareBaseFiles {
       problem = e.diagnostics().get(0).message().replaceFirst("\\.$", "");
     }
     ask(
-        "What is %s, the type of %s? %s; put it into software-base/msg, and the topic into components.json."
+        ("What is %s, the type of %s? %s; add its package to the workspace and import that again, or put it"
+                + " into software-base/msg, and the topic into components.json.")
             .formatted(endpoint.type(), endpoint.topic(), problem),
         endpoint.file(),
         endpoint.line());

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.StreamSupport;
 
@@ -32,14 +33,37 @@ final class StartedNodes {
     this.questions = questions;
   }
 
+  /** Returns the numbers of the nodes of all executables. */
+  private Set<Integer> executable() {
+    Set<Integer> all = new LinkedHashSet<>();
+    for (JsonNode executable : facts.path("executables")) {
+      executable.path("nodes").forEach(number -> all.add(number.asInt()));
+    }
+    return all;
+  }
+
+  /** Asks about the nodes of executables that a launch file does not start. */
+  void askAboutOthers(String launch) {
+    Set<Integer> others = executable();
+    others.removeAll(asked);
+    if (!others.isEmpty()) {
+      String names =
+          others.stream()
+              .map(number -> facts.path("nodes").path(number).path("class").asText())
+              .distinct()
+              .collect(Collectors.joining(", "));
+      ask(
+          "Are these nodes a part of the software: %s? This file starts none of them, and they are left out."
+              .formatted(names),
+          launch,
+          0);
+    }
+  }
+
   /** Returns the nodes of all executables, each by itself. */
   List<FoundNode> alone() {
     List<FoundNode> found = new ArrayList<>();
-    Set<Integer> taken = new LinkedHashSet<>();
-    for (JsonNode executable : facts.path("executables")) {
-      executable.path("nodes").forEach(number -> taken.add(number.asInt()));
-    }
-    for (int number : taken) {
+    for (int number : executable()) {
       JsonNode node = facts.path("nodes").path(number);
       found.add(node(number, text(node, "name"), Optional.of("/"), List.of()));
     }

@@ -64,10 +64,22 @@ public final class Workspace {
     Optional<String> start = launch.map(file -> named(file, sources)).or(() -> only(sources));
     StartedNodes nodes = new StartedNodes(facts, sources.packages().keySet(), questions);
     List<FoundNode> found =
-        start.isPresent()
-            ? nodes.launched(LaunchRun.of(start.get(), sources, questions))
-            : nodes.alone();
+        start.map(file -> started(file, nodes, sources)).orElseGet(nodes::alone);
     return new FoundSoftware(found, files.modules(found), List.copyOf(questions));
+  }
+
+  /** Returns the nodes that a launch file starts; all, if none of these is known. */
+  private List<FoundNode> started(String file, StartedNodes nodes, LaunchRun.Sources sources) {
+    List<FoundNode> found = nodes.launched(LaunchRun.of(file, sources, questions));
+    if (found.isEmpty()) {
+      String text =
+          "Which nodes are a part of the software? This file starts none that is known: each is"
+              + " taken once, under its own name.";
+      questions.add(new OpenQuestion(text, file, 0));
+      return nodes.alone();
+    }
+    nodes.askAboutOthers(file);
+    return found;
   }
 
   private RosFolder list() {

@@ -156,7 +156,10 @@ def nodes_of(
     owner = modules.owner(f"{executable.module}.{executable.function}")
     function = owner[0].functions.get(owner[1]) if owner is not None else None
     if owner is None or function is None:
-        text = f"What does the executable '{executable.name}' run? {executable.module} has no {executable.function}()."
+        lacks = f"{executable.module} has no {executable.function}()"
+        if all(module.name != executable.module for module in modules.all):
+            lacks = f"No module {executable.module} was read"
+        text = f"What does the executable '{executable.name}' run? {lacks}."
         questions.append(Question(executable.file, executable.line, text))
         return []
     found = _made(owner[0], [function], modules, nodes)

@@ -138,6 +138,7 @@ class _ClassReader:
             for method in cls.body:
                 if isinstance(method, FUNCTIONS):
                     self._method(Place(module, self._node.line, method), method)
+        self._constructor()
         return {
             "file": self._node.module.file,
             "module": self._node.module.name,
@@ -151,6 +152,19 @@ class _ClassReader:
             "parameters": self._parameters,
             "questions": [each.json for each in self._questions],
         }
+
+    def _constructor(self) -> None:
+        """Ask about arguments of the constructor, which nobody gives where the node is hosted as it is."""
+        for module, cls in self._node.line:
+            for method in cls.body:
+                if isinstance(method, FUNCTIONS) and method.name == "__init__":
+                    required = _required(method)
+                    if required:
+                        names = " and ".join(f"'{each}'" for each in required)
+                        whose = f"What is {names} of {self._node.definition.name}()?"
+                        text = f"{whose} Nodes as they are get no arguments: give defaults."
+                        self._ask(module, method, text)
+                    return
 
     # Names
 
@@ -300,6 +314,14 @@ def _given(node: ast.expr | None) -> ast.expr:
     if node is None:
         raise UnknownValueError("it is not given")
     return node
+
+
+def _required(constructor: Function) -> list[str]:
+    """Return the parameters of a constructor that have no default, without the object itself."""
+    taken = constructor.args
+    plain = [*taken.posonlyargs, *taken.args]
+    named = [each for each, default in zip(taken.kwonlyargs, taken.kw_defaults, strict=True) if default is None]
+    return [each.arg for each in (*plain[1 : len(plain) - len(taken.defaults)], *named)]
 
 
 def _argument(call: ast.Call, name: str, position: int | None) -> ast.expr | None:

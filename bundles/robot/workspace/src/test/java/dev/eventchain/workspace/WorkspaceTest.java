@@ -60,6 +60,81 @@ class WorkspaceTest {
         question);
   }
 
+  /** The package may have been renamed since: an empty project would help nobody. */
+  @Test
+  void allNodesAreTakenWhereTheLaunchFileStartsNoneThatIsKnown(@TempDir Path folder)
+      throws IOException {
+    FoundSoftware found = launching(folder, "<node pkg='renamed' exec='brake'/>");
+    assertEquals(
+        List.of("/brake", "/warning", "/tracker"),
+        found.nodes().stream().map(FoundNode::name).toList());
+    assertTrue(
+        asked(found, "What does the node 'brake' read and write? The package renamed is not in"));
+    assertTrue(asked(found, "This file starts none that is known: each is taken once"));
+  }
+
+  @Test
+  void nodesThatTheLaunchFileDoesNotStartAreNamed(@TempDir Path folder) throws IOException {
+    FoundSoftware found = launching(folder, "<node pkg='braking' exec='brake'/>");
+    assertEquals(List.of("/brake"), found.nodes().stream().map(FoundNode::name).toList());
+    assertTrue(
+        asked(found, "Are these nodes a part of the software: Warning, Tracker?"),
+        found.questions()::toString);
+  }
+
+  private static FoundSoftware launching(Path folder, String started) throws IOException {
+    copy("ws", folder);
+    Files.delete(folder.resolve("src/braking/launch/aeb.launch.py"));
+    Files.delete(folder.resolve("src/perception/radar_tracker/launch/perception.launch.xml"));
+    Files.writeString(
+        folder.resolve("src/braking/launch/one.launch.xml"), "<launch>" + started + "</launch>");
+    return Workspace.read(folder, Optional.empty(), PYTHON);
+  }
+
+  private static boolean asked(FoundSoftware found, String text) {
+    return found.questions().stream().anyMatch(each -> each.text().contains(text));
+  }
+
+  /** That it only reads is not true of a node that writes what is defined elsewhere. */
+  @Test
+  void aNodeWithATypeOfAnotherPackageStaysInTheChain(@TempDir Path folder) throws IOException {
+    Path own = Files.createDirectories(folder.resolve("src/guard"));
+    Files.writeString(
+        own.resolve("package.xml"), "<package format='3'><name>guard</name></package>");
+    Files.writeString(
+        own.resolve("CMakeLists.txt"),
+        "project(guard)\ninstall(PROGRAMS guard.py DESTINATION lib/guard)\n");
+    Files.writeString(
+        own.resolve("guard.py"),
+        """
+        import rclpy
+        from ackermann_msgs.msg import AckermannDriveStamped
+        from rclpy.node import Node
+        from std_msgs.msg import Float32
+
+        class Guard(Node):
+            def __init__(self, limit, *, name="guard"):
+                super().__init__(name)
+                self.limit = limit
+                self.drive = self.create_publisher(AckermannDriveStamped, "drive", 10)
+                self.create_subscription(Float32, "ttc", self.on_ttc, 10)
+
+            def on_ttc(self, ttc):
+                if ttc.data < self.limit:
+                    self.drive.publish(AckermannDriveStamped())
+
+        rclpy.init()
+        rclpy.spin(Guard(1.5))
+        """);
+    Map<String, String> files = files(folder, Optional.empty());
+    assertTrue(files.get("software-base/components.json").contains("\"Guard\""));
+    String questions = files.get("software-base/questions.json");
+    assertFalse(questions.contains("only reads"), questions);
+    assertTrue(questions.contains("add its package to the workspace"), questions);
+    assertTrue(
+        questions.contains("What is 'limit' of Guard()? Nodes as they are get no"), questions);
+  }
+
   @Test
   void aLaunchFileThatIsNotThereIsRefused() {
     DiagnosticException refused =

@@ -231,8 +231,7 @@ final class MutantTrials implements AutoCloseable {
   private boolean failsAgain(Mutant mutant, Failure failure) {
     String component = failure.component();
     for (int i = 0; i < VariantSimulation.REPETITIONS; i++) {
-      refuse(
-          test(component, originals.get(component)).map(Failure::finding).stream().toList());
+      refuse(test(component, originals.get(component)).map(Failure::finding).stream().toList());
       Optional<String> again = test(mutant).map(each -> each.finding().message());
       if (!again.equals(Optional.of(failure.finding().message()))) {
         return false;

@@ -48,8 +48,8 @@ final class ProjectMutants {
   }
 
   /**
-   * Returns all mutants, in the order of the chain and of their places; then those of modules.
-   * What two nodes of one file share has its mutants once.
+   * Returns all mutants, in the order of the chain and of their places; then those of modules. What
+   * two nodes of one file share has its mutants once.
    *
    * @throws dev.eventchain.diagnostics.DiagnosticException if a file cannot be parsed
    */
@@ -83,8 +83,7 @@ final class ProjectMutants {
     ImportedModules modules = modules(run);
     for (Path file : modules.files()) {
       SourceText source = SourceText.read(file);
-      List<String> users =
-          modules.users(file).stream().map(SoftwareBase.Component::name).toList();
+      List<String> users = modules.users(file).stream().map(SoftwareBase.Component::name).toList();
       Optional<String> tested =
           modules.users(file).stream()
               .filter(user -> user.node().isEmpty())
