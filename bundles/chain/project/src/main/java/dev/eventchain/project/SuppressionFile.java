@@ -7,6 +7,8 @@ import dev.eventchain.diagnostics.RulePage;
 import dev.eventchain.diagnostics.Suppressions;
 import java.nio.file.Path;
 import java.time.LocalDate;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 
@@ -41,7 +43,11 @@ public final class SuppressionFile {
    */
   public static Suppressions read(
       Path file, LocalDate today, Function<String, Optional<RulePage>> pages) {
-    return new Suppressions(DatedEntries.read(file, INVALID, entry -> entry(entry, pages)), today);
+    Map<String, Optional<RulePage>> known = new HashMap<>(); // many entries are about one id
+    return new Suppressions(
+        DatedEntries.read(
+            file, INVALID, entry -> entry(entry, id -> known.computeIfAbsent(id, pages))),
+        today);
   }
 
   private static Suppressions.Entry entry(

@@ -22,7 +22,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalDate;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -34,6 +36,25 @@ class SuppressionFileTest {
   private static final LocalDate TODAY = LocalDate.of(2026, 11, 21);
 
   @TempDir Path folder;
+
+  /** A page is a file in a jar, and an editor reads the suppressions after each pause in typing. */
+  @Test
+  void thePageAboutAnIdIsLookedUpOnce() throws IOException {
+    Path file = folder.resolve("suppressions.yaml");
+    String entry = "- {id: %s, reason: Later., expires: 2027-03-31}\n";
+    Files.writeString(file, (entry.formatted("ocl.violated") + entry.formatted("a.b")).repeat(50));
+    List<String> asked = new ArrayList<>();
+    Suppressions read =
+        SuppressionFile.read(
+            file,
+            TODAY,
+            id -> {
+              asked.add(id);
+              return Optional.empty();
+            });
+    assertEquals(100, read.inForce().size());
+    assertEquals(List.of("ocl.violated", "a.b"), asked);
+  }
 
   @Test
   void anEntrySuppressesWhatItDescribes() throws IOException {

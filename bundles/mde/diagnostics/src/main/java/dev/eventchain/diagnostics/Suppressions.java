@@ -89,7 +89,8 @@ public final class Suppressions {
     }
 
     private static String kindOf(String id) {
-      return id.replaceFirst("\\..*", "");
+      int dot = id.indexOf('.');
+      return dot < 0 ? id : id.substring(0, dot);
     }
 
     private boolean isIn(String name) {
