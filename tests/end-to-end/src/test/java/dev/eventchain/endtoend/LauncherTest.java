@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -158,6 +159,16 @@ class LauncherTest {
     assertVersionAlone(ended("launched", start(fakeJava("one", FORGER), "launched", memory)));
   }
 
+  @Test
+  void onlyTheServerForEditorsLivesLongEnoughForBothCompilers() throws IOException {
+    String java = fakeJava("one", FORGER + "echo \"$*\"; exit 0");
+    String once = ended("once", start(java, "once", "", "validate", "lsp")).expect(0).out();
+    assertTrue(once.contains("-XX:TieredStopAtLevel=1 "), once);
+    String server = ended("server", start(java, "server", "", "lsp")).expect(0).out();
+    assertFalse(server.contains("TieredStopAtLevel"), server);
+    assertTrue(server.endsWith("dev.eventchain.cli.Main lsp\n"), server);
+  }
+
   private long rehearsals() throws IOException {
     return Files.readAllLines(folder.resolve("calls")).size();
   }
@@ -240,9 +251,14 @@ class LauncherTest {
   }
 
   private Process start(String javaHome, String name, String memory) throws IOException {
-    ProcessBuilder builder =
-        new ProcessBuilder(home.resolve("eventchain").toString(), "--version")
-            .directory(folder.toFile());
+    return start(javaHome, name, memory, "--version");
+  }
+
+  private Process start(String javaHome, String name, String memory, String... arguments)
+      throws IOException {
+    List<String> command = new ArrayList<>(List.of(home.resolve("eventchain").toString()));
+    command.addAll(List.of(arguments));
+    ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
     builder.environment().put("JAVA_HOME", javaHome);
     builder.environment().put("EVENTCHAIN_MEMORY", memory);
     return builder
