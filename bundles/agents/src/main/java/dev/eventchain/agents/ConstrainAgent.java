@@ -31,7 +31,8 @@ public final class ConstrainAgent {
           Literals.SOFTWARE_NODE__TOLERANCE.getName(),
           Literals.SOFTWARE_NODE__MAPPED_TO.getName(),
           Literals.SOFTWARE_NODE__PRIORITY.getName(),
-          Literals.DATA__WORST_CASE_TRANSPORT_TIME.getName());
+          Literals.DATA__WORST_CASE_TRANSPORT_TIME.getName(),
+          Literals.DATA__COMPONENT_UNIT.getName());
 
   private final AgentContext context;
 

@@ -89,6 +89,37 @@ class ImplementAgentTest {
     assertEquals(promptFor(CHAIN), promptFor(SourceText.of("chain.json", withBudgets)));
   }
 
+  /** What the message has is the node's business: the component has m/s, as in the other chain. */
+  @Test
+  void aPromptHasTheUnitsWithinTheComponent() {
+    assertEquals(promptFor(CHAIN), promptFor(withWire("\"float32\", \"unit\": \"km/h\"")));
+    String integer = promptFor(withWire("\"uint16\", \"unit\": \"km/h\""));
+    assertEquals(promptFor(CHAIN).replace(SPEED, SPEED.replace("32", "64")), integer);
+  }
+
+  private static final String SPEED = "\"type\": \"float32\", \"unit\": \"m/s\"";
+
+  private static SourceText withWire(String typeAndUnit) {
+    String changed =
+        CHAIN.text().replace(SPEED, "\"type\": " + typeAndUnit + ", \"component_unit\": \"m/s\"");
+    assertNotEquals(CHAIN.text(), changed);
+    return SourceText.of("chain.json", changed);
+  }
+
+  /** A byte of km/h is 0 to 70.8 m/s, and never infinite or not a number. */
+  @Test
+  void aComponentIsProbedWithWhatItsMessagesCanHold() {
+    SourceText chain = withWire("\"uint8\", \"unit\": \"km/h\"");
+    ImplementationCheck check =
+        new ImplementationCheck(probe, ChainView.component(chain, "Time_Left"), Optional.empty());
+    String strict = "        assert type(speed) is float and 0.0 <= speed <= 255.0 / 3.6\n";
+    String head = "def execute(self, distances, speed):\n";
+    String code = text("right.py").replace(head, head + strict);
+    assertEquals(List.of(), check.check(SourceText.of("component.py", code)));
+    String stricter = code.replace("255.0 / 3.6", "250.0 / 3.6");
+    assertEquals(1, check.check(SourceText.of("component.py", stricter)).size());
+  }
+
   private static String promptFor(SourceText chain) {
     ScriptedModel model = new ScriptedModel().answer(text("right.py"));
     new ImplementAgent(AgentContext.of(model), probe)

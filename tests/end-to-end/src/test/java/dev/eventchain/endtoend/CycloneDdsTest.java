@@ -32,9 +32,8 @@ class CycloneDdsTest {
   private static final Path ENVIRONMENT =
       Program.ROOT.resolve(
           "bundles/robot/sandbox/src/main/resources/dev/eventchain/sandbox/environment.py");
-  private static final Path FORK_AND_JOIN =
-      Program.ROOT.resolve(
-          "bundles/mde/m2t/src/test/resources/cases/cyclonedds-python/fork-and-join/expected/fork");
+  private static final Path CASES =
+      Program.ROOT.resolve("bundles/mde/m2t/src/test/resources/cases/cyclonedds-python");
 
   /**
    * Configuration of loopback, which often has no multicast: all participants are on this machine
@@ -122,6 +121,15 @@ class CycloneDdsTest {
         .says("9 passed");
   }
 
+  /** Speeds, percentages, temperatures and angles, as messages have them and as components do. */
+  @Test
+  void unitsAreConvertedAtTheEndsOfTheWire() throws IOException {
+    copyCase("units/expected/limiter", "units", List.of("Limiter", "Warning"));
+    python(folder.resolve("units"), "-m", "pytest", "-q", "-p", "no:cacheprovider")
+        .expect(0)
+        .says("6 passed");
+  }
+
   @Test
   void thePackagesAreFreeOfLint() throws IOException {
     forkAndJoin("lint");
@@ -178,17 +186,23 @@ class CycloneDdsTest {
 
   /** The package of the fork example, with components that need no answers. */
   private static void forkAndJoin(String name) throws IOException {
+    copyCase("fork-and-join/expected/fork", name, List.of("Source", "Left", "Right", "Join"));
+  }
+
+  private static void copyCase(String case_, String name, List<String> components)
+      throws IOException {
+    Path generated = CASES.resolve(case_);
     Path copy = folder.resolve(name);
-    try (Stream<Path> files = Files.walk(FORK_AND_JOIN)) {
+    try (Stream<Path> files = Files.walk(generated)) {
       for (Path file : files.filter(Files::isRegularFile).toList()) {
-        Path target = copy.resolve(FORK_AND_JOIN.relativize(file).toString());
+        Path target = copy.resolve(generated.relativize(file).toString());
         Files.createDirectories(target.getParent());
         Files.copy(file, target);
       }
     }
-    for (String component : List.of("Source", "Left", "Right", "Join")) {
+    for (String component : components) {
       Files.writeString(
-          copy.resolve("fork/components").resolve(component + ".py"),
+          copy.resolve(generated.getFileName() + "/components").resolve(component + ".py"),
           "class " + component + ":\n    pass\n");
     }
   }

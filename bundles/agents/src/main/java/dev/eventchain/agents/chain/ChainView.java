@@ -1,13 +1,17 @@
 package dev.eventchain.agents.chain;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.description.ChainNames;
 import dev.eventchain.description.EventChainSchema;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.jsonmodels.JsonDocument;
+import dev.eventchain.messages.UnitConversion;
 import dev.eventchain.sandbox.ComponentSignature;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * An event-chain description for the checks. Missing parts are empty: the reader of descriptions
@@ -55,10 +59,21 @@ public record ChainView(List<ChainView.Component> components) {
   /**
    * A value that a component reads or writes.
    *
-   * @param unit empty if none is stated
+   * @param type as the component knows it
+   * @param unit within the component; empty if none is stated
+   * @param converted where it comes from or goes to in other units
    * @param pointer its JSON pointer
    */
-  public record Value(String name, String type, String unit, String pointer) {}
+  public record Value(
+      String name, String type, String unit, Optional<Converted> converted, String pointer) {}
+
+  /**
+   * The field of a message behind a value whose unit is converted.
+   *
+   * @param type the type of the field
+   * @param conversion from the unit of the message to that of the component
+   */
+  public record Converted(String type, UnitConversion conversion) {}
 
   public static ChainView of(JsonNode description) {
     JsonNode chain = EventChainSchema.components(description);
@@ -104,16 +119,41 @@ public record ChainView(List<ChainView.Component> components) {
     return ports;
   }
 
+  /**
+   * Changes the description of a value whose unit is converted to what the component knows of it: a
+   * number with floating point, in its own unit.
+   */
+  public static void asInComponent(ObjectNode value) {
+    String own = text(value, ChainNames.COMPONENT_UNIT).strip();
+    value.remove(ChainNames.COMPONENT_UNIT);
+    if (!own.isEmpty() && !own.equals(text(value, ChainNames.UNIT).strip())) {
+      value.put(ChainNames.UNIT, own);
+      if (!text(value, ChainNames.TYPE).matches("float.*|double")) {
+        value.put(ChainNames.TYPE, "float64");
+      }
+    }
+  }
+
+  private static Value value(JsonNode json, String pointer) {
+    ObjectNode own = JsonNodeFactory.instance.objectNode();
+    if (json instanceof ObjectNode object) {
+      own.setAll(object);
+      asInComponent(own);
+    }
+    String unit = text(own, ChainNames.UNIT);
+    Optional<Converted> converted =
+        json.has(ChainNames.COMPONENT_UNIT)
+            ? UnitConversion.between(text(json, ChainNames.UNIT), unit)
+                .map(conversion -> new Converted(text(json, ChainNames.TYPE), conversion))
+            : Optional.empty();
+    return new Value(
+        text(own, ChainNames.NAME), text(own, ChainNames.TYPE), unit, converted, pointer);
+  }
+
   private static List<Value> values(JsonNode json, String pointer) {
     List<Value> values = new ArrayList<>();
     for (int i = 0; i < json.size(); i++) {
-      JsonNode value = json.path(i);
-      values.add(
-          new Value(
-              text(value, ChainNames.NAME),
-              text(value, ChainNames.TYPE),
-              text(value, ChainNames.UNIT),
-              pointer + "/" + i));
+      values.add(value(json.path(i), pointer + "/" + i));
     }
     return values;
   }

@@ -23,7 +23,7 @@ final class ProbeCalls {
 
   private ProbeCalls(List<Value> inputs) {
     this.inputs = inputs;
-    this.values = inputs.stream().map(input -> ProbeValue.of(input.type())).toList();
+    this.values = inputs.stream().map(ProbeValue::of).toList();
   }
 
   static List<ComponentCall> of(List<Value> inputs) {

@@ -1,5 +1,7 @@
 package dev.eventchain.agents.component;
 
+import dev.eventchain.agents.chain.ChainView;
+import dev.eventchain.messages.UnitConversion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -15,6 +17,24 @@ import java.util.stream.Stream;
 record ProbeValue(String name, Object value) {
   private static final int ARRAY_LENGTH = 8;
   private static final int LONGEST = 100_000;
+
+  /**
+   * Returns values of an input, the usual one first. Those of a converted input are what its field
+   * can hold, in the unit of the component.
+   */
+  static List<ProbeValue> of(ChainView.Value input) {
+    if (input.converted().isEmpty()) {
+      return of(input.type());
+    }
+    UnitConversion conversion = input.converted().get().conversion();
+    return of(input.converted().get().type()).stream()
+        .map(
+            probe ->
+                probe.value() instanceof Number number
+                    ? all(conversion.apply(number.doubleValue())).get(0)
+                    : probe)
+        .toList();
+  }
 
   /**
    * Returns values of a field type in the syntax of message definitions, the usual one first; an

@@ -35,7 +35,8 @@ public final class ModelSchema {
           Literals.SOFTWARE_NODE__MAPPED_TO,
           Literals.SOFTWARE_NODE__PRIORITY,
           Literals.SOFTWARE_NODE__MEASURED,
-          Literals.DATA__WORST_CASE_TRANSPORT_TIME);
+          Literals.DATA__WORST_CASE_TRANSPORT_TIME,
+          Literals.DATA__COMPONENT_UNIT);
 
   private static final List<EStructuralFeature> ALWAYS =
       List.of(

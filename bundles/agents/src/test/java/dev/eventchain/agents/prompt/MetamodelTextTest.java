@@ -60,6 +60,7 @@ class MetamodelTextTest {
             "processors",
             "mappedTo",
             "priority",
+            "componentUnit",
             "class Processor",
             "worstCaseTransportTime",
             "class Statistics",

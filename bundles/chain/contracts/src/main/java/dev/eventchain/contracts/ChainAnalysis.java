@@ -63,6 +63,7 @@ public final class ChainAnalysis {
     TopicContracts partners = new TopicContracts(topics, signals, flow, types, findings);
     SignalContracts described = new SignalContracts(types, findings);
     UnitContracts units = new UnitContracts(findings);
+    ConversionContracts conversions = new ConversionContracts(types, findings);
     AgeContracts ages = new AgeContracts(types, findings);
     QosContracts qos = new QosContracts(findings);
     for (Topic topic : topics) {
@@ -70,6 +71,7 @@ public final class ChainAnalysis {
       partners.check(topic);
       described.check(topic);
       units.check(topic);
+      conversions.check(topic);
       ages.check(topic);
       qos.check(topic);
     }

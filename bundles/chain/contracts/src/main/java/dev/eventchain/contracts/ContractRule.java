@@ -16,6 +16,7 @@ public enum ContractRule {
   TOPIC_TYPE(Rule.error("contract.topic.type")),
   FIELD_UNSET(Rule.error("contract.field.unset")),
   UNIT_MISMATCH(Rule.error("contract.unit.mismatch")),
+  UNIT_UNCONVERTED(Rule.error("contract.unit.unconverted")),
   QOS_AMBIGUOUS(Rule.warning("contract.qos.ambiguous")),
   QOS_INCOMPATIBLE(Rule.error("contract.qos.incompatible")),
   QOS_UNDECIDED(Rule.info("contract.qos.undecided")),

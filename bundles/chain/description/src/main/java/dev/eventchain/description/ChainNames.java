@@ -93,6 +93,9 @@ public final class ChainNames {
   /** Of a value. */
   public static final String UNIT = "unit";
 
+  /** Of a value whose unit in the component is not that of the message. */
+  public static final String COMPONENT_UNIT = "component_unit";
+
   /** Of an input's value, in ms. */
   public static final String MAXIMUM_AGE = "maximum_age";
 
@@ -141,6 +144,7 @@ public final class ChainNames {
     BY_FEATURE.put(Literals.DATA__FIELD_NAME, FIELD);
     BY_FEATURE.put(Literals.DATA__TYPE, TYPE);
     BY_FEATURE.put(Literals.DATA__UNIT, UNIT);
+    BY_FEATURE.put(Literals.DATA__COMPONENT_UNIT, COMPONENT_UNIT);
     BY_FEATURE.put(Literals.DATA__MAXIMUM_AGE, MAXIMUM_AGE);
     BY_FEATURE.put(Literals.DATA__SAFE_VALUE, SAFE_VALUE);
     BY_FEATURE.put(Literals.DATA__TOPIC_NAME, TOPIC);

@@ -49,12 +49,12 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
  * Reader that converts an event-chain description directly into a model. The description is the
  * JSON array of the paper's Appendix A, or the object around it of {@link EventChainSchema}; we add
  * {@code frequency} (Hz), {@code requirements} (ids), {@code type}, {@code unit}, {@code
- * maximum_age} (ms) and {@code safe_value} of values, {@code consumer} ("external") and {@code
- * requirements} of outputs that leave the chain, and {@code worst_case_execution_time}, {@code
- * best_case_execution_time} (ms) and {@code memory} (MiB) of components, and {@code synchronized}
- * topics of their inputs with a {@code tolerance} (ms), and the {@code processor} that executes
- * them with their {@code priority} on it, and the {@code worst_case_transport_time} (ms) of ports,
- * all optional.
+ * component_unit}, {@code maximum_age} (ms) and {@code safe_value} of values, {@code consumer}
+ * ("external") and {@code requirements} of outputs that leave the chain, and {@code
+ * worst_case_execution_time}, {@code best_case_execution_time} (ms) and {@code memory} (MiB) of
+ * components, and {@code synchronized} topics of their inputs with a {@code tolerance} (ms), and
+ * the {@code processor} that executes them with their {@code priority} on it, and the {@code
+ * worst_case_transport_time} (ms) of ports, all optional.
  *
  * <p>Each element's origin is its JSON pointer in the description, so that later findings in the
  * model point back to it.
@@ -288,6 +288,7 @@ public final class EventChainReader {
     json.text(ChainNames.DESCRIPTION).ifPresent(value::setDescription);
     json.text(ChainNames.TYPE).ifPresent(value::setType);
     json.text(ChainNames.UNIT).ifPresent(value::setUnit);
+    json.text(ChainNames.COMPONENT_UNIT).ifPresent(value::setComponentUnit);
     json.number(ChainNames.MAXIMUM_AGE, NumberRange.above(0)).ifPresent(value::setMaximumAge);
     safeValue(json).ifPresent(value::setSafeValue);
     json.refuseOthers();

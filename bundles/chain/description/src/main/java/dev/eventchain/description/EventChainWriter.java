@@ -126,6 +126,7 @@ public final class EventChainWriter {
     text(json, ChainNames.FIELD, data.getFieldName());
     text(json, ChainNames.TYPE, data.getType());
     text(json, ChainNames.UNIT, data.getUnit());
+    text(json, ChainNames.COMPONENT_UNIT, data.getComponentUnit());
     if (data.isSetMaximumAge()) {
       json.put(ChainNames.MAXIMUM_AGE, data.getMaximumAge());
     }

@@ -23,6 +23,7 @@ class ChainNamesTest {
   private static final List<String> EXISTING =
       List.of(
           "best_case_execution_time",
+          "component_unit",
           "file",
           "implementation",
           "memory",

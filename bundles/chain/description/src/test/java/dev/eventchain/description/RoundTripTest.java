@@ -112,6 +112,9 @@ class RoundTripTest {
         data.setUnit(text(random));
       }
       if (random.nextBoolean()) {
+        data.setComponentUnit(text(random));
+      }
+      if (random.nextBoolean()) {
         data.setQos(profile(random));
         data.setWorstCaseTransportTime(random.nextInt(4) / 4.0);
       }

@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.RosNames;
 import dev.eventchain.messages.Unit;
+import dev.eventchain.model.ComponentUnits;
 import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventchainPackage.Literals;
@@ -17,6 +18,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import org.eclipse.emf.ecore.EAttribute;
@@ -39,10 +41,14 @@ final class ReuseCheck {
           new Property(Literals.DATA__FIELD_NAME, "field", false, Data::getFieldName),
           new Property(Literals.DATA__MESSAGE_TYPE, "message type", false, ReuseCheck::type),
           new Property(Literals.DATA__UNIT, "unit", true, data -> stated(data.getUnit())),
+          new Property(Literals.DATA__COMPONENT_UNIT, "component unit", false, ComponentUnits::of),
           new Property(Literals.DATA__QOS, "quality of service", true, ReuseCheck::quality),
           new Property(Literals.DATA__MAXIMUM_AGE, "maximum age", true, ReuseCheck::age),
           new Property(
               Literals.DATA__SAFE_VALUE, "safe value", true, data -> stated(data.getSafeValue())));
+
+  private static final Set<EStructuralFeature> UNITS =
+      Set.of(Literals.DATA__UNIT, Literals.DATA__COMPONENT_UNIT);
 
   private static final Map<EAttribute, String> NUMBERS = new LinkedHashMap<>();
 
@@ -106,8 +112,11 @@ final class ReuseCheck {
     for (Property property : PROPERTIES) {
       String wanted = property.value().apply(there);
       String given = property.value().apply(here);
-      boolean unknown = property.optional() && NOT_STATED.equals(wanted);
-      boolean same = property.feature() == Literals.DATA__UNIT && isSameUnit(wanted, given);
+      boolean unknown =
+          property.feature() == Literals.DATA__COMPONENT_UNIT
+              ? !ComponentUnits.isConverted(there) && !ComponentUnits.isConverted(here)
+              : property.optional() && NOT_STATED.equals(wanted);
+      boolean same = UNITS.contains(property.feature()) && isSameUnit(wanted, given);
       if (!unknown && !same) {
         compare(property.words(), owner, here, property.feature(), wanted, given);
       }

@@ -188,8 +188,8 @@ public final class SoftwareBase {
 
   /**
    * Adds what language models are not asked for, from the description or else from this software
-   * base: the budgets of components, which of their inputs are synchronized, and what executes
-   * them.
+   * base: the budgets of components, which of their inputs are synchronized, what executes them,
+   * and units of values within them.
    *
    * @param described the chain read directly from its description
    */
@@ -287,9 +287,9 @@ public final class SoftwareBase {
 
   /**
    * Checks that a chain uses the existing components as described: the same values of the same
-   * fields of the same topics, and stated units, quality of service, ages, safe values, frequency,
-   * execution times, memory and synchronized inputs. An omitted output is a warning, any other
-   * deviation an error.
+   * fields of the same topics, the same conversions of units, and stated units, quality of service,
+   * ages, safe values, frequency, execution times, memory and synchronized inputs. An omitted
+   * output is a warning, any other deviation an error.
    *
    * @param locator returns the locations of the features of the chain's elements
    */

@@ -39,6 +39,8 @@ final class UnaskedFacts {
     addProcessor(node, from);
     addTransport(node.getInput(), node, from.getInput(), from);
     addTransport(node.getOutput(), node, from.getOutput(), from);
+    addUnits(node.getInput(), from.getInput());
+    addUnits(node.getOutput(), from.getOutput());
   }
 
   /** Adds the transport times of topics on one side of a component. */
@@ -54,6 +56,17 @@ final class UnaskedFacts {
             .max()
             .ifPresent(data::setWorstCaseTransportTime);
       }
+    }
+  }
+
+  /** Adds the units of values within the component, by the names of the values. */
+  private static void addUnits(List<Data> values, List<Data> from) {
+    for (Data value : values) {
+      from.stream()
+          .filter(other -> other.getName() != null && other.getName().equals(value.getName()))
+          .filter(other -> value.getComponentUnit() == null)
+          .findFirst()
+          .ifPresent(other -> value.setComponentUnit(other.getComponentUnit()));
     }
   }
 

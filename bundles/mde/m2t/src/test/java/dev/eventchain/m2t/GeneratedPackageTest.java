@@ -62,7 +62,8 @@ class GeneratedPackageTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"aeb", "fork-and-join", "hostile", "names", "synchronized", "topics"})
+  @ValueSource(
+      strings = {"aeb", "fork-and-join", "hostile", "names", "synchronized", "topics", "units"})
   void theLinterFindsNothing(String name) throws Exception {
     Path folder = write(name);
     for (List<String> settings :
@@ -80,7 +81,16 @@ class GeneratedPackageTest {
   /** Names of 64 characters, topics and units of several lines, fields inside fields. */
   @ParameterizedTest
   @ValueSource(
-      strings = {"aeb", "fork-and-join", "hostile", "long", "names", "synchronized", "topics"})
+      strings = {
+        "aeb",
+        "fork-and-join",
+        "hostile",
+        "long",
+        "names",
+        "synchronized",
+        "topics",
+        "units"
+      })
   void linesAreAsShortAsAmentWantsAndFunctionsHaveTypes(String name) throws Exception {
     Path folder = write(name);
     List<String> ament = List.of("--isolated", "--line-length", "99");
@@ -96,7 +106,8 @@ class GeneratedPackageTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"aeb", "fork-and-join", "long", "names", "synchronized", "topics"})
+  @ValueSource(
+      strings = {"aeb", "fork-and-join", "long", "names", "synchronized", "topics", "units"})
   void thePackageNamesWhatItImports(String name) throws Exception {
     String script = RESOURCES.resolve("packages/dependencies.py").toString();
     String missing = python(write(name), List.of(script, ".")).expect(0);
@@ -150,7 +161,14 @@ class GeneratedPackageTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"aeb, 39", "fork-and-join, 53", "long, 28", "synchronized, 31", "topics, 32"})
+  @CsvSource({
+    "aeb, 39",
+    "fork-and-join, 53",
+    "long, 28",
+    "synchronized, 31",
+    "topics, 32",
+    "units, 28"
+  })
   void itsOwnTestsPass(String name, int number) throws Exception {
     Path folder = writeComplete(name);
     String output = test(folder).expect(0);

@@ -36,7 +36,8 @@ import org.eclipse.emf.ecore.xmi.impl.XMIResourceFactoryImpl;
  * ones of the last two are looked up in the enclosing folders. Instead of a template there may be a
  * {@code links.properties} with the comma-separated paths of the {@code template} and the {@code
  * metamodel}s in the repository. Files of an earlier run may be in {@code earlier/}. The templates
- * may call {@link CaseServices}, and read {@code texts.properties}.
+ * may call {@link CaseServices}, and read {@code texts.properties} and the properties of the
+ * generation, to which {@code generation.properties} adds some.
  */
 record TemplateCase(Path folder) {
   private static final String TEXTS = "texts.properties";
@@ -114,15 +115,26 @@ record TemplateCase(Path folder) {
         object -> SourceLocation.of("model.xmi").withElement(EcoreUtil.getURI(object).fragment());
     return GenerationContext.of(locator)
         .withEarlier(this::earlier)
-        .withProperties(
-            Map.of(
-                "greeting", "hello", "provenance.version", "1.0", "provenance.model", "model.xmi"))
+        .withProperties(properties())
         .withPropertyFiles(propertyFiles());
+  }
+
+  /** Returns the properties of each generation, and those of {@code generation.properties}. */
+  private Map<String, String> properties() {
+    Map<String, String> properties = new TreeMap<>(texts(folder.resolve("generation.properties")));
+    properties.put("greeting", "hello");
+    properties.put("provenance.version", "1.0");
+    properties.put("provenance.model", "model.xmi");
+    return properties;
   }
 
   /** Returns the properties of {@code texts.properties}, if the case has one. */
   private Map<String, Map<String, String>> propertyFiles() {
     Path file = folder.resolve(TEXTS);
+    return Files.exists(file) ? Map.of(TEXTS, texts(file)) : Map.of();
+  }
+
+  private static Map<String, String> texts(Path file) {
     if (!Files.exists(file)) {
       return Map.of();
     }
@@ -134,7 +146,7 @@ record TemplateCase(Path folder) {
     }
     Map<String, String> texts = new TreeMap<>();
     read.forEach((key, value) -> texts.put((String) key, (String) value));
-    return Map.of(TEXTS, texts);
+    return texts;
   }
 
   private Optional<byte[]> earlier(String name) {

@@ -82,8 +82,8 @@ public final class Unit {
    * 3.6", "subtract 273.15".
    */
   public String conversionTo(Unit other) {
-    double factor = scale / other.scale;
-    double shift = (offset - other.offset) / other.scale;
+    double factor = factorTo(other);
+    double shift = shiftTo(other);
     boolean scaled = Math.abs(factor - 1.0) >= ALMOST;
     String multiplied =
         factor >= 1.0 ? "multiply by " + number(factor) : "divide by " + number(1 / factor);
@@ -92,6 +92,16 @@ public final class Unit {
       return multiplied;
     }
     return scaled ? multiplied + ", then " + shifted : shifted;
+  }
+
+  /** Returns by what a number of this unit is multiplied to get to another one. */
+  double factorTo(Unit other) {
+    return scale / other.scale;
+  }
+
+  /** Returns what is then added; 0 except between temperatures. */
+  double shiftTo(Unit other) {
+    return (offset - other.offset) / other.scale;
   }
 
   /** Returns a number with at most ten digits, without artefacts of rounding. */

@@ -5,6 +5,8 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.model.ComponentUnits;
+import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import java.nio.file.Files;
@@ -13,6 +15,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * Generated nodes of a chain: the module and the class of each node, and the component that it
@@ -73,12 +76,35 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
    * @param file the file of the module, relative to the manifest's folder, with {@code /}
    * @param inputs the keyword arguments of {@code execute()}; no duplicates
    * @param outputs the returned values; no duplicate names
+   * @param conversions the values whose units the node converts
    */
   public record Component(
-      String module, String className, String file, List<String> inputs, List<Output> outputs) {
+      String module,
+      String className,
+      String file,
+      List<String> inputs,
+      List<Output> outputs,
+      Conversions conversions) {
 
     /** Copies the lists. */
     public Component {
+      inputs = List.copyOf(inputs);
+      outputs = List.copyOf(outputs);
+    }
+  }
+
+  /**
+   * Values of a component that its node converts between the units of messages and its own.
+   *
+   * @param inputs the names of inputs
+   * @param outputs the names of outputs
+   */
+  public record Conversions(List<String> inputs, List<String> outputs) {
+
+    static final Conversions NONE = new Conversions(List.of(), List.of());
+
+    /** Copies the lists. */
+    public Conversions {
       inputs = List.copyOf(inputs);
       outputs = List.copyOf(outputs);
     }
@@ -122,7 +148,7 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
    * @param folder the folder of the manifest
    * @param components the components of the chain to run
    * @return empty if each component has a node, each node is one of the chain, and the files of
-   *     their modules exist
+   *     their modules exist, and the nodes convert the units that they have to
    */
   List<Diagnostic> problems(EventChain chain, Path folder, List<SoftwareNode> components) {
     List<Diagnostic> problems = new ArrayList<>();
@@ -133,6 +159,7 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
       if (find(component.getName()).isEmpty()) {
         problems.add(missing(component.getName()));
       }
+      problems.addAll(unconverted(component));
     }
     for (int i = 0; i < nodes.size(); i++) {
       Node node = nodes.get(i);
@@ -152,6 +179,40 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
   /** Returns the finding that a component of the chain has no node. */
   public Diagnostic missing(String component) {
     return problem("It names no node for the component '" + component + "'.", "/nodes");
+  }
+
+  /**
+   * Returns a finding for each value of a component that the model has converted by the node around
+   * it, but that node does not convert; empty if the manifest has no such node.
+   */
+  public List<Diagnostic> unconverted(SoftwareNode component) {
+    Optional<Conversions> done =
+        find(component.getName()).flatMap(Node::component).map(Component::conversions);
+    return done.isEmpty()
+        ? List.of()
+        : Stream.concat(
+                unconverted("input", component.getInput(), done.get().inputs()),
+                unconverted("output", component.getOutput(), done.get().outputs()))
+            .map(value -> unconverted(component, value))
+            .toList();
+  }
+
+  private static Stream<String> unconverted(String side, List<Data> values, List<String> done) {
+    return values.stream()
+        .filter(value -> ComponentUnits.isConverted(value) && !done.contains(value.getName()))
+        .map(
+            value ->
+                "the %s '%s' between %s and %s"
+                    .formatted(
+                        side,
+                        value.getName(),
+                        ComponentUnits.onTheWire(value),
+                        ComponentUnits.of(value)));
+  }
+
+  private Diagnostic unconverted(SoftwareNode component, String value) {
+    return problem(
+        "The node of '%s' does not convert %s.".formatted(component.getName(), value), "/nodes");
   }
 
   /** Returns the file of a module, relative to the folder on the Python path. */

@@ -124,8 +124,10 @@ final class NodeManifestReader {
     }
     String name = name(json, "class", IDENTIFIER, "the name of a class");
     List<String> inputs = inputs(json);
+    NodeManifest.Conversions conversions =
+        json.object("conversions").map(this::conversions).orElse(NodeManifest.Conversions.NONE);
     json.refuseOthers();
-    return new Component(module, name, file, inputs, outputs);
+    return new Component(module, name, file, inputs, outputs, conversions);
   }
 
   private List<String> inputs(ObjectReader json) {
@@ -138,6 +140,15 @@ final class NodeManifestReader {
     }
     unique("input", inputs, i -> json.at("inputs"));
     return inputs;
+  }
+
+  private NodeManifest.Conversions conversions(ObjectReader json) {
+    requireKey(json, "inputs");
+    requireKey(json, "outputs");
+    NodeManifest.Conversions conversions =
+        new NodeManifest.Conversions(json.texts("inputs"), json.texts("outputs"));
+    json.refuseOthers();
+    return conversions;
   }
 
   private Output output(ObjectReader json) {

@@ -10,6 +10,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.simulation.AebProject;
 import dev.eventchain.simulation.SimulationRequest;
 import dev.eventchain.simulation.node.NodeManifest.Component;
+import dev.eventchain.simulation.node.NodeManifest.Conversions;
 import dev.eventchain.simulation.node.NodeManifest.Node;
 import dev.eventchain.simulation.node.NodeManifest.Output;
 import java.nio.file.Files;
@@ -36,7 +37,12 @@ class NodeManifestTest {
     List<Output> outputs = List.of(new Output("ttc", "float32"), new Output("raw", ""));
     Component first =
         new Component(
-            "aeb.components.First", "First", "aeb/components/First.py", List.of("a", "b"), outputs);
+            "aeb.components.First",
+            "First",
+            "aeb/components/First.py",
+            List.of("a", "b"),
+            outputs,
+            new Conversions(List.of("b"), List.of()));
     String odd = "Größe \"[/file]\\\n";
     assertEquals(
         new Node(odd, "aeb.first_node", "First_node", Optional.of(first), NodeManifest.Launch.NONE),

@@ -8,5 +8,7 @@ final class GenerateRules {
   static final Rule DEPENDENCY_UNKNOWN = Rule.warning("project.dependency.unknown");
   static final Rule TEMPLATE_PRINTED = Rule.warning("project.template.printed");
 
+  static final Rule UNIT_UNCONVERTED = Rule.warning("project.unit.unconverted");
+
   private GenerateRules() {}
 }

@@ -77,17 +77,20 @@ public final class GenerateStage implements StageWork {
     if (Diagnostic.anyError(found)) {
       throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
     }
+    SortedMap<String, byte[]> files = within(folder, generated);
+    found.addAll(UnitConversions.check(model, GeneratedPackage.among(run, files)));
     // Errors among them are suppressed, for as long as the suppressions are valid.
     found.addAll(checked.diagnostics());
-    SortedMap<String, byte[]> files = within(folder, generated);
     String written = components(run, model.chain(), helpers, folder, files);
     files.forEach(run::write);
     run.writeResult(
         TraceFile.NAME, TraceFile.content(generated.trace(), folder + "/", run.baseFolders()));
     found.addAll(run.output().removeOthers(folder, files.keySet()));
-    List<String> outputs = new ArrayList<>(files.keySet());
-    outputs.add(TraceFile.NAME);
-    return StageResult.of(files.size() + " files in " + written, outputs, found);
+    return StageResult.of(files.size() + " files in " + written, outputs(files), found);
+  }
+
+  private static List<String> outputs(SortedMap<String, byte[]> files) {
+    return Stream.concat(files.keySet().stream(), Stream.of(TraceFile.NAME)).toList();
   }
 
   /** Returns generated files by their names in the output folder. */
@@ -136,6 +139,7 @@ public final class GenerateStage implements StageWork {
     properties.put("package.helpers", String.join(" ", helpers.files().keySet()));
     properties.put("package.rosdep", String.join(" ", imports.rosdepKeys()));
     properties.put("package.pip", String.join(" ", imports.pipNames()));
+    properties.putAll(UnitConversions.properties(run.chain().chain()));
     if (version != null) {
       properties.put("provenance.version", version);
     }

@@ -1,6 +1,7 @@
 package dev.eventchain.pipeline.mutation;
 
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.model.ComponentUnits;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.generate.GeneratedPackage;
@@ -15,7 +16,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 
 /** The mutants of all components and nodes that a project's chain executes. */
@@ -139,11 +139,7 @@ final class ProjectMutants {
   private static boolean isAlike(Data one, Data other) {
     return one.getType() != null
         && one.getType().equals(other.getType())
-        && unit(one).equals(unit(other));
-  }
-
-  private static String unit(Data data) {
-    return Objects.requireNonNullElse(data.getUnit(), "").strip();
+        && ComponentUnits.of(one).equals(ComponentUnits.of(other));
   }
 
   private static List<ComponentMutator.Output> outputs(NodeManifest.Component component) {

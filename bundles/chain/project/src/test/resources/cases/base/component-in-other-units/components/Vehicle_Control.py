@@ -1,0 +1,2 @@
+class Vehicle_Control:
+    """Does nothing."""
