@@ -26,7 +26,8 @@ class OneOwnerTest {
           "\"maximum_age\"",
           "\"message_type\"",
           "\"safe_value\"",
-          "\"worst_case_execution_time\"");
+          "\"worst_case_execution_time\"",
+          "\"worst_case_transport_time\"");
 
   @Test
   void namesOfChainDescriptionsAreInTheirTable() throws IOException {

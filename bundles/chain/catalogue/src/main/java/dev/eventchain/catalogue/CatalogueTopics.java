@@ -13,7 +13,8 @@ import java.util.Optional;
 
 /**
  * The topics of signals: {@code Vehicle.Speed} is {@code /vss/Vehicle/Speed}, and what an actuator
- * is to do is in {@code /vss_target/...}. Each carries one value, in a message of std_msgs.
+ * is to do is in {@code /vss_target/...}; {@code Engine.Speed} of a network is {@code
+ * /can/Engine/Speed}. Each carries one value, in a message of std_msgs.
  */
 final class CatalogueTopics {
 
@@ -49,7 +50,9 @@ final class CatalogueTopics {
   List<Signal> of(CatalogueSignal signal) {
     Optional<String> message = signal.type().flatMap(CatalogueTopics::message);
     List<Signal> topics = new ArrayList<>();
-    if (message.isPresent()) {
+    if (message.isPresent() && signal.role() == Role.COMMAND) {
+      topics.add(topic(signal, prefix, message.get(), Signal.Direction.CONSUMED));
+    } else if (message.isPresent()) {
       topics.add(topic(signal, prefix, message.get(), Signal.Direction.PROVIDED));
       if (signal.role() == Role.ACTUATOR) {
         topics.add(topic(signal, prefix + "_target", message.get(), Signal.Direction.CONSUMED));
@@ -94,7 +97,7 @@ final class CatalogueTopics {
     boolean wanted = topic.direction() == Signal.Direction.CONSUMED;
     String start = topic.topic().substring(0, topic.topic().length() - any.path().length());
     String meaning =
-        wanted
+        wanted && any.role() == Role.ACTUATOR
             ? "Wanted value of the same signal; write it to change it."
             : shortened(any.meaning());
     ObjectNode json = JsonNodeFactory.instance.objectNode();

@@ -1,9 +1,11 @@
 package dev.eventchain.catalogue;
 
+import dev.eventchain.catalogue.dbc.DbcFormat;
 import dev.eventchain.catalogue.ddsidl.DdsIdlFormat;
 import dev.eventchain.catalogue.signal.CatalogueFormat;
 import dev.eventchain.catalogue.signal.CatalogueRules;
 import dev.eventchain.catalogue.signal.CatalogueSignal;
+import dev.eventchain.catalogue.signal.CatalogueSource;
 import dev.eventchain.catalogue.vss.VssFormat;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -19,7 +21,8 @@ import java.util.stream.Collectors;
 /** The signals of a whole vehicle, of which a chain uses a few. Immutable. */
 public final class SignalCatalogue {
 
-  private static final List<CatalogueFormat> FORMATS = List.of(new VssFormat(), new DdsIdlFormat());
+  private static final List<CatalogueFormat> FORMATS =
+      List.of(new VssFormat(), new DdsIdlFormat(), new DbcFormat());
 
   private final Map<String, CatalogueSignal> byPath = new LinkedHashMap<>();
   private final CatalogueTopics topics;
@@ -49,14 +52,15 @@ public final class SignalCatalogue {
               .withHint("These are read: " + suffixes + "."));
       return new SignalCatalogue(List.of(), new CatalogueTopics("none"), found);
     }
-    List<CatalogueSignal> signals = format.get().read(source.file(), source.overlays(), found::add);
+    List<CatalogueSignal> signals = format.get().read(source, found::add);
     if (signals.isEmpty() && found.isEmpty()) {
       found.add(
           Diagnostic.of(
                   CatalogueRules.EMPTY,
                   "The catalogue has no signals.",
                   SourceLocation.of(source.file()))
-              .withHint("A signal has the type sensor, actuator or attribute."));
+              .withHint(
+                  "In VSS, a signal has the type sensor, actuator or attribute; in DBC, it is an SG_ of a message."));
     }
     return new SignalCatalogue(signals, new CatalogueTopics(format.get().prefix()), found);
   }
@@ -82,8 +86,8 @@ public final class SignalCatalogue {
   }
 
   /**
-   * Returns the topics of some signals: one for the current value of each, and one for the wanted
-   * value of each actuator.
+   * Returns the topics of some signals: one for the current value of each, one for the wanted value
+   * of each actuator, and one alone for a value that software sends.
    */
   public List<Signal> topics(List<CatalogueSignal> some) {
     return some.stream().flatMap(signal -> topics.of(signal).stream()).toList();

@@ -3,13 +3,16 @@ package dev.eventchain.catalogue;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.eventchain.catalogue.signal.CatalogueSignal;
+import dev.eventchain.catalogue.signal.CatalogueSource;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.model.Signal;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -18,8 +21,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Test cases, one per folder: a catalogue {@code vss.*} and an {@code overlay.*}; {@code
- * expected.txt} holds the findings and the signals with their topics.
+ * Test cases, one per folder: a catalogue {@code vss.*} or {@code network.*} with an {@code
+ * overlay.*} and the node of {@code node.txt}; {@code expected.txt} holds the findings and the
+ * signals with their topics.
  */
 class CatalogueCasesTest {
 
@@ -59,7 +63,8 @@ class CatalogueCasesTest {
 
   @Test
   void readsTheWholeCatalogueWithoutAFinding() {
-    SignalCatalogue read = SignalCatalogue.read(new CatalogueSource(WHOLE, List.of()));
+    SignalCatalogue read =
+        SignalCatalogue.read(new CatalogueSource(WHOLE, List.of(), Optional.empty()));
     assertEquals(List.of(), read.diagnostics());
     assertEquals(1367, read.signals().size());
     assertEquals(
@@ -74,8 +79,13 @@ class CatalogueCasesTest {
   private static SignalCatalogue read(Path folder) throws IOException {
     try (Stream<Path> files = Files.list(folder)) {
       List<Path> all = files.sorted().toList();
+      List<Path> catalogues = new ArrayList<>(named("vss.", all));
+      catalogues.addAll(named("network.", all));
+      Path node = folder.resolve("node.txt");
+      Optional<String> software =
+          Files.exists(node) ? Optional.of(Files.readString(node).strip()) : Optional.empty();
       return SignalCatalogue.read(
-          new CatalogueSource(named("vss.", all).get(0), named("overlay.", all)));
+          new CatalogueSource(catalogues.get(0), named("overlay.", all), software));
     }
   }
 

@@ -72,6 +72,34 @@ class ProjectValidationTest {
     return name.replace('\\', '/') + ":" + found.location().line() + " " + found.id();
   }
 
+  /** A warning lamp on CAN is the software's to send only where it is the node that sends it. */
+  @Test
+  void softwareSendsWhatItsNodeOfANetworkSends() throws IOException {
+    for (String file : List.of("model/chain.xmi", "software-base/components.json")) {
+      project.replace(file, "/cluster/collision_warning", "/can/Lamps/Collision");
+    }
+    project.write(
+        "lamps.dbc",
+        "BU_: Warning\nBO_ 1 Lamps: 1 Warning\n SG_ Collision : 0|1@1+ (1,0) [0|1] \"\" Warning\n");
+    String settings = Files.readString(project.file("eventchain.yaml"));
+    project.write("eventchain.yaml", settings + "catalogue: {file: lamps.dbc, node: Warning}\n");
+    assertEquals(List.of(), foundOnce());
+    project.write("eventchain.yaml", settings + "catalogue: lamps.dbc\n");
+    assertTrue(
+        foundOnce().contains("model/chain.xmi:36 contract.signal.direction"),
+        foundOnce()::toString);
+    project.write("eventchain.yaml", settings + "catalogue: {file: lamps.dbc, node: Radar}\n");
+    assertTrue(foundOnce().contains("lamps.dbc:1 catalogue.node"), foundOnce()::toString);
+  }
+
+  private List<String> foundOnce() {
+    return ProjectValidation.validate(project.opened(), project.output(), LIMIT)
+        .diagnostics()
+        .stream()
+        .map(this::text)
+        .toList();
+  }
+
   @Test
   void aGoodProjectIsCheckedInEveryRespect() {
     Validation fine = validate();

@@ -1,9 +1,9 @@
 package dev.eventchain.project;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import dev.eventchain.catalogue.CatalogueSource;
 import dev.eventchain.catalogue.SignalCatalogue;
 import dev.eventchain.catalogue.signal.CatalogueSignal;
+import dev.eventchain.catalogue.signal.CatalogueSource;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -19,8 +19,8 @@ import java.util.Set;
 
 /**
  * The catalogue of signals that {@code eventchain.yaml} names under {@code catalogue}: a file, or a
- * mapping with {@code file}, {@code overlays}, {@code shortlist}, {@code pinned} and {@code
- * excluded}.
+ * mapping with {@code file}, {@code overlays}, {@code node}, {@code shortlist}, {@code pinned} and
+ * {@code excluded}.
  *
  * @param source its files
  * @param shortlist how many signals a design is offered
@@ -42,6 +42,7 @@ public record CatalogueSettings(
   private static final String SETTING = "catalogue";
   private static final String FILE = "file";
   private static final String OVERLAYS = "overlays";
+  private static final String NODE = "node";
 
   /** Copies the lists. */
   public CatalogueSettings {
@@ -63,7 +64,7 @@ public record CatalogueSettings(
             .map(
                 file ->
                     new CatalogueSettings(
-                        new CatalogueSource(file, List.of()),
+                        new CatalogueSource(file, List.of(), Optional.empty()),
                         DEFAULT_SHORTLIST,
                         List.of(),
                         List.of(),
@@ -80,11 +81,15 @@ public record CatalogueSettings(
     int shortlist = (int) catalogue.wholeNumber("shortlist", SHORTLIST).orElse(DEFAULT_SHORTLIST);
     List<String> pinned = catalogue.texts("pinned");
     List<String> excluded = catalogue.texts("excluded");
+    Optional<String> node =
+        catalogue.has(NODE)
+            ? Optional.of(catalogue.requiredText(NODE)).filter(it -> !it.isBlank())
+            : Optional.empty();
     catalogue.refuseOthers();
     return file.map(
         it ->
             new CatalogueSettings(
-                new CatalogueSource(it, overlays),
+                new CatalogueSource(it, overlays, node),
                 shortlist,
                 pinned,
                 excluded,
@@ -93,7 +98,7 @@ public record CatalogueSettings(
 
   /** Returns how many and which signals are offered, for fingerprints. */
   public String choice() {
-    return shortlist + " " + pinned + " " + excluded;
+    return shortlist + " " + pinned + " " + excluded + source.node().map(it -> " " + it).orElse("");
   }
 
   /** Returns a finding for each chosen path that no signal of the catalogue has. */

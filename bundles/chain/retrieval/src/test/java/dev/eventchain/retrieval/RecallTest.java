@@ -2,15 +2,16 @@ package dev.eventchain.retrieval;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import dev.eventchain.catalogue.CatalogueSource;
 import dev.eventchain.catalogue.SignalCatalogue;
 import dev.eventchain.catalogue.SignalGroup;
+import dev.eventchain.catalogue.signal.CatalogueSource;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -29,7 +30,9 @@ class RecallTest {
 
   private static final List<SignalGroup> GROUPS =
       SignalGroup.of(
-          SignalCatalogue.read(new CatalogueSource(WHOLE, List.of())).signals().stream()
+          SignalCatalogue.read(new CatalogueSource(WHOLE, List.of(), Optional.empty()))
+              .signals()
+              .stream()
               .filter(signal -> signal.type().isPresent())
               .toList());
 

@@ -3,12 +3,13 @@ package dev.eventchain.retrieval;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.eventchain.catalogue.CatalogueSource;
 import dev.eventchain.catalogue.SignalCatalogue;
+import dev.eventchain.catalogue.signal.CatalogueSource;
 import dev.eventchain.retrieval.Shortlist.Entry;
 import dev.eventchain.retrieval.Shortlist.Text;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 /** Tests of the list that a design is offered. */
@@ -17,7 +18,9 @@ class ShortlistTest {
   private static final SignalCatalogue WHOLE =
       SignalCatalogue.read(
           new CatalogueSource(
-              Path.of("../../../examples/child-presence/catalogue/vss.json"), List.of()));
+              Path.of("../../../examples/child-presence/catalogue/vss.json"),
+              List.of(),
+              Optional.empty()));
   private static final String SEATS =
       "Vehicle.Cabin.Seat.{Row1,Row2}.{DriverSide,Middle,PassengerSide}.OccupancyStatus";
   private static final String HORN = "Vehicle.Body.Horn.IsActive";

@@ -3,9 +3,9 @@ package dev.eventchain.catalogue.ddsidl;
 import dev.eventchain.catalogue.signal.CatalogueFormat;
 import dev.eventchain.catalogue.signal.CatalogueRules;
 import dev.eventchain.catalogue.signal.CatalogueSignal;
+import dev.eventchain.catalogue.signal.CatalogueSource;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.nio.file.Path;
 import java.util.List;
@@ -29,17 +29,16 @@ public final class DdsIdlFormat implements CatalogueFormat {
   }
 
   @Override
-  public List<CatalogueSignal> read(Path file, List<Path> overlays, Consumer<Diagnostic> findings) {
-    for (Path overlay : overlays) {
-      findings.accept(
-          Diagnostic.of(
-                  CatalogueRules.OVERLAY,
-                  "A catalogue in DDS IDL takes no overlays.",
-                  SourceLocation.of(overlay))
-              .withHint("Give them to vspec, or name the catalogue in JSON or YAML."));
+  public List<CatalogueSignal> read(CatalogueSource source, Consumer<Diagnostic> findings) {
+    String hint = "Give them to vspec, or name the catalogue in JSON or YAML.";
+    for (Path overlay : source.overlays()) {
+      findings.accept(CatalogueRules.noOverlays(overlay, "DDS IDL", hint));
+    }
+    if (source.node().isPresent()) {
+      findings.accept(CatalogueRules.noNode(source, "DDS IDL"));
     }
     try {
-      return new IdlModules(SourceText.read(file), findings).read();
+      return new IdlModules(SourceText.read(source.file()), findings).read();
     } catch (DiagnosticException e) {
       e.diagnostics().forEach(findings);
       return List.of();

@@ -1,14 +1,13 @@
 package dev.eventchain.catalogue.signal;
 
 import dev.eventchain.diagnostics.Diagnostic;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
 
 /** A format of catalogues. */
 public interface CatalogueFormat {
 
-  /** Returns the first part of the topics of its signals: "vss". */
+  /** Returns the first part of the topics of its signals: "vss", "can". */
   String prefix();
 
   /** Returns the suffixes of its files, with their dots. */
@@ -17,8 +16,6 @@ public interface CatalogueFormat {
   /**
    * Reads the signals, in the order of the files. What cannot be read is a finding, after which
    * reading continues.
-   *
-   * @param overlays files that change the catalogue, in this order
    */
-  List<CatalogueSignal> read(Path file, List<Path> overlays, Consumer<Diagnostic> findings);
+  List<CatalogueSignal> read(CatalogueSource source, Consumer<Diagnostic> findings);
 }

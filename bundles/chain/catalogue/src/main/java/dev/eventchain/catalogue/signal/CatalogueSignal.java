@@ -39,7 +39,9 @@ public record CatalogueSignal(
     /** A value that software reads and sets. */
     ACTUATOR,
     /** A property of the vehicle, which does not change while it drives. */
-    ATTRIBUTE
+    ATTRIBUTE,
+    /** A value that software sends, and that nobody else does. */
+    COMMAND
   }
 
   /** Copies the lists. */

@@ -3,9 +3,9 @@ package dev.eventchain.catalogue.vss;
 import dev.eventchain.catalogue.signal.CatalogueFormat;
 import dev.eventchain.catalogue.signal.CatalogueRules;
 import dev.eventchain.catalogue.signal.CatalogueSignal;
+import dev.eventchain.catalogue.signal.CatalogueSource;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -33,10 +33,13 @@ public final class VssFormat implements CatalogueFormat {
   }
 
   @Override
-  public List<CatalogueSignal> read(Path file, List<Path> overlays, Consumer<Diagnostic> findings) {
+  public List<CatalogueSignal> read(CatalogueSource source, Consumer<Diagnostic> findings) {
+    if (source.node().isPresent()) {
+      findings.accept(CatalogueRules.noNode(source, "VSS"));
+    }
     VssFiles files = new VssFiles(findings);
-    files.read(file);
-    overlays.forEach(files::overlay);
+    files.read(source.file());
+    source.overlays().forEach(files::overlay);
     VssNode root = new VssNode("", null);
     Set<String> structures = new TreeSet<>();
     files.entries().forEach((path, entry) -> add(root, structures, path, entry, findings));
@@ -44,7 +47,8 @@ public final class VssFormat implements CatalogueFormat {
       new VssInstances(findings).expand(root);
     } catch (VssInstances.TooManyException e) {
       String message = "Its instances give more than " + VssInstances.MOST + " nodes.";
-      findings.accept(Diagnostic.of(CatalogueRules.SIZE, message, SourceLocation.of(file)));
+      findings.accept(
+          Diagnostic.of(CatalogueRules.SIZE, message, SourceLocation.of(source.file())));
       return List.of();
     }
     List<CatalogueSignal> signals = new ArrayList<>();

@@ -44,7 +44,7 @@ public final class ImplementStage implements StageWork {
         .add(run.project().configuration().models("test"))
         .addFiles(TestFiles.ofProject(run.project()));
     if (!TestFiles.ofProject(run.project()).isEmpty()) {
-      fingerprint.addFiles(run.project().softwareBaseFiles());
+      fingerprint.addFiles(run.project().softwareBaseFiles()).addNode();
       fingerprint.addFiles(testedCode(run));
     }
   }

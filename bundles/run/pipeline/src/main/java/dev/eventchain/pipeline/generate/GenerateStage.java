@@ -44,6 +44,7 @@ public final class GenerateStage implements StageWork {
         .addSetting("template", run.project().configuration().template())
         .addFile(run.model())
         .addFiles(run.project().signalFiles())
+        .addNode()
         .addMessages()
         .addFile(run.file(ProjectFolder.GENERATED));
     run.project().configuration().packageFacts().forEach(fingerprint::addSetting);

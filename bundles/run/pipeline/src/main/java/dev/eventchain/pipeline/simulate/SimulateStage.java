@@ -82,7 +82,7 @@ public final class SimulateStage implements StageWork {
       fingerprint.add(known).addFile(file);
     }
     project.bench().ifPresent(fingerprint::addFile);
-    fingerprint.addFiles(project.softwareBaseFiles());
+    fingerprint.addFiles(project.softwareBaseFiles()).addNode();
     fingerprint.addFiles(project.ownConstraints());
     fingerprint.addFile(run.file(ProjectFolder.GENERATED));
     fingerprint.addFiles(ProjectFolder.below(run.file(GeneratedPackage.required(run).folder())));

@@ -86,6 +86,15 @@ public final class Fingerprint {
         .addFiles(run.project().messageFiles());
   }
 
+  /** Adds the node of a network that the software is, if the project names one. */
+  public Fingerprint addNode() {
+    run.project()
+        .catalogue()
+        .flatMap(it -> it.source().node())
+        .ifPresent(node -> addSetting("catalogue.node", node));
+    return this;
+  }
+
   /** Adds files that are inputs but not sources. */
   public Fingerprint addMeans(Collection<Path> files) {
     add(files.size());

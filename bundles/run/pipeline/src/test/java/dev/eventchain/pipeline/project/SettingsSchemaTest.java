@@ -67,7 +67,8 @@ class SettingsSchemaTest {
         - file: a.reqif
           only: {type: [req], status: approved, tag: [safety, brake]}
           fields: {id: i, text: t, status: s, tags: g, parents: [up]}
-      catalogue: {file: a.vspec, overlays: [b.vspec], shortlist: 20, pinned: [A.B], excluded: [C]}
+      catalogue: {file: a.vspec, overlays: [b.vspec], node: N,
+        shortlist: 20, pinned: [A.B], excluded: [C]}
       template: ros2-python
       strength: {extent: whole, budget_s: 90, minimum_percent: 60, requirements: {R-1: 40}}
       package: {license: EPL-2.0, maintainer: Somebody, email: a@b.example}

@@ -1,0 +1,173 @@
+package dev.eventchain.catalogue.dbc;
+
+import dev.eventchain.catalogue.dbc.DbcTokens.Kind;
+import dev.eventchain.catalogue.dbc.DbcTokens.Token;
+import dev.eventchain.catalogue.dbc.DbcTokens.UnreadException;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.StringJoiner;
+import java.util.function.ObjIntConsumer;
+
+/** Statements about messages and signals that come after them. */
+final class DbcFacts {
+
+  private static final long LARGEST_NUMBER = 0xFFFF_FFFFL;
+
+  /** Codings by their numbers. */
+  private static final List<DbcSignal.Coding> CODINGS =
+      List.of(DbcSignal.Coding.INTEGER, DbcSignal.Coding.FLOAT, DbcSignal.Coding.DOUBLE);
+
+  private static final String CYCLE = "GenMsgCycleTime";
+  private static final String LONG_MESSAGE = "SystemMessageLongSymbol";
+  private static final String LONG_SIGNAL = "SystemSignalLongSymbol";
+
+  private final DbcNetwork network;
+  private final DbcStatement part;
+  private final ObjIntConsumer<String> warnings;
+
+  /**
+   * Creates a reader.
+   *
+   * @param warnings takes findings about what is not in the file, with their offsets
+   */
+  DbcFacts(DbcNetwork network, DbcStatement part, ObjIntConsumer<String> warnings) {
+    this.network = network;
+    this.part = part;
+    this.warnings = warnings;
+  }
+
+  void comment() throws UnreadException {
+    if (part.isNext(Kind.WORD)) {
+      Token about = part.word();
+      if (about.is("BO_")) {
+        Optional<DbcMessage> message = message();
+        String text = part.text();
+        message.ifPresent(it -> it.comment(text));
+      } else if (about.is("SG_")) {
+        Optional<DbcSignal> signal = signal();
+        String text = part.text();
+        signal.ifPresent(it -> it.comment(text));
+      }
+    }
+    part.pass();
+  }
+
+  /** Reads the meanings of the numbers of a signal; those of an environment variable are passed. */
+  void texts() throws UnreadException {
+    if (part.isNext(Kind.NUMBER)) {
+      Optional<DbcSignal> signal = signal();
+      Map<String, String> texts = new LinkedHashMap<>();
+      while (part.isNext(Kind.NUMBER)) {
+        String number = part.number().stripTrailingZeros().toPlainString();
+        texts.put(number, part.text());
+      }
+      signal.ifPresent(it -> it.texts().putAll(texts));
+      part.sign(";");
+    } else {
+      part.pass();
+    }
+  }
+
+  void attribute() throws UnreadException {
+    String name = part.text();
+    Token about = part.isNext(Kind.WORD) ? part.word() : new Token(Kind.END, "", 0, false);
+    if (about.is("BO_")) {
+      Optional<DbcMessage> message = message();
+      if (name.equals(CYCLE) && part.isNext(Kind.NUMBER)) {
+        int cycle = milliseconds();
+        message.ifPresent(it -> it.cycle(cycle));
+      } else if (name.equals(LONG_MESSAGE) && part.isNext(Kind.TEXT)) {
+        String full = part.text();
+        message.ifPresent(it -> it.rename(full));
+      }
+    } else if (about.is("SG_")) {
+      Optional<DbcSignal> signal = signal();
+      if (name.equals(LONG_SIGNAL) && part.isNext(Kind.TEXT)) {
+        String full = part.text();
+        signal.ifPresent(it -> it.rename(full));
+      }
+    }
+    part.pass();
+  }
+
+  /** Reads the value of an attribute where none is stated. */
+  void usual() throws UnreadException {
+    if (part.text().equals(CYCLE) && part.isNext(Kind.NUMBER)) {
+      network.usualCycle(milliseconds());
+    }
+    part.pass();
+  }
+
+  private int milliseconds() throws UnreadException {
+    BigDecimal time = part.number();
+    boolean known = time.signum() > 0 && time.compareTo(BigDecimal.valueOf(Integer.MAX_VALUE)) <= 0;
+    return known ? time.setScale(0, RoundingMode.CEILING).intValue() : 0;
+  }
+
+  void coding() throws UnreadException {
+    Optional<DbcSignal> signal = signal();
+    part.takes(":");
+    int number = (int) part.whole(CODINGS.size() - 1);
+    signal.ifPresent(it -> it.coding(CODINGS.get(number)));
+    part.pass();
+  }
+
+  /** Reads with which numbers of a multiplexer a signal is there. */
+  void multiplexed() throws UnreadException {
+    Optional<DbcSignal> signal = signal();
+    String multiplexer = part.word().text();
+    StringJoiner ranges = new StringJoiner(", ");
+    do {
+      BigDecimal from = part.number();
+      boolean apart = part.takes("-");
+      BigDecimal to = apart ? part.number() : part.number().negate();
+      ranges.add(from.compareTo(to) == 0 ? plain(from) : plain(from) + "-" + plain(to));
+    } while (part.takes(","));
+    signal.ifPresent(it -> it.present(multiplexer + " is " + ranges));
+    part.pass();
+  }
+
+  private static String plain(BigDecimal number) {
+    return number.stripTrailingZeros().toPlainString();
+  }
+
+  void senders() throws UnreadException {
+    Optional<DbcMessage> message = message();
+    part.takes(":");
+    while (part.isNext(Kind.WORD)) {
+      String sender = part.word().text();
+      message.ifPresent(it -> it.senders().add(sender));
+      part.takes(",");
+    }
+    part.pass();
+  }
+
+  private Optional<DbcMessage> message() throws UnreadException {
+    int offset = part.offset();
+    long number = part.whole(LARGEST_NUMBER);
+    Optional<DbcMessage> message = network.find(number);
+    if (message.isEmpty()) {
+      warnings.accept("There is no message with the identifier " + number + ".", offset);
+    }
+    return message;
+  }
+
+  private Optional<DbcSignal> signal() throws UnreadException {
+    Optional<DbcMessage> message = message();
+    int offset = part.offset();
+    String name = part.word().text();
+    if (message.isEmpty() || message.get().isNeverSent()) {
+      return Optional.empty();
+    }
+    Optional<DbcSignal> signal = Optional.ofNullable(message.get().signals().get(name));
+    if (signal.isEmpty()) {
+      warnings.accept(
+          "The message '%s' has no signal '%s'.".formatted(message.get().name(), name), offset);
+    }
+    return signal;
+  }
+}

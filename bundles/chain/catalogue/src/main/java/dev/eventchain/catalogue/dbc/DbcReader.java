@@ -1,0 +1,271 @@
+package dev.eventchain.catalogue.dbc;
+
+import dev.eventchain.catalogue.dbc.DbcTokens.Kind;
+import dev.eventchain.catalogue.dbc.DbcTokens.Token;
+import dev.eventchain.catalogue.dbc.DbcTokens.UnreadException;
+import dev.eventchain.catalogue.signal.CatalogueRules;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.math.BigDecimal;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+
+/**
+ * Reader of the statements of a file. One that cannot be read is a finding, after which reading
+ * goes on with the next line that begins with a keyword.
+ */
+final class DbcReader {
+
+  private static final long LARGEST_NUMBER = 0xFFFF_FFFFL;
+  private static final int LARGEST_SIZE = 1 << 16;
+  private static final int LONGEST_SIGNAL = 64;
+  private static final long LARGEST_STANDARD = 0x7FF;
+  private static final long LARGEST_EXTENDED = 0x1FFF_FFFF;
+
+  /** Name of a sender or receiver that is not known. */
+  private static final String NOBODY = "Vector__XXX";
+
+  /** Statements about what no signal of a chain has. */
+  private static final Set<String> PASSED =
+      Set.of(
+          "VAL_TABLE_",
+          "BA_DEF_",
+          "EV_",
+          "ENVVAR_DATA_",
+          "EV_DATA_",
+          "SGTYPE_",
+          "SGTYPE_VAL_",
+          "SIG_GROUP_",
+          "SIG_TYPE_REF_",
+          "SIGTYPE_VALTYPE_",
+          "BA_DEF_REL_",
+          "BA_REL_",
+          "BA_DEF_DEF_REL_",
+          "BA_DEF_SGTYPE_",
+          "BA_SGTYPE_",
+          "BU_SG_REL_",
+          "BU_EV_REL_",
+          "BU_BO_REL_",
+          "CAT_DEF_",
+          "CAT_",
+          "FILTER",
+          "NS_DESC_");
+
+  private static final Set<String> READ =
+      Set.of(
+          "VERSION",
+          "NS_",
+          "BS_",
+          "BU_",
+          "BO_",
+          "SG_",
+          "CM_",
+          "VAL_",
+          "BA_",
+          "BA_DEF_DEF_",
+          "SIG_VALTYPE_",
+          "SG_MUL_VAL_",
+          "BO_TX_BU_");
+
+  private final SourceText source;
+  private final Consumer<Diagnostic> findings;
+  private final DbcTokens tokens;
+  private final DbcStatement part;
+  private final DbcNetwork network = new DbcNetwork();
+  private final DbcFacts facts;
+
+  /** The message to which signals belong; empty after one that cannot be read. */
+  private Optional<DbcMessage> open = Optional.empty();
+
+  DbcReader(SourceText source, Consumer<Diagnostic> findings) throws UnreadException {
+    this.source = source;
+    this.findings = findings;
+    tokens = new DbcTokens(source);
+    part = new DbcStatement(tokens);
+    facts = new DbcFacts(network, part, this::warn);
+  }
+
+  DbcNetwork read() {
+    while (tokens.peek().kind() != Kind.END) {
+      try {
+        statement(tokens.take());
+      } catch (UnreadException e) {
+        find(e.getMessage(), source.at(e.offset()), "");
+        recover();
+      }
+    }
+    return network;
+  }
+
+  /** Goes on to the next line that begins with a keyword. */
+  private void recover() {
+    while (tokens.peek().kind() != Kind.END && !isKeyword(tokens.peek())) {
+      try {
+        tokens.take();
+      } catch (UnreadException e) {
+        find(e.getMessage(), source.at(e.offset()), "");
+      }
+    }
+  }
+
+  private static boolean isKeyword(Token token) {
+    return token.first()
+        && token.kind() == Kind.WORD
+        && (READ.contains(token.text()) || PASSED.contains(token.text()));
+  }
+
+  private void statement(Token keyword) throws UnreadException {
+    switch (keyword.text()) {
+      case "VERSION" -> part.text();
+      case "NS_" -> passKeywords();
+      case "BS_" -> passSpeed();
+      case "BU_" -> nodes();
+      case "BO_" -> message();
+      case "SG_" -> signal();
+      case "CM_" -> facts.comment();
+      case "VAL_" -> facts.texts();
+      case "BA_" -> facts.attribute();
+      case "BA_DEF_DEF_" -> facts.usual();
+      case "SIG_VALTYPE_" -> facts.coding();
+      case "SG_MUL_VAL_" -> facts.multiplexed();
+      case "BO_TX_BU_" -> facts.senders();
+      default -> other(keyword);
+    }
+  }
+
+  private void other(Token keyword) throws UnreadException {
+    if (keyword.kind() == Kind.WORD && PASSED.contains(keyword.text())) {
+      part.pass();
+      return;
+    }
+    find(
+        "'" + keyword.text() + "' does not begin a statement of DBC.",
+        source.at(keyword.offset()),
+        NearestName.hint(keyword.text(), READ));
+    recover();
+  }
+
+  /** Passes over keywords on lines of their own. */
+  private void passKeywords() throws UnreadException {
+    part.sign(":");
+    while (tokens.peek().kind() == Kind.WORD && tokens.peekSecond().first()) {
+      tokens.take();
+    }
+  }
+
+  private void passSpeed() throws UnreadException {
+    part.sign(":");
+    while (!tokens.peek().first()) {
+      tokens.take();
+    }
+  }
+
+  private void nodes() throws UnreadException {
+    part.sign(":");
+    while (tokens.peek().kind() == Kind.WORD && !isKeyword(tokens.peek())) {
+      network.nodes().add(tokens.take().text());
+    }
+  }
+
+  private void message() throws UnreadException {
+    open = Optional.empty();
+    Token identifier = tokens.peek();
+    long number = part.whole(LARGEST_NUMBER);
+    Token name = part.word();
+    part.sign(":");
+    int size = (int) part.whole(LARGEST_SIZE);
+    DbcMessage message = new DbcMessage(number, name.text(), size, source.at(name.offset()));
+    Token sender = part.word();
+    if (!sender.is(NOBODY)) {
+      message.senders().add(sender.text());
+    }
+    long largest = message.isExtended() ? LARGEST_EXTENDED : LARGEST_STANDARD;
+    if (message.identifier() > largest && !message.isNeverSent()) {
+      throw new UnreadException(
+          "The identifier of '%s' has more than %d bits."
+              .formatted(name.text(), message.isExtended() ? 29 : 11),
+          identifier.offset());
+    }
+    if (!network.add(message)) {
+      throw new UnreadException(
+          "There is another message with the identifier " + number + ".", identifier.offset());
+    }
+    open = Optional.of(message);
+  }
+
+  private void signal() throws UnreadException {
+    Token name = part.word();
+    String multiplexing = part.isNext(Kind.WORD) ? multiplexing(part.word()) : "";
+    part.sign(":");
+    DbcSignal.Layout layout = layout();
+    String unit = part.text();
+    while (!tokens.peek().first() && (part.isNext(Kind.WORD) || tokens.peek().is(","))) {
+      tokens.take();
+    }
+    DbcSignal signal =
+        new DbcSignal(name.text(), multiplexing, layout, unit, source.at(name.offset()));
+    if (open.isPresent() && !open.get().isNeverSent()) {
+      add(signal, open.get());
+    }
+  }
+
+  private void add(DbcSignal signal, DbcMessage message) {
+    String name = "'" + message.name() + "." + signal.name() + "'";
+    if (signal.layout().factor().signum() == 0) {
+      find(name + " has a factor of 0.", signal.place(), "");
+    } else if (!signal.layout().fits(message.size())) {
+      String size = "the " + message.size() + " bytes of its message";
+      find(name + " does not fit into " + size + ".", signal.place(), "");
+    } else if (message.signals().putIfAbsent(signal.name(), signal) != null) {
+      find("There is another signal " + name + ".", signal.place(), "");
+    }
+  }
+
+  private static String multiplexing(Token token) throws UnreadException {
+    if (!token.text().matches("M|m[0-9]{1,9}M?")) {
+      throw new UnreadException(
+          "Here ':' is expected, or M or m and a number, not '" + token.text() + "'.",
+          token.offset());
+    }
+    return token.text();
+  }
+
+  private DbcSignal.Layout layout() throws UnreadException {
+    int start = (int) part.whole(8L * LARGEST_SIZE);
+    part.sign("|");
+    Token bits = tokens.peek();
+    int length = (int) part.whole(LONGEST_SIGNAL);
+    if (length == 0) {
+      throw new UnreadException("A signal has at least one bit.", bits.offset());
+    }
+    part.sign("@");
+    boolean bigEndian = part.whole(1) == 0;
+    boolean signed = part.takes("-");
+    if (!signed) {
+      part.sign("+");
+    }
+    part.sign("(");
+    BigDecimal factor = part.number();
+    part.sign(",");
+    BigDecimal offset = part.number();
+    part.sign(")");
+    part.sign("[");
+    BigDecimal least = part.number();
+    part.sign("|");
+    BigDecimal most = part.number();
+    part.sign("]");
+    return new DbcSignal.Layout(start, length, bigEndian, signed, factor, offset, least, most);
+  }
+
+  private void warn(String message, int offset) {
+    findings.accept(Diagnostic.of(CatalogueRules.ATTRIBUTE, message, source.at(offset)));
+  }
+
+  private void find(String message, SourceLocation place, String hint) {
+    Diagnostic finding = Diagnostic.of(CatalogueRules.ENTRY, message, place);
+    findings.accept(hint.isEmpty() ? finding : finding.withHint(hint));
+  }
+}

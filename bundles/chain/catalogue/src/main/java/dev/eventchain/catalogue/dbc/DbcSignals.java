@@ -1,0 +1,139 @@
+package dev.eventchain.catalogue.dbc;
+
+import dev.eventchain.catalogue.signal.CatalogueRules;
+import dev.eventchain.catalogue.signal.CatalogueSignal;
+import dev.eventchain.catalogue.signal.CatalogueSignal.Role;
+import dev.eventchain.catalogue.signal.CatalogueUnits;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.function.Consumer;
+
+/** The signals of a network as those of a catalogue, with physical values. */
+final class DbcSignals {
+
+  private final DbcNetwork network;
+  private final Optional<String> node;
+  private final Consumer<Diagnostic> findings;
+  private final Set<String> paths = new HashSet<>();
+
+  /**
+   * Creates a conversion.
+   *
+   * @param node the node that the software is; empty if it only receives
+   */
+  DbcSignals(DbcNetwork network, Optional<String> node, Consumer<Diagnostic> findings) {
+    this.network = network;
+    this.node = node;
+    this.findings = findings;
+  }
+
+  /** Returns the signals of all messages, in the order of the file. */
+  List<CatalogueSignal> all() {
+    List<CatalogueSignal> signals = new ArrayList<>();
+    for (DbcMessage message : network.messages()) {
+      for (DbcSignal signal : message.signals().values()) {
+        signal(message, signal).ifPresent(signals::add);
+      }
+    }
+    return signals;
+  }
+
+  private Optional<CatalogueSignal> signal(DbcMessage message, DbcSignal signal) {
+    String path = part(message.name()) + "." + part(signal.name());
+    boolean legal = path.matches("[A-Za-z][A-Za-z0-9_]*\\.[A-Za-z][A-Za-z0-9_]*");
+    if (!legal || !paths.add(path)) {
+      String full = message.name() + "." + signal.name();
+      String reason =
+          legal
+              ? "'%s' has the topic of another signal, %s.".formatted(full, path)
+              : "'" + full + "' cannot be the name of a topic.";
+      find(reason, signal.place());
+      return Optional.empty();
+    }
+    Optional<DbcValues> values = DbcValues.of(signal);
+    if (values.isEmpty()) {
+      find("'" + path + "' is a number with a point, but not of its size.", signal.place());
+      return Optional.empty();
+    }
+    if (values.get().isOutside()) {
+      findings.accept(
+          Diagnostic.of(
+                  CatalogueRules.RANGE,
+                  "'" + path + "' states a range that none of its values is in.",
+                  signal.place())
+              .withHint("It is not read: all values that its bits hold count as possible."));
+    }
+    return Optional.of(converted(message, signal, path, values.get()));
+  }
+
+  private CatalogueSignal converted(
+      DbcMessage message, DbcSignal signal, String path, DbcValues values) {
+    boolean sent = node.filter(message.senders()::contains).isPresent();
+    boolean truth = values.type().equals("bool");
+    return new CatalogueSignal(
+        path,
+        sent ? Role.COMMAND : Role.SENSOR,
+        Optional.of(values.type()),
+        unit(signal),
+        truth ? OptionalDouble.empty() : values.least(),
+        truth ? OptionalDouble.empty() : values.most(),
+        List.of(),
+        description(message, signal),
+        message.comment().isBlank() ? List.of() : List.of(message.comment()),
+        signal.place());
+  }
+
+  /**
+   * Returns a name as a part of a topic, which has no two underscores in a row, and none at its
+   * ends.
+   */
+  private static String part(String name) {
+    return name.replaceAll("_+", "_").replaceFirst("^_", "").replaceFirst("_$", "");
+  }
+
+  /** Returns the unit; empty for what tools write where there is none. */
+  private static String unit(DbcSignal signal) {
+    String unit = CatalogueUnits.of(signal.unit().strip());
+    return unit.matches("(?i)-|n/?a|none|unitless") ? "" : unit;
+  }
+
+  /** Returns the comment, with meanings of numbers, and when it is sent. */
+  private String description(DbcMessage message, DbcSignal signal) {
+    List<String> sentences = new ArrayList<>();
+    if (!signal.comment().isBlank()) {
+      String comment = signal.comment().strip();
+      sentences.add(comment.matches("(?s).*[.!?]") ? comment : comment + ".");
+    }
+    if (!signal.texts().isEmpty()) {
+      List<String> texts = new ArrayList<>();
+      signal.texts().forEach((number, text) -> texts.add(number + " " + text));
+      sentences.add("Values: " + String.join(", ", texts) + ".");
+    }
+    present(message, signal).ifPresent(when -> sentences.add("Only sent where " + when + "."));
+    if (network.cycle(message) > 0) {
+      sentences.add("Sent every " + network.cycle(message) + " ms.");
+    }
+    return String.join(" ", sentences);
+  }
+
+  /** Returns the condition under which a multiplexed signal is in its message. */
+  private static Optional<String> present(DbcMessage message, DbcSignal signal) {
+    if (signal.multiplexed().isEmpty() || !signal.present().isEmpty()) {
+      return Optional.of(signal.present()).filter(it -> !it.isEmpty());
+    }
+    return message.signals().values().stream()
+        .filter(it -> it.isMultiplexer() && it.multiplexed().isEmpty())
+        .map(it -> it.name() + " is " + signal.multiplexed())
+        .findFirst();
+  }
+
+  private void find(String message, SourceLocation place) {
+    findings.accept(Diagnostic.of(CatalogueRules.ENTRY, message, place));
+  }
+}

@@ -1,0 +1,2 @@
+/** Reader of networks in DBC. */
+package dev.eventchain.catalogue.dbc;

@@ -1,0 +1,72 @@
+package dev.eventchain.catalogue.dbc;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.catalogue.signal.CatalogueSignal;
+import dev.eventchain.catalogue.signal.CatalogueSource;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Broken networks, and those of other encodings. */
+class DbcReaderTest {
+
+  private static final String PARTS = "\"@|[](),:;+-0m \nBO_SG_VAL_1e9\\";
+
+  @TempDir private Path folder;
+
+  /** A file with random changes is read or has findings with lines, and ends reading either way. */
+  @Property
+  void changedNetworksAreReadOrFound(@ForAll long seed) {
+    Random random = new Random(seed);
+    StringBuilder text = new StringBuilder(RandomNetwork.legal(random));
+    for (int i = random.nextInt(4); i >= 0; i--) {
+      int at = random.nextInt(text.length());
+      int part = random.nextInt(PARTS.length());
+      switch (random.nextInt(3)) {
+        case 0 -> text.deleteCharAt(at);
+        case 1 -> text.insert(at, PARTS.charAt(part));
+        default -> text.setCharAt(at, PARTS.charAt(part));
+      }
+    }
+    List<Diagnostic> found = new ArrayList<>();
+    DbcNetwork network =
+        DbcFormat.network(SourceText.of("network.dbc", text.toString()), found::add);
+    new DbcSignals(network, Optional.of("A"), found::add).all();
+    found.forEach(it -> assertTrue(it.location().line() > 0, it::message));
+  }
+
+  @Test
+  void readsWhatToolsWriteOnWindows() throws IOException {
+    String text = "BO_ 1 Air: 1 A\n SG_ Temperature : 0|8@1- (1,0) [0|0] \"°C\" A\n";
+    for (Charset charset : List.of(StandardCharsets.UTF_8, Charset.forName("windows-1252"))) {
+      Path file = Files.write(folder.resolve("air.dbc"), text.getBytes(charset));
+      List<Diagnostic> found = new ArrayList<>();
+      List<CatalogueSignal> read =
+          new DbcFormat().read(new CatalogueSource(file, List.of(), Optional.empty()), found::add);
+      assertEquals(List.of(), found);
+      assertEquals(List.of("°C"), read.stream().map(CatalogueSignal::unit).toList());
+    }
+  }
+
+  @Test
+  void aFileThatIsNoTextIsFound() throws IOException {
+    Path file = Files.write(folder.resolve("binary.dbc"), new byte[] {'B', 'O', 0, (byte) 0x81});
+    List<Diagnostic> found = new ArrayList<>();
+    new DbcFormat().read(new CatalogueSource(file, List.of(), Optional.empty()), found::add);
+    assertEquals(List.of("file.encoding"), found.stream().map(Diagnostic::id).toList());
+  }
+}
