@@ -15,8 +15,8 @@ import java.util.Set;
 /**
  * Properties of components in chain descriptions that prompts leave out: budgets, which inputs are
  * synchronized, what executes a component, and how long its messages are on their way. They do not
- * affect what a component computes from its inputs, so changing them needs no new answer. Of the two
- * units of a converted value, a prompt shows the one that its task is about.
+ * affect what a component computes from its inputs, so changing them needs no new answer. Of the
+ * two units of a converted value, a prompt shows the one that its task is about.
  */
 final class NotAsked {
   private static final Set<String> KEYS =
