@@ -120,6 +120,14 @@ class ImplementAgentTest {
     assertEquals(1, check.check(SourceText.of("component.py", stricter)).size());
   }
 
+  @Test
+  void aTransportTimeDoesNotChangeThePrompt() {
+    String stated =
+        CHAIN.text().replaceAll("\"topic\":", "\"worst_case_transport_time\": 2.5, \"topic\":");
+    assertNotEquals(CHAIN.text(), stated);
+    assertEquals(promptFor(CHAIN), promptFor(SourceText.of("chain.json", stated)));
+  }
+
   private static String promptFor(SourceText chain) {
     ScriptedModel model = new ScriptedModel().answer(text("right.py"));
     new ImplementAgent(AgentContext.of(model), probe)
