@@ -124,6 +124,30 @@ public final class XmlEvents {
     return tag;
   }
 
+  /**
+   * Returns the offset behind a tag of a well-formed text.
+   *
+   * @param tag the offset of the tag
+   */
+  public static int tagEnd(SourceText source, int tag) {
+    String text = source.text();
+    int end = tag;
+    while (text.charAt(end) != '>') {
+      char each = text.charAt(end);
+      end = each == '"' || each == '\'' ? text.indexOf(each, end + 1) + 1 : end + 1;
+    }
+    return end + 1;
+  }
+
+  /**
+   * Returns the offset of the next end tag of a well-formed text.
+   *
+   * @param from an offset behind a tag, from which on no other element begins before that end tag
+   */
+  public static int endTag(SourceText source, int from) {
+    return TagPositions.endTag(source.text(), from);
+  }
+
   /** Hands on what Java's parser says. */
   private static final class Adapter extends DefaultHandler {
 

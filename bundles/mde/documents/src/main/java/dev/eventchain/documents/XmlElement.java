@@ -98,6 +98,36 @@ public final class XmlElement {
     return child < texts.size() ? texts.get(child) : "";
   }
 
+  /** Returns the offset of the start tag. */
+  public int start() {
+    return start;
+  }
+
+  /** Returns the offset behind the start tag. */
+  public int contentStart() {
+    return XmlEvents.tagEnd(source, start);
+  }
+
+  /** Returns the offset of the end tag; that behind the start tag, if there is only one tag. */
+  public int contentEnd() {
+    int content = contentStart();
+    if (isOneTag()) {
+      return content;
+    }
+    int last = children.isEmpty() ? content : children.get(children.size() - 1).end();
+    return XmlEvents.endTag(source, last);
+  }
+
+  /** Returns the offset behind the element. */
+  public int end() {
+    return isOneTag() ? contentStart() : XmlEvents.tagEnd(source, contentEnd());
+  }
+
+  /** Returns whether it is written as one tag, which is start and end. */
+  public boolean isOneTag() {
+    return source.text().charAt(contentStart() - 2) == '/';
+  }
+
   /** Returns the place of the start tag. */
   public SourceLocation location() {
     return source.at(start);

@@ -1,11 +1,11 @@
 package dev.eventchain.pipeline.evidence.format;
 
+import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.diagnostics.Xml;
 import dev.eventchain.pipeline.evidence.Evidence;
 import dev.eventchain.pipeline.evidence.Evidence.Requirement;
 import dev.eventchain.pipeline.evidence.Evidence.Test;
 import dev.eventchain.pipeline.evidence.Evidence.Verdict;
-import dev.eventchain.pipeline.evidence.format.XmlTree.Element;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -89,8 +89,11 @@ final class ReqifVerdicts {
 
   private final Evidence evidence;
   private final String source;
-  private final XmlTree tree;
-  private final Element content;
+
+  /** The byte order mark before the source; empty if there is none. */
+  private final String mark;
+
+  private final ReqifElement content;
   private final Map<String, Integer> types = new HashMap<>();
 
   /** Texts that replace parts of the source, by where these begin. */
@@ -98,11 +101,13 @@ final class ReqifVerdicts {
 
   private record Change(int end, String text) {}
 
-  private ReqifVerdicts(String source, Evidence evidence) {
-    this.source = source;
+  private ReqifVerdicts(String document, Evidence evidence) {
+    SourceText text = SourceText.of("", document);
+    this.source = text.text();
+    this.mark = document.substring(0, document.length() - source.length());
     this.evidence = evidence;
-    this.tree = XmlTree.of(source);
-    this.content = tree.root().all("REQ-IF-CONTENT").findFirst().orElse(tree.root());
+    ReqifElement root = ReqifElement.root(text);
+    this.content = root.all("REQ-IF-CONTENT").findFirst().orElse(root);
   }
 
   /**
@@ -111,7 +116,7 @@ final class ReqifVerdicts {
    * @param source a well-formed ReqIF document
    */
   static List<String> missing(String source, Evidence evidence) {
-    Map<String, Element> objects = new ReqifVerdicts(source, evidence).objects();
+    Map<String, ReqifElement> objects = new ReqifVerdicts(source, evidence).objects();
     return evidence.requirements().stream()
         .map(Requirement::id)
         .filter(id -> !objects.containsKey(id))
@@ -136,14 +141,14 @@ final class ReqifVerdicts {
           ENUM_VALUE.formatted(ReqifDocument.TIME, key(verdict), number++, verdict.words()));
     }
     insert(content, "DATATYPES", DATATYPES.formatted(ReqifDocument.TIME, values));
-    Map<String, Element> objects = objects();
+    Map<String, ReqifElement> objects = objects();
     for (Requirement requirement : evidence.requirements()) {
       Optional.ofNullable(objects.get(requirement.id()))
           .ifPresent(object -> insert(object, "VALUES", values(requirement, typeOf(object))));
     }
     content
         .all("SPEC-OBJECT-TYPE")
-        .filter(each -> types.containsKey(tree.attribute(each, "IDENTIFIER")))
+        .filter(each -> types.containsKey(each.attribute("IDENTIFIER")))
         .forEach(this::define);
     return changed();
   }
@@ -153,14 +158,14 @@ final class ReqifVerdicts {
     return verdict.words().replace(' ', '-');
   }
 
-  private void define(Element type) {
-    int number = types.get(tree.attribute(type, "IDENTIFIER"));
+  private void define(ReqifElement type) {
+    int number = types.get(type.attribute("IDENTIFIER"));
     insert(type, "SPEC-ATTRIBUTES", DEFINITIONS.formatted(ReqifDocument.TIME, number));
   }
 
   /** Returns the number of an object's type, from 1. */
-  private int typeOf(Element object) {
-    String type = object.all("SPEC-OBJECT-TYPE-REF").map(tree::text).findFirst().orElse("");
+  private int typeOf(ReqifElement object) {
+    String type = object.all("SPEC-OBJECT-TYPE-REF").map(ReqifElement::text).findFirst().orElse("");
     Integer known = types.putIfAbsent(type, types.size() + 1);
     return known == null ? types.size() : known;
   }
@@ -186,34 +191,34 @@ final class ReqifVerdicts {
   }
 
   /** Returns the object of each requirement that has one. */
-  private Map<String, Element> objects() {
+  private Map<String, ReqifElement> objects() {
     List<String> ids =
         content
             .all("ATTRIBUTE-DEFINITION-STRING")
-            .filter(each -> tree.attribute(each, "LONG-NAME").equals("ReqIF.ForeignID"))
-            .map(each -> tree.attribute(each, "IDENTIFIER"))
+            .filter(each -> each.attribute("LONG-NAME").equals("ReqIF.ForeignID"))
+            .map(each -> each.attribute("IDENTIFIER"))
             .toList();
-    Map<String, Element> objects = new LinkedHashMap<>();
+    Map<String, ReqifElement> objects = new LinkedHashMap<>();
     content.all("SPEC-OBJECT").forEach(each -> objects.put(id(each, ids), each));
     return objects;
   }
 
   /** Returns the id of an object: that of the tool where it was written, else its identifier. */
-  private String id(Element object, List<String> ids) {
+  private String id(ReqifElement object, List<String> ids) {
     return object
         .all("ATTRIBUTE-VALUE-STRING")
         .filter(
             each ->
                 each.all("ATTRIBUTE-DEFINITION-STRING-REF")
-                    .anyMatch(ref -> ids.contains(tree.text(ref))))
-        .map(each -> tree.attribute(each, "THE-VALUE"))
+                    .anyMatch(ref -> ids.contains(ref.text())))
+        .map(each -> each.attribute("THE-VALUE"))
         .findFirst()
-        .orElseGet(() -> tree.attribute(object, "IDENTIFIER"));
+        .orElseGet(() -> object.attribute("IDENTIFIER"));
   }
 
   /** Removes what an earlier report has added. */
   private void removeEarlier() {
-    List<Element> added = new ArrayList<>();
+    List<ReqifElement> added = new ArrayList<>();
     for (String name :
         List.of(
             "DATATYPE-DEFINITION-ENUMERATION",
@@ -222,7 +227,7 @@ final class ReqifVerdicts {
             "ATTRIBUTE-DEFINITION-STRING")) {
       content
           .all(name)
-          .filter(each -> tree.attribute(each, "IDENTIFIER").startsWith(OURS))
+          .filter(each -> each.attribute("IDENTIFIER").startsWith(OURS))
           .forEach(added::add);
     }
     for (String kind : List.of("ENUMERATION", "STRING")) {
@@ -231,7 +236,7 @@ final class ReqifVerdicts {
           .filter(
               each ->
                   each.all("ATTRIBUTE-DEFINITION-" + kind + "-REF")
-                      .anyMatch(ref -> tree.text(ref).startsWith(OURS)))
+                      .anyMatch(ref -> ref.text().startsWith(OURS)))
           .forEach(added::add);
     }
     added.forEach(each -> changes.put(lineStart(each.start()), new Change(each.end(), "")));
@@ -251,8 +256,8 @@ final class ReqifVerdicts {
   }
 
   /** Inserts elements at the end of a child, which is made if the parent has none. */
-  private void insert(Element parent, String child, String elements) {
-    Optional<Element> into = parent.child(child);
+  private void insert(ReqifElement parent, String child, String elements) {
+    Optional<ReqifElement> into = parent.child(child);
     if (into.isEmpty()) {
       String both = "<" + child + ">\n" + elements.indent(2) + "</" + child + ">\n";
       append(parent, both);
@@ -261,7 +266,7 @@ final class ReqifVerdicts {
     }
   }
 
-  private void append(Element parent, String elements) {
+  private void append(ReqifElement parent, String elements) {
     String end = source.contains("\r\n") ? "\r\n" : "\n";
     int line = lineStart(parent.start());
     String margin =
@@ -274,7 +279,7 @@ final class ReqifVerdicts {
             .lines()
             .map(each -> end + margin + "  " + each)
             .collect(Collectors.joining());
-    if (parent.isEmptyTag()) {
+    if (parent.isOneTag()) {
       String name = parent.prefix() + parent.name();
       String tag = source.substring(parent.start(), parent.content());
       String open = tag.substring(0, tag.lastIndexOf('/')).stripTrailing() + ">";
@@ -296,7 +301,7 @@ final class ReqifVerdicts {
   }
 
   private String changed() {
-    StringBuilder text = new StringBuilder();
+    StringBuilder text = new StringBuilder(mark);
     int from = 0;
     for (Map.Entry<Integer, Change> change : changes.entrySet()) {
       text.append(source, from, change.getKey()).append(change.getValue().text());
