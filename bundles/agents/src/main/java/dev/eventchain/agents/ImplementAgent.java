@@ -11,6 +11,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.JsonLayout;
 import dev.eventchain.llm.chat.ChatMessage;
+import dev.eventchain.model.Signal;
 import dev.eventchain.project.Requirements;
 import dev.eventchain.sandbox.ComponentProbe;
 import java.util.List;
@@ -28,15 +29,18 @@ public final class ImplementAgent {
 
   private final AgentContext context;
   private final ComponentProbe probe;
+  private final List<Signal> signals;
 
   /**
    * Creates an agent for a context.
    *
    * @param probe the probe that checks the answers, and calls them in a confined process
+   * @param signals the vehicle's signals, at whose limits the answers are called, too
    */
-  public ImplementAgent(AgentContext context, ComponentProbe probe) {
+  public ImplementAgent(AgentContext context, ComponentProbe probe, List<Signal> signals) {
     this.context = context;
     this.probe = probe;
+    this.signals = List.copyOf(signals);
   }
 
   /**
@@ -121,6 +125,6 @@ public final class ImplementAgent {
 
   private Function<SourceText, List<Diagnostic>> check(
       ChainView.Component described, Optional<ComponentTester> tests) {
-    return new ImplementationCheck(probe, described, tests)::check;
+    return new ImplementationCheck(probe, described, tests, signals)::check;
   }
 }

@@ -70,7 +70,7 @@ record ExampleWorkflow(String folder, String name, String title, double frequenc
     base.markExisting(chain);
 
     ComponentProbe probe = new ComponentProbe(PythonEnvironment.ensure(message -> {}));
-    ImplementAgent implement = new ImplementAgent(context, probe);
+    ImplementAgent implement = new ImplementAgent(context, probe, List.of());
     for (SoftwareNode missing : base.missing(chain)) {
       String component = missing.getName();
       AgentResult proposed = new TestAgent(context).propose(description, component, requirements);

@@ -100,7 +100,7 @@ final class GoodAnswers {
               AnswerKind.PYTHON,
               text,
               existing,
-              new ImplementationCheck(probe, component, Optional.empty())::check,
+              new ImplementationCheck(probe, component, Optional.empty(), List.of())::check,
               GoodAnswers::changedLines));
     }
     return answers;

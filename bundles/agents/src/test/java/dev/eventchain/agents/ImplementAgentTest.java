@@ -9,9 +9,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.agents.chain.ChainView;
 import dev.eventchain.agents.component.ImplementationCheck;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.jsonmodels.JsonDocument;
+import dev.eventchain.model.Signal;
 import dev.eventchain.project.Requirements;
 import dev.eventchain.sandbox.ComponentProbe;
 import dev.eventchain.sandbox.PythonEnvironment;
@@ -19,9 +21,11 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Components with one fault each, as models write them, and the findings about them. */
@@ -46,7 +50,8 @@ class ImplementAgentTest {
         new ImplementationCheck(
             probe,
             ChainView.of(JsonDocument.parse(CHAIN).root()).components().get(0),
-            Optional.empty());
+            Optional.empty(),
+            List.of());
     List<Diagnostic> found = check.check(SourceText.read(file));
     FindingLines.check(file, found);
   }
@@ -61,7 +66,7 @@ class ImplementAgentTest {
         new ScriptedModel()
             .answer("```python\n" + text("division-by-zero-speed.py") + "```")
             .answer("```python\n" + text("right.py") + "```");
-    ImplementAgent agent = new ImplementAgent(AgentContext.of(model), probe);
+    ImplementAgent agent = new ImplementAgent(AgentContext.of(model), probe, List.of());
     AgentResult result = agent.implement(CHAIN, "Time_Left", REQUIREMENTS, Optional.empty());
     assertEquals(text("right.py"), result.text());
     assertEquals(2, result.attempts().size());
@@ -110,14 +115,62 @@ class ImplementAgentTest {
   @Test
   void aComponentIsProbedWithWhatItsMessagesCanHold() {
     SourceText chain = withWire("\"uint8\", \"unit\": \"km/h\"");
+    String assertion = "assert type(speed) is float and 0.0 <= speed <= %s / 3.6";
+    assertEquals(0, failures(chain, List.of(), assertion.formatted("255.0")));
+    assertEquals(1, failures(chain, List.of(), assertion.formatted("250.0")));
+  }
+
+  /** The limits of a catalogue are those of the message. */
+  @ParameterizedTest
+  @CsvSource({"assert speed != 130.0 / 3.6, 1", "assert speed != 131.0 / 3.6, 1", "assert True, 0"})
+  void aComponentIsProbedAtTheLimitsOfItsSignals(String assertion, int failures) {
+    SourceText chain = withWire("\"uint8\", \"unit\": \"km/h\"");
+    assertEquals(0, failures(chain, List.of(), assertion));
+    assertEquals(failures, failures(chain, List.of(speedUpTo(130)), assertion));
+  }
+
+  @Test
+  void aNumberIsProbedOnBothSidesOfItsLimit() {
+    List<Signal> signals = List.of(speedUpTo(130));
+    assertEquals(1, failures(CHAIN, signals, "assert not 130.0 < speed < 130.1"));
+    assertEquals(1, failures(CHAIN, signals, "assert not 129.9 < speed < 130.0"));
+    assertEquals(0, failures(CHAIN, signals, "assert not 130.1 < speed < 140.0"));
+  }
+
+  @Test
+  void aTextIsProbedWithAllThatItsSignalAllows() {
+    SourceText chain =
+        SourceText.of("chain.json", CHAIN.text().replace(SPEED, "\"type\": \"string\""));
+    Signal.Values gears =
+        new Signal.Values(OptionalDouble.empty(), OptionalDouble.empty(), List.of("PARK", "DRIVE"));
+    String statement = "assert speed != \"DRIVE\"; speed = 1.0";
+    assertEquals(0, failures(chain, List.of(), statement));
+    assertEquals(1, failures(chain, List.of(speedWith(gears)), statement));
+  }
+
+  private static Signal speedUpTo(double most) {
+    return speedWith(new Signal.Values(OptionalDouble.empty(), OptionalDouble.of(most), List.of()));
+  }
+
+  private static Signal speedWith(Signal.Values values) {
+    return new Signal(
+        "/sensor/speed",
+        "std_msgs/msg/Float32",
+        Signal.Direction.PROVIDED,
+        Optional.empty(),
+        List.of(new Signal.Field("data", "", "", values, SourceLocation.NONE)),
+        SourceLocation.NONE);
+  }
+
+  /** Returns how many findings there are about a component that begins with a statement. */
+  private static int failures(SourceText chain, List<Signal> signals, String statement) {
     ImplementationCheck check =
-        new ImplementationCheck(probe, ChainView.component(chain, "Time_Left"), Optional.empty());
-    String strict = "        assert type(speed) is float and 0.0 <= speed <= 255.0 / 3.6\n";
+        new ImplementationCheck(
+            probe, ChainView.component(chain, "Time_Left"), Optional.empty(), signals);
     String head = "def execute(self, distances, speed):\n";
-    String code = text("right.py").replace(head, head + strict);
-    assertEquals(List.of(), check.check(SourceText.of("component.py", code)));
-    String stricter = code.replace("255.0 / 3.6", "250.0 / 3.6");
-    assertEquals(1, check.check(SourceText.of("component.py", stricter)).size());
+    String code = text("right.py").replace(head, head + "        " + statement + "\n");
+    assertNotEquals(text("right.py"), code);
+    return check.check(SourceText.of("component.py", code)).size();
   }
 
   @Test
@@ -130,14 +183,15 @@ class ImplementAgentTest {
 
   private static String promptFor(SourceText chain) {
     ScriptedModel model = new ScriptedModel().answer(text("right.py"));
-    new ImplementAgent(AgentContext.of(model), probe)
+    new ImplementAgent(AgentContext.of(model), probe, List.of())
         .implement(chain, "Time_Left", REQUIREMENTS, Optional.empty());
     return model.requests.get(0).messages().get(0).content();
   }
 
   @Test
   void aComponentThatTheChainDoesNotHaveIsRefused() {
-    ImplementAgent agent = new ImplementAgent(AgentContext.of(new ScriptedModel()), probe);
+    ImplementAgent agent =
+        new ImplementAgent(AgentContext.of(new ScriptedModel()), probe, List.of());
     assertThrows(
         IllegalArgumentException.class,
         () -> agent.implement(CHAIN, "Other", REQUIREMENTS, Optional.empty()));

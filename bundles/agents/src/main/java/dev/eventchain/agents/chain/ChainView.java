@@ -54,18 +54,30 @@ public record ChainView(List<ChainView.Component> components) {
    *
    * @param pointer its JSON pointer
    */
-  record Port(String topic, String pointer, List<Value> values) {}
+  public record Port(String topic, String pointer, List<Value> values) {}
 
   /**
    * A value that a component reads or writes.
    *
    * @param type as the component knows it
    * @param unit within the component; empty if none is stated
+   * @param field the path of its field in messages
    * @param converted where it comes from or goes to in other units
    * @param pointer its JSON pointer
    */
   public record Value(
-      String name, String type, String unit, Optional<Converted> converted, String pointer) {}
+      String name,
+      String type,
+      String unit,
+      String field,
+      Optional<Converted> converted,
+      String pointer) {
+
+    /** Returns the type of its field in messages. */
+    public String fieldType() {
+      return converted.map(Converted::type).orElse(type);
+    }
+  }
 
   /**
    * The field of a message behind a value whose unit is converted.
@@ -147,7 +159,12 @@ public record ChainView(List<ChainView.Component> components) {
                 .map(conversion -> new Converted(text(json, ChainNames.TYPE), conversion))
             : Optional.empty();
     return new Value(
-        text(own, ChainNames.NAME), text(own, ChainNames.TYPE), unit, converted, pointer);
+        text(own, ChainNames.NAME),
+        text(own, ChainNames.TYPE),
+        unit,
+        text(own, ChainNames.FIELD),
+        converted,
+        pointer);
   }
 
   private static List<Value> values(JsonNode json, String pointer) {

@@ -4,6 +4,7 @@ import dev.eventchain.agents.chain.ChainView.Component;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.model.Signal;
 import dev.eventchain.sandbox.ComponentProbe;
 import dev.eventchain.sandbox.WorkFolder;
 import java.io.IOException;
@@ -20,17 +21,23 @@ public final class ImplementationCheck {
   private final ComponentProbe probe;
   private final Component component;
   private final Optional<ComponentTester> tests;
+  private final List<Signal> signals;
 
   /**
    * Creates a check.
    *
    * @param tests the tests of the component, if it has any
+   * @param signals the vehicle's signals, at whose limits the component is called, too
    */
   public ImplementationCheck(
-      ComponentProbe probe, Component component, Optional<ComponentTester> tests) {
+      ComponentProbe probe,
+      Component component,
+      Optional<ComponentTester> tests,
+      List<Signal> signals) {
     this.probe = probe;
     this.component = component;
     this.tests = tests;
+    this.signals = List.copyOf(signals);
   }
 
   public List<Diagnostic> check(SourceText python) {
@@ -42,7 +49,10 @@ public final class ImplementationCheck {
         throw folder.unwritable(e);
       }
       List<Diagnostic> found =
-          probe.check(file, component.signature(), ProbeCalls.of(component.inputValues()));
+          probe.check(
+              file,
+              component.signature(),
+              ProbeCalls.of(component.inputValues(), SignalLimits.of(component, signals)));
       if (found.isEmpty()) {
         found = tests.map(each -> each.run(probe, file)).orElse(List.of());
       }

@@ -21,13 +21,13 @@ final class ProbeCalls {
   private final List<List<ProbeValue>> values;
   private final List<ComponentCall> calls = new ArrayList<>();
 
-  private ProbeCalls(List<Value> inputs) {
+  private ProbeCalls(List<Value> inputs, SignalLimits limits) {
     this.inputs = inputs;
-    this.values = inputs.stream().map(ProbeValue::of).toList();
+    this.values = inputs.stream().map(input -> ProbeValue.of(input, limits.of(input))).toList();
   }
 
-  static List<ComponentCall> of(List<Value> inputs) {
-    ProbeCalls calls = new ProbeCalls(inputs);
+  static List<ComponentCall> of(List<Value> inputs, SignalLimits limits) {
+    ProbeCalls calls = new ProbeCalls(inputs, limits);
     calls.add("usual values", Map.of());
     calls.add("the same values again", Map.of());
     calls.addSingles();

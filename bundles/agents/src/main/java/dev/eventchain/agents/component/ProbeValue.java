@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.LongSummaryStatistics;
 import java.util.stream.Stream;
 
 /**
@@ -21,13 +22,19 @@ record ProbeValue(String name, Object value) {
   /**
    * Returns values of an input, the usual one first. Those of a converted input are what its field
    * can hold, in the unit of the component.
+   *
+   * @param limits further values that the field can hold
    */
-  static List<ProbeValue> of(ChainView.Value input) {
+  static List<ProbeValue> of(ChainView.Value input, List<Object> limits) {
+    List<ProbeValue> probes = new ArrayList<>(of(input.fieldType()));
+    all(limits.toArray()).stream()
+        .filter(limit -> probes.stream().noneMatch(limit::isSame))
+        .forEach(probes::add);
     if (input.converted().isEmpty()) {
-      return of(input.type());
+      return probes;
     }
     UnitConversion conversion = input.converted().get().conversion();
-    return of(input.converted().get().type()).stream()
+    return probes.stream()
         .map(
             probe ->
                 probe.value() instanceof Number number
@@ -59,6 +66,21 @@ record ProbeValue(String name, Object value) {
       arrays.add(array(element, usual, 1, "a single " + usual.name()));
     }
     return arrays;
+  }
+
+  private boolean isSame(ProbeValue other) {
+    return (value instanceof Number number && other.value instanceof Number another)
+        ? number.doubleValue() == another.doubleValue()
+        : value.equals(other.value);
+  }
+
+  /** Returns whether an integer type has a number. */
+  static boolean isInteger(long number, String type) {
+    LongSummaryStatistics range =
+        scalars(type).stream()
+            .mapToLong(probe -> ((Number) probe.value()).longValue())
+            .summaryStatistics();
+    return range.getMin() <= number && number <= range.getMax();
   }
 
   private static List<ProbeValue> scalars(String type) {

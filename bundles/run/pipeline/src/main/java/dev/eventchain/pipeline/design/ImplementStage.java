@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.jsonmodels.Modeled;
+import dev.eventchain.model.Signal;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.project.Project;
@@ -43,6 +44,9 @@ public final class ImplementStage implements StageWork {
         .addFile(run.project().softwareBase().resolve("components.json"))
         .add(run.project().configuration().models("test"))
         .addFiles(TestFiles.ofProject(run.project()));
+    if (run.softwareBase().catalogue().isPresent()) {
+      fingerprint.addFiles(run.project().signalFiles()); // components are called at their limits
+    }
     if (!TestFiles.ofProject(run.project()).isEmpty()) {
       fingerprint.addFiles(run.project().softwareBaseFiles()).addNode();
       fingerprint.addFiles(testedCode(run));
@@ -168,7 +172,8 @@ public final class ImplementStage implements StageWork {
     }
 
     private AgentResult implement(String component, Optional<ComponentTester> tester) {
-      return new ImplementAgent(run.models().agent(Stage.IMPLEMENT), probe())
+      List<Signal> signals = run.softwareBase().signals().orElse(List.of());
+      return new ImplementAgent(run.models().agent(Stage.IMPLEMENT), probe(), signals)
           .implement(chain, component, run.requirements(), tester);
     }
 

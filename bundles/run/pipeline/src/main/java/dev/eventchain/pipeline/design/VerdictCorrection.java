@@ -145,7 +145,8 @@ public final class VerdictCorrection {
         () ->
             new ImplementAgent(
                     run.models().correcting(Stage.IMPLEMENT, Stage.IMPLEMENT.id()),
-                    new ComponentProbe(run.python(Stage.IMPLEMENT)))
+                    new ComponentProbe(run.python(Stage.IMPLEMENT)),
+                    run.softwareBase().signals().orElse(List.of()))
                 .correct(
                     chain,
                     name,
