@@ -58,6 +58,8 @@ final class Capabilities {
     capabilities.setRenameProvider(new RenameOptions(true));
     capabilities.setSelectionRangeProvider(true);
     capabilities.setInlayHintProvider(true);
+    capabilities.setDocumentFormattingProvider(true);
+    capabilities.setDocumentRangeFormattingProvider(true);
     capabilities.setCallHierarchyProvider(true);
     capabilities.setDocumentLinkProvider(new DocumentLinkOptions(false));
     capabilities.setCodeLensProvider(new CodeLensOptions(false));

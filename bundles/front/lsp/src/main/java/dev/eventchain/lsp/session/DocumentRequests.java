@@ -7,16 +7,13 @@ import dev.eventchain.editing.RenameTarget;
 import dev.eventchain.editing.TextPosition;
 import dev.eventchain.editing.TextRange;
 import dev.eventchain.lsp.action.FindingActions;
-import dev.eventchain.lsp.check.Checks;
-import dev.eventchain.lsp.check.Findings;
 import dev.eventchain.lsp.language.CallItems;
 import dev.eventchain.lsp.language.FileLinks;
+import dev.eventchain.lsp.language.Formatting;
 import dev.eventchain.lsp.language.Languages;
 import dev.eventchain.lsp.language.Protocol;
 import dev.eventchain.lsp.project.ProjectLenses;
 import dev.eventchain.lsp.text.Edits;
-import dev.eventchain.lsp.text.OpenText;
-import dev.eventchain.lsp.text.OpenTexts;
 import dev.eventchain.lsp.text.Positions;
 import dev.eventchain.pipeline.Today;
 import java.nio.file.Path;
@@ -24,7 +21,6 @@ import java.time.Clock;
 import java.time.LocalDate;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BiFunction;
 import org.eclipse.lsp4j.CallHierarchyIncomingCall;
@@ -46,10 +42,12 @@ import org.eclipse.lsp4j.DidChangeTextDocumentParams;
 import org.eclipse.lsp4j.DidCloseTextDocumentParams;
 import org.eclipse.lsp4j.DidOpenTextDocumentParams;
 import org.eclipse.lsp4j.DidSaveTextDocumentParams;
+import org.eclipse.lsp4j.DocumentFormattingParams;
 import org.eclipse.lsp4j.DocumentHighlight;
 import org.eclipse.lsp4j.DocumentHighlightParams;
 import org.eclipse.lsp4j.DocumentLink;
 import org.eclipse.lsp4j.DocumentLinkParams;
+import org.eclipse.lsp4j.DocumentRangeFormattingParams;
 import org.eclipse.lsp4j.DocumentSymbol;
 import org.eclipse.lsp4j.DocumentSymbolParams;
 import org.eclipse.lsp4j.FoldingRange;
@@ -74,10 +72,9 @@ import org.eclipse.lsp4j.SemanticTokensParams;
 import org.eclipse.lsp4j.SignatureHelp;
 import org.eclipse.lsp4j.SignatureHelpParams;
 import org.eclipse.lsp4j.SymbolInformation;
-import org.eclipse.lsp4j.TextDocumentItem;
 import org.eclipse.lsp4j.TextDocumentPositionParams;
+import org.eclipse.lsp4j.TextEdit;
 import org.eclipse.lsp4j.TypeDefinitionParams;
-import org.eclipse.lsp4j.VersionedTextDocumentIdentifier;
 import org.eclipse.lsp4j.WorkspaceEdit;
 import org.eclipse.lsp4j.jsonrpc.ResponseErrorException;
 import org.eclipse.lsp4j.jsonrpc.messages.Either;
@@ -92,30 +89,27 @@ import org.eclipse.lsp4j.services.TextDocumentService;
  */
 final class DocumentRequests implements TextDocumentService {
 
-  private final OpenTexts texts;
-  private final Checks checks;
-  private final Findings findings;
+  private final TextChanges changes;
   private final Languages languages;
   private final Edits edits;
   private final CallItems calls;
   private final FindingActions actions;
   private final ProjectLenses lenses;
   private final FileLinks links;
+  private final Formatting formatting;
 
   DocumentRequests(
-      OpenTexts texts,
-      Checks checks,
-      Findings findings,
+      TextChanges changes,
       Languages languages,
       Edits edits,
       FindingActions actions,
       ProjectLenses lenses,
-      FileLinks links) {
+      FileLinks links,
+      Formatting formatting) {
     this.lenses = lenses;
     this.links = links;
-    this.texts = texts;
-    this.checks = checks;
-    this.findings = findings;
+    this.formatting = formatting;
+    this.changes = changes;
     this.languages = languages;
     this.edits = edits;
     this.calls = new CallItems(languages, edits);
@@ -124,40 +118,17 @@ final class DocumentRequests implements TextDocumentService {
 
   @Override
   public void didOpen(DidOpenTextDocumentParams params) {
-    TextDocumentItem item = params.getTextDocument();
-    Positions.path(item.getUri())
-        .ifPresent(
-            path -> {
-              texts.open(new OpenText(item.getUri(), path, item.getVersion(), item.getText()));
-              changed(path);
-            });
+    changes.opened(params.getTextDocument());
   }
 
   @Override
   public void didChange(DidChangeTextDocumentParams params) {
-    VersionedTextDocumentIdentifier document = params.getTextDocument();
-    Positions.path(document.getUri())
-        .ifPresent(
-            path -> {
-              texts.change(path, document.getVersion(), params.getContentChanges());
-              checks.changed(path);
-            });
+    changes.changed(params);
   }
 
   @Override
   public void didClose(DidCloseTextDocumentParams params) {
-    Positions.path(params.getTextDocument().getUri())
-        .ifPresent(
-            path -> {
-              texts.close(path);
-              changed(path);
-            });
-  }
-
-  private void changed(Path path) {
-    findings.showAgain(path);
-    checks.changedOnDisk(Set.of(path));
-    checks.list();
+    changes.closed(params.getTextDocument().getUri());
   }
 
   /** Saving changes no text that is read; that there may be a new file is noticed on disk. */
@@ -359,6 +330,23 @@ final class DocumentRequests implements TextDocumentService {
   public CompletableFuture<List<DocumentLink>> documentLink(DocumentLinkParams params) {
     return languages.later(
         () -> Positions.path(params.getTextDocument().getUri()).map(links::of).orElse(List.of()));
+  }
+
+  @Override
+  public CompletableFuture<List<? extends TextEdit>> formatting(DocumentFormattingParams params) {
+    return languages.later(
+        () -> formatting.of(params.getTextDocument().getUri(), params.getOptions(), line -> true));
+  }
+
+  @Override
+  public CompletableFuture<List<? extends TextEdit>> rangeFormatting(
+      DocumentRangeFormattingParams params) {
+    return languages.later(
+        () ->
+            formatting.of(
+                params.getTextDocument().getUri(),
+                params.getOptions(),
+                Positions.lines(params.getRange())));
   }
 
   @Override

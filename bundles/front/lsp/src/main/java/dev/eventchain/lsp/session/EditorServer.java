@@ -9,6 +9,7 @@ import dev.eventchain.lsp.check.RulePageFiles;
 import dev.eventchain.lsp.check.Settings;
 import dev.eventchain.lsp.language.EditorWorkspace;
 import dev.eventchain.lsp.language.FileLinks;
+import dev.eventchain.lsp.language.Formatting;
 import dev.eventchain.lsp.language.Languages;
 import dev.eventchain.lsp.project.ProjectLanguageService;
 import dev.eventchain.lsp.project.ProjectLenses;
@@ -91,14 +92,13 @@ public final class EditorServer implements LanguageServer, LanguageClientAware, 
             texts);
     this.documents =
         new DocumentRequests(
-            texts,
-            checks,
-            findings,
+            new TextChanges(texts, checks, findings),
             languages,
             edits,
             new FindingActions(files, findings, edits),
             new ProjectLenses(files, texts),
-            new FileLinks(files, checks, edits));
+            new FileLinks(files, checks, edits),
+            new Formatting(files, edits));
     this.workspace =
         new WorkspaceRequests(texts, checks, languages, files, edits, this::explain, this::refresh);
   }

@@ -6,6 +6,7 @@ import java.net.URI;
 import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.IntPredicate;
 import org.eclipse.lsp4j.Position;
 import org.eclipse.lsp4j.Range;
 
@@ -32,6 +33,14 @@ public final class Positions {
   /** Returns a range of the protocol. */
   public static Range of(TextRange range) {
     return new Range(of(range.start()), of(range.end()));
+  }
+
+  /** Returns whether a range has a part of a line, or is at it, by the number of the line. */
+  public static IntPredicate lines(Range range) {
+    int first = range.getStart().getLine();
+    int last = range.getEnd().getLine();
+    boolean atStart = range.getEnd().getCharacter() == 0 && last > first;
+    return line -> first <= line && line <= (atStart ? last - 1 : last);
   }
 
   /** Returns a position some columns further, if it is on the first line. */

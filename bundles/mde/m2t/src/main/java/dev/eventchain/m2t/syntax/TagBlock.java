@@ -1,5 +1,6 @@
 package dev.eventchain.m2t.syntax;
 
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.syntax.Token.Kind;
 import java.util.ArrayDeque;
@@ -43,6 +44,14 @@ public record TagBlock(Token open, List<Token> middles, Token close, List<TagBlo
   /** Returns all tags, comments and texts of a text, in its order. */
   public static List<Token> tokens(SourceText source) {
     return TemplateLexer.tokens(Problems.ignored(source));
+  }
+
+  /**
+   * As {@link #tokens(SourceText)}, with each block closed; reports what is wrong with the tags.
+   */
+  public static List<Token> tokens(SourceText source, List<Diagnostic> problems) {
+    Problems all = new Problems(source, problems);
+    return Blocks.balanced(TemplateLexer.tokens(all), all);
   }
 
   /** Returns the offset of its first character. */
