@@ -56,7 +56,7 @@ public final class FindingActions {
               fix -> {
                 CodeAction action = action(fix.title(), CodeActionKind.QuickFix, shown);
                 action.setEdit(edits.of(List.of(fix.edit())));
-                action.setIsPreferred(true);
+                action.setIsPreferred(fix.certain());
                 actions.add(action);
               });
       suppression(shown, today)
@@ -82,8 +82,6 @@ public final class FindingActions {
     return action;
   }
 
-  private record Fix(String title, FileEdit edit) {}
-
   private List<Fix> fixes(Path file, Diagnostic finding) {
     Optional<SourceText> text = files.text(file);
     if (text.isEmpty() || finding.location().line() < 1) {
@@ -99,12 +97,15 @@ public final class FindingActions {
       TextFix.withoutReference(content, offset, finding.message())
           .ifPresent(fix -> fixes.add(fix("Remove the reference", file, content, fix)));
     }
+    fixes.addAll(new ContractFixes(files).of(file, finding));
     return fixes;
   }
 
   private static Fix fix(String title, Path file, String text, TextFix fix) {
     return new Fix(
-        title, new FileEdit(file, new TextLines(text).range(fix.start(), fix.end()), fix.by()));
+        title,
+        new FileEdit(file, new TextLines(text).range(fix.start(), fix.end()), fix.by()),
+        true);
   }
 
   private static String extension(Path file) {
