@@ -13,6 +13,7 @@ import dev.eventchain.pipeline.campaign.Campaigns;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.RunOptions;
+import dev.eventchain.pipeline.run.Stage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -85,5 +86,77 @@ class CampaignFindingsTest {
       session.client.await(search, List::isEmpty);
       session.client.await(other, List::isEmpty);
     }
+  }
+
+  /** The file by itself is fine: what it names is not there. The command generates the nodes. */
+  @Test
+  void areThoseOfTheCommandLineAboutPaths() throws IOException {
+    Path file =
+        write(
+            "c.yaml",
+            """
+            scenario: stopped-vehicle-50
+            factors:
+              gap: {path: "actors[7].gap_m", values: [50, 80]}
+              late: {path: "bench:provided[7].delay", values: [1]}
+              phase: {path: "phases_ms.Radar_Trackin", values: [1]}
+            """);
+    Path out = folder.resolve("out");
+    List<String> said =
+        assertThrows(
+                DiagnosticException.class,
+                () ->
+                    Campaigns.run(
+                        Project.open(project),
+                        RunOptions.of(out).in(out, Stage.DESIGN, Stage.GENERATE),
+                        CampaignOptions.of(file),
+                        Progress.NONE))
+            .diagnostics()
+            .stream()
+            .map(each -> each.id() + " " + each.message())
+            .sorted()
+            .toList();
+    assertEquals(3, said.size(), said.toString());
+    try (TestSession session = new TestSession(project)) {
+      List<Diagnostic> shown = session.client.await(file, each -> !each.isEmpty());
+      assertEquals(said, shown.stream().map(CampaignFindingsTest::text).sorted().toList());
+    }
+  }
+
+  /** Each is the only fault of its file, and gone with it. */
+  @Test
+  void areAboutValuesAndScenariosThatDoNotFit() throws IOException {
+    Path value =
+        write("a.yaml", GOOD.replace("actors[0].gap_m", "duration_s").replace("80]", "-80]"));
+    Path key = write("b.yaml", GOOD.replace("gap_m", "gap_meters"));
+    Path scenario = write("c.yaml", GOOD.replace("vehicle-50", "vehicle-5"));
+    try (TestSession session = new TestSession(project)) {
+      for (Path file : List.of(value, key, scenario)) {
+        List<Diagnostic> shown = session.client.await(file, each -> !each.isEmpty());
+        assertEquals(
+            List.of("campaign.factor"),
+            shown.stream().map(each -> each.getCode().getLeft()).toList());
+        session.client.open(file, GOOD);
+        session.client.await(file, List::isEmpty);
+      }
+    }
+  }
+
+  /** Without a chain, nobody knows what formulas of the bench and of scenarios may read. */
+  @Test
+  void areNoneAboutFactorsWithoutAChain() throws IOException {
+    Files.delete(project.resolve("model/chain.xmi"));
+    Path file = write("a.yaml", GOOD.replace("[0]", "[7]"));
+    Path bad = write("c.yaml", GOOD.replace("values", "valus"));
+    try (TestSession session = new TestSession(project)) {
+      session.client.await(bad, each -> !each.isEmpty());
+      session.client.await(file, List::isEmpty);
+    }
+  }
+
+  private static String text(Diagnostic finding) {
+    String message = finding.getMessage().getLeft();
+    int hint = message.indexOf('\n');
+    return finding.getCode().getLeft() + " " + (hint < 0 ? message : message.substring(0, hint));
   }
 }

@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
+import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
 import dev.eventchain.pipeline.campaign.plan.CampaignRules;
 import java.io.IOException;
@@ -20,9 +21,10 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.regex.Pattern;
 
 /** The campaign files of a project, checked by themselves: nothing is generated or simulated. */
@@ -42,9 +44,10 @@ public final class CampaignFiles {
   private CampaignFiles() {}
 
   /**
-   * Returns what is wrong with the campaign files below {@code campaigns/} of a project, before
-   * their scenarios are looked at: what {@code campaign} and {@code search} both report. A file of
-   * another kind is passed over, and a folder that cannot be read is reported.
+   * Returns what is wrong with the campaign files below {@code campaigns/} of a project: what
+   * {@code campaign} and {@code search} both report. If the project has a chain, its scenarios, and
+   * can be read, that includes paths and values of factors that do not fit the scenario or the
+   * bench. A file of another kind is passed over, and a folder that cannot be read is reported.
    *
    * @param project the folder of the project
    */
@@ -54,11 +57,12 @@ public final class CampaignFiles {
       return List.of();
     }
     List<Diagnostic> found = new ArrayList<>();
-    for (Path file : in(folder, found)) {
-      if (isCampaign(file)) {
-        found.addAll(problemsOf(file));
-      }
-    }
+    List<Path> files = in(folder, found).stream().filter(CampaignFiles::isCampaign).toList();
+    Optional<CampaignWorld> world = files.isEmpty() ? Optional.empty() : CampaignWorld.of(project);
+    files.forEach(
+        file ->
+            found.addAll(
+                problemsOf(file, plans -> world.map(it -> it.check(plans)).orElse(List.of()))));
     return found;
   }
 
@@ -138,18 +142,21 @@ public final class CampaignFiles {
    * Returns what both readers report: a search goes between bounds that a grid cannot combine. If
    * each refuses the file for a reason of its own, these are those of {@code campaign}.
    */
-  private static List<Diagnostic> problemsOf(Path file) {
-    List<Diagnostic> found = problems(file, CampaignReader::read);
-    List<Diagnostic> ofSearch = problems(file, CampaignReader::readForSearch);
+  private static List<Diagnostic> problemsOf(
+      Path file, Function<List<CampaignPlan>, List<Diagnostic>> check) {
+    List<Diagnostic> found = problems(file, CampaignReader::read, check);
+    List<Diagnostic> ofSearch = problems(file, CampaignReader::readForSearch, check);
     List<Diagnostic> both = new ArrayList<>(found);
     both.retainAll(ofSearch);
     return both.isEmpty() && !ofSearch.isEmpty() ? found : both;
   }
 
-  private static List<Diagnostic> problems(Path file, Consumer<Path> reader) {
+  private static List<Diagnostic> problems(
+      Path file,
+      Function<Path, List<CampaignPlan>> reader,
+      Function<List<CampaignPlan>, List<Diagnostic>> check) {
     try {
-      reader.accept(file);
-      return List.of();
+      return check.apply(reader.apply(file));
     } catch (DiagnosticException e) {
       return e.diagnostics();
     }

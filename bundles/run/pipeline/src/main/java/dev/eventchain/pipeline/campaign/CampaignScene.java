@@ -63,7 +63,8 @@ final class CampaignScene {
         file.map(it -> Scenario.read(it, run.chain().bench(), run::find))
             .orElseGet(() -> ScenarioTemplate.find(scenarios, plan));
     this.template =
-        new ScenarioTemplate(run, plan, file.orElseGet(() -> Path.of(scenario.location().file())));
+        new ScenarioTemplate(
+            CampaignWorld.of(run), plan, file.orElseGet(() -> Path.of(scenario.location().file())));
   }
 
   /**

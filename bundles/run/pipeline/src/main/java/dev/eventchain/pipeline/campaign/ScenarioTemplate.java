@@ -18,7 +18,6 @@ import dev.eventchain.pipeline.campaign.plan.CaseList;
 import dev.eventchain.pipeline.campaign.plan.Factor;
 import dev.eventchain.pipeline.campaign.plan.NumberPath;
 import dev.eventchain.pipeline.campaign.plan.Sampling;
-import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.CaseSimulation;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.scenario.CaseReader;
@@ -66,11 +65,11 @@ final class ScenarioTemplate {
    *
    * @throws DiagnosticException (INPUT) if the scenario itself is wrong
    */
-  ScenarioTemplate(RunContext run, CampaignPlan plan, Path file) {
-    this.usualBench = run.chain().bench();
-    this.benches = run.benches();
-    this.benchFile = run.project().bench();
-    this.nodes = run.chain().chain().getSoftware().stream().map(node -> node.getName()).toList();
+  ScenarioTemplate(CampaignWorld world, CampaignPlan plan, Path file) {
+    this.usualBench = world.bench();
+    this.benches = world.benches();
+    this.benchFile = world.benchFile();
+    this.nodes = world.nodes();
     Scenario.read(file, usualBench);
     this.plan = plan;
     this.file = file;
