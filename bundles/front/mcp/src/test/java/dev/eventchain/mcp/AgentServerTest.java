@@ -309,7 +309,7 @@ class AgentServerTest extends AgentSession {
     List<String> names = new ArrayList<>();
     prompts.forEach(prompt -> names.add(prompt.path("name").asText()));
     assertEquals(
-        List.of("constrain", "design", "implement", "model", "test"),
+        List.of("constrain", "design", "diagnose", "implement", "model", "test"),
         names.stream().sorted().toList());
     for (String name : names) {
       String text =

@@ -24,7 +24,8 @@ public final class Prompts {
         prompt("implement", "Implement a component of the chain", true),
         prompt("test", "Write tests of a component from its requirements", true),
         prompt("model", "Make the chain a model that fulfils all constraints", false),
-        prompt("constrain", "Write the design rules as OCL", false));
+        prompt("constrain", "Write the design rules as OCL", false),
+        prompt("diagnose", "Find out why scenarios fail", false));
   }
 
   private static McpSchema.PromptArgument argument(String name, String description) {
