@@ -105,12 +105,22 @@ class FormattingTest {
   @Test
   void rulesAreIndentedAsTheEditorWants() {
     assertEquals(
-        "context EventChain\r\n\tinv A: self.name <> ''\r\n\tinv B: self.name <> null and\r\n"
-            + "\t\ttrue\r\n",
+        """
+        context EventChain
+        \tinv A: self.name <> ''
+        \tinv B: self.name <> null and
+        \t\ttrue
+        """
+            .replace("\n", "\r\n"),
         format("a.ocl", RULES, new FormattingOptions(4, false)));
     assertEquals(
-        "context EventChain\r\n   inv A: self.name <> ''\r\n   inv B: self.name <> null and\r\n"
-            + "      true\r\n",
+        """
+        context EventChain
+           inv A: self.name <> ''
+           inv B: self.name <> null and
+              true
+        """
+            .replace("\n", "\r\n"),
         format("a.ocl", RULES, new FormattingOptions(3, true)));
   }
 
