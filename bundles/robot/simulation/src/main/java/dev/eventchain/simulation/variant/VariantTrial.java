@@ -79,7 +79,8 @@ public final class VariantTrial {
    * @param original runs scenarios with the components as they are
    * @param variant runs them with the variant, in the same process
    * @return the same reaction, or one of the kind UNPROVED
-   * @throws DiagnosticException if the run with the components as they are ends, too
+   * @throws DiagnosticException if the run with the components as they are fails for another reason
+   *     than that a process ends, which the machine may do to it, too
    */
   public VariantReaction repeat(
       VariantReaction ended, ScenarioRunner original, ScenarioRunner variant) {
@@ -88,8 +89,7 @@ public final class VariantTrial {
             .filter(each -> each.scenario().name().equals(ended.scenario()))
             .findFirst()
             .orElseThrow();
-    ScenarioRun without = original.run(scenario.scenario());
-    if (!scenario.judge(without).reaction().kind().isNoticed()) {
+    if (passes(scenario, original)) {
       try {
         variant.run(scenario.scenario());
       } catch (DiagnosticException e) {
@@ -101,9 +101,25 @@ public final class VariantTrial {
     return scenario.reaction(VariantReaction.Kind.UNPROVED, ended.words(), Optional.empty());
   }
 
+  private static boolean passes(PassedScenario scenario, ScenarioRunner original) {
+    try {
+      ScenarioRun run = original.run(scenario.scenario());
+      return !scenario.judge(run).reaction().kind().isNoticed();
+    } catch (DiagnosticException e) {
+      if (isEnd(e)) {
+        return false;
+      }
+      throw e;
+    }
+  }
+
+  private static boolean isEnd(DiagnosticException end) {
+    return ENDS.stream().anyMatch(end.diagnostics().get(0)::is);
+  }
+
   private static VariantReaction raised(PassedScenario scenario, DiagnosticException end) {
     Diagnostic finding = end.diagnostics().get(0);
-    if (ENDS.stream().anyMatch(finding::is)) {
+    if (isEnd(end)) {
       return scenario.reaction(VariantReaction.Kind.ENDED, finding.message(), Optional.empty());
     }
     boolean ofComponent =

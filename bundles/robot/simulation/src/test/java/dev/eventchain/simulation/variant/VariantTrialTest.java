@@ -9,6 +9,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.simulation.AebProject;
 import dev.eventchain.simulation.chain.NodeConfiguration;
@@ -37,6 +38,7 @@ class VariantTrialTest {
   private static final String WORKS = "";
   private static final String CRASHES = "by signal 11";
   private static final String KILLED = "by signal 9";
+  private static final String RAISES = "by an exception";
 
   @TempDir Path folder;
   private final Scenario scenario = AebProject.scenario("stopped-vehicle-50");
@@ -51,9 +53,9 @@ class VariantTrialTest {
     public JsonNode configure(JsonNode configuration) {
       String how = ends.remove();
       if (!how.isEmpty()) {
+        Rule rule = how.equals(RAISES) ? HostRules.NODE_FAILED : HostRules.SIMULATION_PROCESS_ENDED;
         throw new DiagnosticException(
-            DiagnosticException.Reason.FINDINGS,
-            Diagnostic.of(HostRules.SIMULATION_PROCESS_ENDED, how, SourceLocation.NONE));
+            DiagnosticException.Reason.FINDINGS, Diagnostic.of(rule, how, SourceLocation.NONE));
       }
       return JsonNodeFactory.instance.objectNode();
     }
@@ -112,11 +114,19 @@ class VariantTrialTest {
     assertEquals(Kind.UNPROVED, repeated(WORKS, KILLED).kind());
   }
 
+  /** The machine may end the process of the components as they are, too. */
   @Test
-  void anEndOfTheComponentsAsTheyAreEndsAll() {
+  void anEndOfTheComponentsAsTheyAreProvesNothing() {
+    VariantReaction reaction = repeated(KILLED, CRASHES);
+    assertEquals(Kind.UNPROVED, reaction.kind());
+    assertEquals(CRASHES, reaction.words());
+  }
+
+  @Test
+  void anotherFailureOfTheComponentsAsTheyAreEndsAll() {
     DiagnosticException end =
-        assertThrows(DiagnosticException.class, () -> repeated(KILLED, CRASHES));
-    assertEquals(KILLED, end.diagnostics().get(0).message());
+        assertThrows(DiagnosticException.class, () -> repeated(RAISES, CRASHES));
+    assertEquals(RAISES, end.diagnostics().get(0).message());
   }
 
   @Test

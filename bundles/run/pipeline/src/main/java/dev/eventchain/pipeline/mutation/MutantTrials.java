@@ -132,18 +132,18 @@ final class MutantTrials implements AutoCloseable {
   private List<Mutant> untested(List<Mutant> mutants) throws InterruptedException {
     for (Map.Entry<String, Path> each : originals.entrySet()) {
       if (mutants.stream().anyMatch(mutant -> mutant.users().contains(each.getKey()))) {
-        refuse(test(each.getKey(), each.getValue()).map(Failure::finding).stream().toList());
+        refuse(test(each.getKey(), each.getValue()).map(TestFailure::finding).stream().toList());
       }
     }
     List<Mutant> left = new ArrayList<>();
     ExecutorService workers = Executors.newFixedThreadPool(processes);
     try {
-      Map<Mutant, Future<Optional<Failure>>> begun = new LinkedHashMap<>();
+      Map<Mutant, Future<Optional<TestFailure>>> begun = new LinkedHashMap<>();
       for (Mutant mutant : mutants) {
         begun.put(mutant, workers.submit(() -> test(mutant)));
       }
       for (var each : begun.entrySet()) {
-        Optional<Failure> failed = each.getValue().get();
+        Optional<TestFailure> failed = each.getValue().get();
         failed.ifPresent(failure -> ended.accept(failed(each.getKey(), failure)));
         if (failed.isEmpty()) {
           left.add(each.getKey());
@@ -160,10 +160,10 @@ final class MutantTrials implements AutoCloseable {
   }
 
   /** Runs the tests of the components that run a mutant, until one fails. */
-  private Optional<Failure> test(Mutant mutant) {
+  private Optional<TestFailure> test(Mutant mutant) {
     for (String user : mutant.users()) {
       if (tests.containsKey(user)) {
-        Optional<Failure> failure = test(user, mutated(user, mutant));
+        Optional<TestFailure> failure = test(user, mutated(user, mutant));
         if (failure.isPresent()) {
           return failure;
         }
@@ -183,7 +183,7 @@ final class MutantTrials implements AutoCloseable {
     return copy;
   }
 
-  private Optional<Failure> test(String component, Path file) {
+  private Optional<TestFailure> test(String component, Path file) {
     if (!tests.containsKey(component)) {
       return Optional.empty();
     }
@@ -192,32 +192,16 @@ final class MutantTrials implements AutoCloseable {
     return trial.findings().stream()
         .filter(finding -> finding.severity() == Severity.ERROR)
         .findFirst()
-        .map(finding -> new Failure(component, finding, trial.ended()));
+        .map(finding -> new TestFailure(component, finding, trial.ended()));
   }
-
-  /**
-   * Failure of a test.
-   *
-   * @param component the component that is tested
-   * @param ended whether a process ended, for which there may be another reason
-   */
-  private record Failure(String component, Diagnostic finding, boolean ended) {}
 
   private static void refuse(List<Diagnostic> failed) {
     if (!failed.isEmpty()) {
-      Diagnostic first = failed.get(0);
-      throw new DiagnosticException(
-          DiagnosticException.Reason.FINDINGS,
-          Diagnostic.of(
-                  MutationRules.MUTATION_UNPROVED,
-                  "Without a defect, this fails when it is repeated: " + first.message(),
-                  first.location())
-              .withHint(
-                  "Find out what differs from run to run, such as a clock or random numbers."));
+      throw TestFailure.withoutDefect(failed.get(0));
     }
   }
 
-  private MutantResult failed(Mutant mutant, Failure failure) {
+  private MutantResult failed(Mutant mutant, TestFailure failure) {
     boolean proved = !failure.ended() || failsAgain(mutant, failure);
     return MutantResult.of(
         mutant,
@@ -227,17 +211,12 @@ final class MutantTrials implements AutoCloseable {
         Optional.empty());
   }
 
-  /** Returns whether a test fails in the same way each time, and not without the defect. */
-  private boolean failsAgain(Mutant mutant, Failure failure) {
+  private boolean failsAgain(Mutant mutant, TestFailure failure) {
     String component = failure.component();
-    for (int i = 0; i < VariantSimulation.REPETITIONS; i++) {
-      refuse(test(component, originals.get(component)).map(Failure::finding).stream().toList());
-      Optional<String> again = test(mutant).map(each -> each.finding().message());
-      if (!again.equals(Optional.of(failure.finding().message()))) {
-        return false;
-      }
-    }
-    return true;
+    return failure.comesAgain(
+        VariantSimulation.REPETITIONS,
+        () -> test(component, originals.get(component)),
+        () -> test(mutant));
   }
 
   private static MutantResult result(Mutant mutant, VariantReaction reaction) {
