@@ -96,13 +96,10 @@ final class ProjectMutants {
     }
   }
 
-  /** Returns the path of a module in the project; of one elsewhere, its name. */
+  /** Returns the path of a module in the project: software bases refuse files elsewhere. */
   private static String name(RunContext run, Path file) {
     Path folder = run.project().folder().toAbsolutePath().normalize();
-    Path absolute = file.toAbsolutePath().normalize();
-    return absolute.startsWith(folder)
-        ? folder.relativize(absolute).toString().replace('\\', '/')
-        : String.valueOf(absolute.getFileName());
+    return folder.relativize(file.toAbsolutePath().normalize()).toString().replace('\\', '/');
   }
 
   private static List<ComponentMutant> defects(
