@@ -73,9 +73,13 @@ final class Findings {
       String message,
       String hint,
       SourceLocation... related) {
-    found.add(
+    add(
         new Diagnostic(rule.rule(), severity, message, place, hint, "", List.of())
             .withRelated(related));
+  }
+
+  void add(Diagnostic finding) {
+    found.add(finding);
   }
 
   /** Adds findings of other checks about elements that are used here. */

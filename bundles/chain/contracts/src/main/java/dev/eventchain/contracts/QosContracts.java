@@ -1,5 +1,7 @@
 package dev.eventchain.contracts;
 
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.ModelChange;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.QosSettings;
 import dev.eventchain.messages.QosSettings.Incompatibility;
@@ -11,6 +13,8 @@ import dev.eventchain.model.eventchain.QosProfile;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import org.eclipse.emf.ecore.EEnum;
+import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
  * Checks that offered QoS satisfies requested QoS (OMG DDS 1.4, 2.2.3). Otherwise the middleware
@@ -102,12 +106,12 @@ final class QosContracts {
       SourceLocation here = (request.isVehicle() ? offer : request).place().get();
       SourceLocation there = (request.isVehicle() ? request : offer).place().get();
       if (gap.decided()) {
-        findings.error(
-            ContractRule.QOS_INCOMPATIBLE,
-            here,
-            refusal(topic, offer, request, gap),
-            hint(offer, request, gap),
-            there);
+        findings.add(
+            Diagnostic.of(
+                    ContractRule.QOS_INCOMPATIBLE.rule(), refusal(topic, offer, request, gap), here)
+                .withHint(hint(offer, request, gap))
+                .withRelated(there)
+                .withChanges(changes(offer, request, gap)));
       } else {
         findings.info(
             ContractRule.QOS_UNDECIDED,
@@ -138,8 +142,8 @@ final class QosContracts {
   }
 
   private static String hint(Side offer, Side request, Incompatibility gap) {
-    String lower = "request %s in %s".formatted(least(gap), request.name());
-    String raise = "offer %s in %s".formatted(most(gap), offer.name());
+    String lower = lower(request, gap);
+    String raise = raise(offer, gap);
     String change;
     if (request.isVehicle()) {
       change = raise;
@@ -154,6 +158,38 @@ final class QosContracts {
             words(offer.profile()),
             change,
             unlessStated(offer, request));
+  }
+
+  private static String lower(Side request, Incompatibility gap) {
+    return "request %s in %s".formatted(least(gap), request.name());
+  }
+
+  private static String raise(Side offer, Incompatibility gap) {
+    return "offer %s in %s".formatted(most(gap), offer.name());
+  }
+
+  /** Returns the changes of policies that the hint names; times are for people to choose. */
+  private static List<ModelChange> changes(Side offer, Side request, Incompatibility gap) {
+    EStructuralFeature policy = Literals.QOS_PROFILE.getEStructuralFeature(gap.policy());
+    if (policy == null || !(policy.getEType() instanceof EEnum)) {
+      return List.of();
+    }
+    boolean certain = offer.isVehicle() || request.isVehicle();
+    List<ModelChange> changes = new ArrayList<>();
+    if (!request.isVehicle()) {
+      changes.add(change(lower(request, gap), request, policy, gap.offered(), certain));
+    }
+    if (!offer.isVehicle()) {
+      changes.add(change(raise(offer, gap), offer, policy, gap.requested(), certain));
+    }
+    return changes;
+  }
+
+  private static ModelChange change(
+      String words, Side side, EStructuralFeature policy, String to, boolean certain) {
+    String child = Literals.DATA__QOS.getName();
+    SourceLocation place = side.place().get();
+    return new ModelChange(sentenceStart(words), place, child, policy.getName(), "", to, certain);
   }
 
   /** Returns the profile in words: "has the profile sensor_data". */

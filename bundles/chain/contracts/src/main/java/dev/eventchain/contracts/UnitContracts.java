@@ -1,5 +1,9 @@
 package dev.eventchain.contracts;
 
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.ModelChange;
+import dev.eventchain.diagnostics.Rule;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.Unit;
 import dev.eventchain.model.Signal;
@@ -10,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.regex.Pattern;
 
 /** Checks that all endpoints use the same unit for a field. */
 final class UnitContracts {
@@ -24,9 +29,23 @@ final class UnitContracts {
   /**
    * Two units of one field that are not the same.
    *
-   * @param isCertain whether one side is wrong; otherwise it may be a matter of writing
+   * @param severity ERROR if one side is wrong; otherwise it may be a matter of writing
+   * @param change whether the side that is checked can take the unit of the other one
    */
-  private record Clash(boolean isCertain, String hint) {}
+  private record Clash(Severity severity, String hint, Change change) {}
+
+  /** Change of a unit to that of the other side. */
+  private enum Change {
+    /** It would be no solution, or a different quantity. */
+    NONE,
+    /** The code has to follow. */
+    WITH_CODE,
+    /** Both are the same unit, of which one is misspelt. */
+    OF_SPELLING
+  }
+
+  /** A quotient as people say it: "kmph", "m per s". */
+  private static final Pattern PER = Pattern.compile("(?<=\\p{L})(\\s+per\\s+|per|p)(?=\\p{L})");
 
   private final Findings findings;
 
@@ -82,12 +101,24 @@ final class UnitContracts {
             .formatted(
                 endpoint.name(), data.getFieldName(), topic.name(), here, reference.name(), there);
     SourceLocation at = findings.at(data, Literals.DATA__UNIT);
-    SourceLocation place = reference.place().get();
-    if (clash.isCertain()) {
-      findings.error(ContractRule.UNIT_MISMATCH, at, message, clash.hint(), place);
-    } else {
-      findings.warning(ContractRule.UNIT_MISMATCH, at, message, clash.hint(), place);
+    Rule rule = ContractRule.UNIT_MISMATCH.rule();
+    findings.add(
+        new Diagnostic(rule, clash.severity(), message, at, clash.hint(), "", List.of())
+            .withRelated(reference.place().get())
+            .withChanges(changes(clash.change(), at, here, there)));
+  }
+
+  private static List<ModelChange> changes(
+      Change change, SourceLocation at, String here, String there) {
+    if (change == Change.NONE) {
+      return List.of();
     }
+    boolean certain = change == Change.OF_SPELLING;
+    String title =
+        "Change the unit to '%s'%s"
+            .formatted(there, certain ? "" : ", which the component's code must follow");
+    String unit = Literals.DATA__UNIT.getName();
+    return List.of(new ModelChange(title, at, "", unit, here, there, certain));
   }
 
   /** Returns in what two units clash, if they do; for the side that has the first one. */
@@ -98,27 +129,48 @@ final class UnitContracts {
     Optional<Unit> unit = Unit.parse(here);
     Optional<Unit> other = Unit.parse(there);
     if (unit.isEmpty() || other.isEmpty()) {
-      return Optional.of(
-          new Clash(
-              false,
-              "'%s' is not a known unit, such as m/s2, km/h, deg, %%: write the same on both sides."
-                  .formatted(unit.isEmpty() ? here : there)));
+      String hint =
+          "'%s' is not a known unit, such as m/s2, km/h, deg, %%: write the same on both sides."
+              .formatted(unit.isEmpty() ? here : there);
+      return Optional.of(new Clash(Severity.WARNING, hint, respelling(here, other)));
     }
     return switch (unit.get().relationTo(other.get())) {
       case SAME -> Optional.empty();
       case ANGLE ->
           Optional.of(
               new Clash(
-                  false,
-                  "One side is an angle and the other is not: write the intended unit on both."));
+                  Severity.WARNING,
+                  "One side is an angle and the other is not: write the intended unit on both.",
+                  Change.NONE));
       case INCOMPATIBLE ->
           Optional.of(
               new Clash(
-                  true,
-                  "No factor converts one into the other: one side is a different quantity."));
+                  Severity.ERROR,
+                  "No factor converts one into the other: one side is a different quantity.",
+                  Change.NONE));
       case CONVERTIBLE ->
-          Optional.of(new Clash(true, conversion(unit.get(), other.get(), there, writes)));
+          Optional.of(
+              new Clash(
+                  Severity.ERROR,
+                  conversion(unit.get(), other.get(), there, writes),
+                  Change.WITH_CODE));
     };
+  }
+
+  /**
+   * Returns the change of an unknown unit to that of the other side, if that is known. Similar texts
+   * are no evidence that both are the same: "f/s" is one letter from "m/s".
+   */
+  private static Change respelling(String here, Optional<Unit> other) {
+    if (other.isEmpty() || Unit.parse(here).isPresent()) {
+      return Change.NONE;
+    }
+    String divided = PER.matcher(here).replaceAll("/");
+    boolean isSame =
+        Unit.parse(divided)
+            .filter(unit -> unit.relationTo(other.get()) == Unit.Relation.SAME)
+            .isPresent();
+    return isSame ? Change.OF_SPELLING : Change.WITH_CODE;
   }
 
   private static String conversion(Unit here, Unit there, String name, boolean writes) {

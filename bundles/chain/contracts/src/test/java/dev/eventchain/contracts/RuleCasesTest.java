@@ -109,7 +109,7 @@ class RuleCasesTest {
         .sum();
   }
 
-  private static AnalysisResult analyse(Path folder) {
+  static AnalysisResult analyse(Path folder) {
     SoftwareBase base = SoftwareBase.read(folder);
     // Each case contains only elements that its rule concerns.
     List<Diagnostic> wrong =

@@ -107,6 +107,19 @@ class ContractFixTest {
     }
   }
 
+  /** A letter may be the difference between two units, of which one is not known. */
+  @Test
+  void aUnitThatIsNotKnownIsReplacedByAnotherOneOnRequest() throws Exception {
+    change(text -> text.replace("unit=\"km/h\"", "unit=\"kf/h\""));
+    try (TestSession session = new TestSession(project)) {
+      List<CodeAction> fixes = fixes(session.client, model, await(session.client, UNIT));
+      assertEquals(
+          List.of("Change the unit to 'km/h', which the component's code must follow"),
+          fixes.stream().map(CodeAction::getTitle).toList());
+      assertFalse(fixes.get(0).getIsPreferred());
+    }
+  }
+
   @Test
   void aDifferentQuantityIsNoMatterOfWriting() throws Exception {
     change(text -> text.replace("unit=\"km/h\"", "unit=\"kg\""));

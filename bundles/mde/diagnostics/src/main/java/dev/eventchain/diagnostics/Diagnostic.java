@@ -21,6 +21,7 @@ import java.util.stream.Stream;
  * @param related other locations involved, most relevant first: the violated rule, or the other
  *     side of a contract
  * @param cause the finding that it is a consequence of; empty if it stands for itself
+ * @param changes changes of a model of which each resolves it, best first; empty if none is known
  */
 public record Diagnostic(
     Rule kind,
@@ -30,7 +31,8 @@ public record Diagnostic(
     String hint,
     String rule,
     List<SourceLocation> related,
-    Optional<Cause> cause)
+    Optional<Cause> cause,
+    List<ModelChange> changes)
     implements Comparable<Diagnostic> {
 
   /** Order by location, as in the file, then by all other components. */
@@ -43,7 +45,8 @@ public record Diagnostic(
           .thenComparing(Diagnostic::hint)
           .thenComparing(Diagnostic::related, Diagnostic::compare)
           .thenComparing(each -> each.cause.map(Cause::location).orElse(SourceLocation.NONE))
-          .thenComparing(each -> each.cause.map(Cause::consequence).orElse(""));
+          .thenComparing(each -> each.cause.map(Cause::consequence).orElse(""))
+          .thenComparing(Diagnostic::changes, Diagnostic::compare);
 
   /**
    * Another finding, of which a finding is a consequence: what resolves it may resolve both.
@@ -70,6 +73,7 @@ public record Diagnostic(
     Objects.requireNonNull(rule);
     related = List.copyOf(related);
     Objects.requireNonNull(cause);
+    changes = List.copyOf(changes);
   }
 
   /** Creates a finding that stands for itself. */
@@ -81,7 +85,7 @@ public record Diagnostic(
       String hint,
       String rule,
       List<SourceLocation> related) {
-    this(kind, severity, message, location, hint, rule, related, Optional.empty());
+    this(kind, severity, message, location, hint, rule, related, Optional.empty(), List.of());
   }
 
   /** Returns a finding with the severity of its kind. */
@@ -106,41 +110,51 @@ public record Diagnostic(
 
   /** Returns this finding with another severity. */
   public Diagnostic withSeverity(Severity newSeverity) {
-    return new Diagnostic(kind, newSeverity, message, location, hint, rule, related, cause);
+    return new Diagnostic(
+        kind, newSeverity, message, location, hint, rule, related, cause, changes);
   }
 
   /** Returns this finding with another hint. */
   public Diagnostic withHint(String newHint) {
-    return new Diagnostic(kind, severity, message, location, newHint, rule, related, cause);
+    return new Diagnostic(
+        kind, severity, message, location, newHint, rule, related, cause, changes);
   }
 
   /** Returns this finding with the user's rule that found it. */
   public Diagnostic withRule(String newRule) {
-    return new Diagnostic(kind, severity, message, location, hint, newRule, related, cause);
+    return new Diagnostic(
+        kind, severity, message, location, hint, newRule, related, cause, changes);
   }
 
   /** Returns this finding at another location. */
   public Diagnostic withLocation(SourceLocation newLocation) {
-    return new Diagnostic(kind, severity, message, newLocation, hint, rule, related, cause);
+    return new Diagnostic(
+        kind, severity, message, newLocation, hint, rule, related, cause, changes);
   }
 
   /** Returns this finding with other related locations, without {@code NONE}. */
   public Diagnostic withRelated(SourceLocation... places) {
     List<SourceLocation> known =
         Stream.of(places).filter(place -> !place.equals(SourceLocation.NONE)).toList();
-    return new Diagnostic(kind, severity, message, location, hint, rule, known, cause);
+    return new Diagnostic(kind, severity, message, location, hint, rule, known, cause, changes);
   }
 
   /** Returns this finding as a consequence of another one. */
   public Diagnostic withCause(Cause newCause) {
     return new Diagnostic(
-        kind, severity, message, location, hint, rule, related, Optional.of(newCause));
+        kind, severity, message, location, hint, rule, related, Optional.of(newCause), changes);
   }
 
-  private static int compare(List<SourceLocation> first, List<SourceLocation> second) {
-    Iterator<SourceLocation> others = second.iterator();
-    for (SourceLocation place : first) {
-      int order = others.hasNext() ? place.compareTo(others.next()) : 1;
+  /** Returns this finding with changes that resolve it. */
+  public Diagnostic withChanges(List<ModelChange> newChanges) {
+    return new Diagnostic(
+        kind, severity, message, location, hint, rule, related, cause, newChanges);
+  }
+
+  private static <T extends Comparable<T>> int compare(List<T> first, List<T> second) {
+    Iterator<T> others = second.iterator();
+    for (T each : first) {
+      int order = others.hasNext() ? each.compareTo(others.next()) : 1;
       if (order != 0) {
         return order;
       }

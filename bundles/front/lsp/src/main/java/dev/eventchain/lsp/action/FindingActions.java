@@ -97,7 +97,7 @@ public final class FindingActions {
       TextFix.withoutReference(content, offset, finding.message())
           .ifPresent(fix -> fixes.add(fix("Remove the reference", file, content, fix)));
     }
-    fixes.addAll(new ContractFixes(files).of(file, finding));
+    fixes.addAll(new ModelChanges(files).of(file, finding));
     return fixes;
   }
 
