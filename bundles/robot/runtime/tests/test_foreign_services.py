@@ -128,3 +128,22 @@ def test_answers_do_not_wait_twice_for_a_client_without_a_reader(
     matched.wait_for_client("request", "reply", peer.handle)
     monkeypatch.setattr(taker, "peer", lambda _: pytest.fail("it waits again"))
     matched.wait_for_client("request", "reply", peer.handle)
+
+
+def test_answers_do_not_wait_for_a_client_that_goes_meanwhile(
+    participants: tuple[Participant, Participant], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    server, client = participants
+    for participant in participants:
+        participant._catalog = Messages(SUM).catalog
+    taker, answers = server.reader("rq/sumRequest", REQUEST, EVERY), server.writer("rr/sumReply", RESPONSE, EVERY)
+    asker = client.writer("rq/sumRequest", REQUEST, EVERY)
+    wait_until(lambda: taker.matched() and asker.matched(), "a match")
+    (peer,) = taker.peers()
+    known = [peer, None, None]
+    monkeypatch.setattr(taker, "peer", lambda _: known.pop(0))
+    matched = Matched({"reply": answers}, {"request": taker}, SECOND)
+    matched.wait_for_client("request", "reply", peer.handle)
+    assert known == [None], "it waits for a client that is gone"
+    matched.wait_for_client("request", "reply", peer.handle)
+    assert known == [], "it has given the client up"

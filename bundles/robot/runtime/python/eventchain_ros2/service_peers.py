@@ -56,15 +56,16 @@ class Matched:
         """Wait until the reader of a client is matched, but not for long: before, replies do not reach it.
 
         Of a client that announces no pair, the reader is one of the same participant. If there is none, replies no
-        longer wait for this client.
+        longer wait for this client. The wait ends when the client is gone.
         """
         reader, answers = self._readers.get(requests), self._writers.get(replies)
         if reader is None or answers is None or writer in self._given_up:
             return
         end = monotonic_ns() + self._longest_wait
         try:
-            client = reader.peer(writer)
-            while client is not None and not any(_belong(client, each) for each in answers.peers()):
+            while (client := reader.peer(writer)) is not None and not any(
+                _belong(client, each) for each in answers.peers()
+            ):
                 if monotonic_ns() >= end:
                     self._given_up.add(writer)
                     return
