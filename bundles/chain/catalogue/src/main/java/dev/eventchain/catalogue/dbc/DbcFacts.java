@@ -5,11 +5,11 @@ import dev.eventchain.catalogue.dbc.DbcTokens.Token;
 import dev.eventchain.catalogue.dbc.DbcTokens.UnreadException;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.StringJoiner;
 import java.util.function.ObjIntConsumer;
 
 /** Statements about messages and signals that come after them. */
@@ -56,13 +56,13 @@ final class DbcFacts {
     part.pass();
   }
 
-  /** Reads the meanings of the numbers of a signal; those of an environment variable are passed. */
+  /** Reads the meanings of raw numbers of a signal; those of an environment variable are passed. */
   void texts() throws UnreadException {
     if (part.isNext(Kind.NUMBER)) {
       Optional<DbcSignal> signal = signal();
-      Map<String, String> texts = new LinkedHashMap<>();
+      Map<BigDecimal, String> texts = new LinkedHashMap<>();
       while (part.isNext(Kind.NUMBER)) {
-        String number = part.number().stripTrailingZeros().toPlainString();
+        BigDecimal number = part.number().stripTrailingZeros();
         texts.put(number, part.text());
       }
       signal.ifPresent(it -> it.texts().putAll(texts));
@@ -118,21 +118,20 @@ final class DbcFacts {
 
   /** Reads with which numbers of a multiplexer a signal is there. */
   void multiplexed() throws UnreadException {
-    Optional<DbcSignal> signal = signal();
-    String multiplexer = part.word().text();
-    StringJoiner ranges = new StringJoiner(", ");
+    Optional<DbcMessage> message = message();
+    Optional<DbcSignal> signal = signal(message);
+    Optional<DbcSignal> multiplexer = signal(message);
+    List<DbcCondition.Range> ranges = new ArrayList<>();
     do {
       BigDecimal from = part.number();
       boolean apart = part.takes("-");
       BigDecimal to = apart ? part.number() : part.number().negate();
-      ranges.add(from.compareTo(to) == 0 ? plain(from) : plain(from) + "-" + plain(to));
+      ranges.add(new DbcCondition.Range(from, to));
     } while (part.takes(","));
-    signal.ifPresent(it -> it.present(multiplexer + " is " + ranges));
+    if (signal.isPresent() && multiplexer.isPresent()) {
+      signal.get().condition(new DbcCondition(multiplexer.get(), ranges));
+    }
     part.pass();
-  }
-
-  private static String plain(BigDecimal number) {
-    return number.stripTrailingZeros().toPlainString();
   }
 
   void senders() throws UnreadException {
@@ -157,7 +156,10 @@ final class DbcFacts {
   }
 
   private Optional<DbcSignal> signal() throws UnreadException {
-    Optional<DbcMessage> message = message();
+    return signal(message());
+  }
+
+  private Optional<DbcSignal> signal(Optional<DbcMessage> message) throws UnreadException {
     int offset = part.offset();
     String name = part.word().text();
     if (message.isEmpty() || message.get().isNeverSent()) {

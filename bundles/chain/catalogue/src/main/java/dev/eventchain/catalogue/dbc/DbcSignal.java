@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import java.math.BigDecimal;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 
 /** A signal of a message, while its statements are read. */
 final class DbcSignal {
@@ -39,6 +40,11 @@ final class DbcSignal {
       return position + length <= bits;
     }
 
+    /** Returns what a raw number means, in the unit of the signal. */
+    BigDecimal physical(BigDecimal raw) {
+      return raw.multiply(factor).add(offset);
+    }
+
     boolean hasRange() {
       return least.signum() != 0 || most.signum() != 0;
     }
@@ -56,11 +62,11 @@ final class DbcSignal {
   private final Layout layout;
   private final String unit;
   private final SourceLocation place;
-  private final Map<String, String> texts = new LinkedHashMap<>();
+  private final Map<BigDecimal, String> texts = new LinkedHashMap<>();
   private Coding coding = Coding.INTEGER;
   private String longName = "";
   private String comment = "";
-  private String present = "";
+  private Optional<DbcCondition> condition = Optional.empty();
 
   /**
    * Creates a signal.
@@ -100,8 +106,8 @@ final class DbcSignal {
     return place;
   }
 
-  /** Returns the meanings of numbers. */
-  Map<String, String> texts() {
+  /** Returns the meanings of raw numbers, which are without zeros at their ends. */
+  Map<BigDecimal, String> texts() {
     return texts;
   }
 
@@ -113,9 +119,9 @@ final class DbcSignal {
     return comment;
   }
 
-  /** Returns when it is there by a statement of its own, such as "Mux is 0-3"; may be empty. */
-  String present() {
-    return present;
+  /** Returns when it is there by a statement of its own. */
+  Optional<DbcCondition> condition() {
+    return condition;
   }
 
   void rename(String full) {
@@ -130,7 +136,7 @@ final class DbcSignal {
     coding = other;
   }
 
-  void present(String when) {
-    present = when;
+  void condition(DbcCondition when) {
+    condition = Optional.of(when);
   }
 }

@@ -6,6 +6,7 @@ import dev.eventchain.catalogue.signal.CatalogueSignal.Role;
 import dev.eventchain.catalogue.signal.CatalogueUnits;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
+import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -112,7 +113,11 @@ final class DbcSignals {
     }
     if (!signal.texts().isEmpty()) {
       List<String> texts = new ArrayList<>();
-      signal.texts().forEach((number, text) -> texts.add(number + " " + text));
+      signal
+          .texts()
+          .forEach(
+              (raw, text) ->
+                  texts.add(DbcValues.plain(signal.layout().physical(raw)) + " " + text));
       sentences.add("Values: " + String.join(", ", texts) + ".");
     }
     present(message, signal).ifPresent(when -> sentences.add("Only sent where " + when + "."));
@@ -124,12 +129,14 @@ final class DbcSignals {
 
   /** Returns the condition under which a multiplexed signal is in its message. */
   private static Optional<String> present(DbcMessage message, DbcSignal signal) {
-    if (signal.multiplexed().isEmpty() || !signal.present().isEmpty()) {
-      return Optional.of(signal.present()).filter(it -> !it.isEmpty());
+    if (signal.multiplexed().isEmpty() || signal.condition().isPresent()) {
+      return signal.condition().map(DbcCondition::text);
     }
+    List<DbcCondition.Range> number =
+        List.of(DbcCondition.Range.of(new BigDecimal(signal.multiplexed())));
     return message.signals().values().stream()
         .filter(it -> it.isMultiplexer() && it.multiplexed().isEmpty())
-        .map(it -> it.name() + " is " + signal.multiplexed())
+        .map(it -> new DbcCondition(it, number).text())
         .findFirst();
   }
 

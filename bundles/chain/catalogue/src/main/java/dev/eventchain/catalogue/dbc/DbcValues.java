@@ -53,8 +53,8 @@ record DbcValues(String type, OptionalDouble least, OptionalDouble most, boolean
     BigInteger count = BigInteger.ONE.shiftLeft(layout.signed() ? bits - 1 : bits);
     BigDecimal lowest = new BigDecimal(layout.signed() ? count.negate() : BigInteger.ZERO);
     BigDecimal highest = new BigDecimal(count.subtract(BigInteger.ONE));
-    BigDecimal one = lowest.multiply(layout.factor()).add(layout.offset());
-    BigDecimal other = highest.multiply(layout.factor()).add(layout.offset());
+    BigDecimal one = layout.physical(lowest);
+    BigDecimal other = layout.physical(highest);
     BigDecimal least = one.min(other);
     BigDecimal most = one.max(other);
     String type = type(layout, least, most);
@@ -88,6 +88,11 @@ record DbcValues(String type, OptionalDouble least, OptionalDouble most, boolean
       }
     }
     return layout.length() <= DIGITS ? "float32" : "float64";
+  }
+
+  /** Returns a number with all of its digits, and without zeros at its end. */
+  static String plain(BigDecimal number) {
+    return number.stripTrailingZeros().toPlainString();
   }
 
   private static boolean isWhole(BigDecimal number) {

@@ -110,7 +110,7 @@ class DbcPeerTest {
     String texts =
         new TreeMap<>(signal.texts())
             .entrySet().stream()
-                .map(it -> "(" + it.getKey() + ", " + quoted(it.getValue()) + ")")
+                .map(it -> "(" + DbcValues.plain(it.getKey()) + ", " + quoted(it.getValue()) + ")")
                 .collect(Collectors.joining(", ", "[", "]"));
     return String.join(
         " ",

@@ -16,6 +16,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.function.Consumer;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
@@ -60,6 +61,42 @@ class DbcReaderTest {
       assertEquals(List.of(), found);
       assertEquals(List.of("°C"), read.stream().map(CatalogueSignal::unit).toList());
     }
+  }
+
+  @Test
+  void textsAndMultiplexersAreAboutPhysicalValues() {
+    String text =
+        """
+        BO_ 1 Oil: 8 A
+         SG_ Mux M : 0|4@1+ (1,100) [0|0] "" A
+         SG_ Temperature m3 : 8|8@1+ (1,-40) [0|0] "degC" A
+         SG_ Speed m4 : 8|8@1+ (0.5,0) [0|0] "km/h" A
+         SG_ Nested m5M : 8|8@1- (-2,0) [0|0] "" A
+         SG_ Level m0 : 16|8@1+ (1,0) [0|0] "" A
+        BA_ "SystemSignalLongSymbol" SG_ 1 Nested "Nested_Multiplexer";
+        VAL_ 1 Temperature 255 "SNA" 0 "frozen" ;
+        VAL_ 1 Speed 255 "invalid" ;
+        SG_MUL_VAL_ 1 Speed Mux 4-6, 8-8;
+        SG_MUL_VAL_ 1 Level Nested 1-3, 0-0;
+        SG_MUL_VAL_ 1 Temperature Gone 1-1;
+        """;
+    List<String> found = new ArrayList<>();
+    List<String> meanings =
+        signals(text, it -> found.add(it.message())).stream().map(CatalogueSignal::description).toList();
+    assertEquals(
+        List.of(
+            "",
+            "Values: 215 SNA, -40 frozen. Only sent where Mux is 103.",
+            "Values: 127.5 invalid. Only sent where Mux is 104-106, 108.",
+            "Only sent where Mux is 105.",
+            "Only sent where Nested_Multiplexer is -6 to -2, 0."),
+        meanings);
+    assertEquals(List.of("The message 'Oil' has no signal 'Gone'."), found);
+  }
+
+  private static List<CatalogueSignal> signals(String text, Consumer<Diagnostic> findings) {
+    DbcNetwork network = DbcFormat.network(SourceText.of("network.dbc", text), findings);
+    return new DbcSignals(network, Optional.empty(), findings).all();
   }
 
   @Test

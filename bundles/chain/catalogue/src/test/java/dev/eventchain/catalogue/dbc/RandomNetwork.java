@@ -114,7 +114,7 @@ final class RandomNetwork {
     if (floating) {
       facts.add("SIG_VALTYPE_ " + name + " : " + (length == 32 ? 1 : 2) + ";");
     } else if (random.nextInt(3) == 0) {
-      facts.add("VAL_ " + name + " 1 \"on\" 0 \"off, or not\" ;");
+      facts.add("VAL_ " + name + " 1 \"on\" 255 \"SNA\" 0 \"off, or not\" ;");
     }
     if (random.nextBoolean()) {
       facts.add("CM_ SG_ " + name + " \"What it is,\nin \\\"two\\\" lines\";");
