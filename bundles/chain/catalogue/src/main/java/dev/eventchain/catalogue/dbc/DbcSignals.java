@@ -85,7 +85,7 @@ final class DbcSignals {
         truth ? OptionalDouble.empty() : values.least(),
         truth ? OptionalDouble.empty() : values.most(),
         List.of(),
-        description(message, signal),
+        description(message, signal, values),
         message.comment().isBlank() ? List.of() : List.of(message.comment()),
         signal.place());
   }
@@ -105,26 +105,40 @@ final class DbcSignals {
   }
 
   /** Returns the comment, with meanings of numbers, and when it is sent. */
-  private String description(DbcMessage message, DbcSignal signal) {
+  private String description(DbcMessage message, DbcSignal signal, DbcValues values) {
     List<String> sentences = new ArrayList<>();
     if (!signal.comment().isBlank()) {
       String comment = signal.comment().strip();
       sentences.add(comment.matches("(?s).*[.!?]") ? comment : comment + ".");
     }
-    if (!signal.texts().isEmpty()) {
-      List<String> texts = new ArrayList<>();
-      signal
-          .texts()
-          .forEach(
-              (raw, text) ->
-                  texts.add(DbcValues.plain(signal.layout().physical(raw)) + " " + text));
-      sentences.add("Values: " + String.join(", ", texts) + ".");
-    }
+    sentences.addAll(texts(signal, values.special()));
     present(message, signal).ifPresent(when -> sentences.add("Only sent where " + when + "."));
     if (network.cycle(message) > 0) {
       sentences.add("Sent every " + network.cycle(message) + " ms.");
     }
     return String.join(" ", sentences);
+  }
+
+  /** Returns the meanings of values, and apart from them those outside the stated range. */
+  private static List<String> texts(DbcSignal signal, List<BigDecimal> special) {
+    DbcSignal.Layout layout = signal.layout();
+    List<String> usual = new ArrayList<>();
+    List<String> outside = new ArrayList<>();
+    signal
+        .texts()
+        .forEach(
+            (raw, text) ->
+                (special.contains(raw) ? outside : usual)
+                    .add(DbcValues.plain(layout.physical(raw)) + " " + text));
+    List<String> sentences = new ArrayList<>();
+    if (!usual.isEmpty()) {
+      sentences.add("Values: " + String.join(", ", usual) + ".");
+    }
+    if (!outside.isEmpty()) {
+      String range = DbcValues.plain(layout.least()) + " to " + DbcValues.plain(layout.most());
+      sentences.add("Outside of " + range + ": " + String.join(", ", outside) + ".");
+    }
+    return sentences;
   }
 
   /** Returns the condition under which a multiplexed signal is in its message. */

@@ -5,34 +5,47 @@ import java.math.BigInteger;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Predicate;
 
 /**
  * Physical values of a signal: each raw number times the factor, plus the offset.
  *
  * @param type the smallest type of a message field that holds them: that of whole numbers where
  *     factor and offset are, and a float of as many digits as the raw numbers have otherwise
- * @param least the least value, of those that the bits hold and of the stated range
+ * @param least the least value, of those that the bits hold, within the stated range or with a text
  * @param most the greatest value
  * @param isOutside whether a range is stated that has none of the values that the bits hold
+ * @param special raw numbers with a text whose values are outside the stated range, such as those
+ *     that stand for an error
  */
-record DbcValues(String type, OptionalDouble least, OptionalDouble most, boolean isOutside) {
+record DbcValues(
+    String type,
+    OptionalDouble least,
+    OptionalDouble most,
+    boolean isOutside,
+    List<BigDecimal> special) {
 
   /** Bits of a raw number that a float32 holds. */
   private static final int DIGITS = 24;
 
   private static final List<Integer> SIZES = List.of(8, 16, 32, 64);
 
+  /** Copies the list. */
+  DbcValues {
+    special = List.copyOf(special);
+  }
+
   /** Returns the values of a signal; empty if it is a float of another size than its bits. */
   static Optional<DbcValues> of(DbcSignal signal) {
-    DbcSignal.Layout layout = signal.layout();
     return switch (signal.coding()) {
-      case INTEGER -> Optional.of(integer(layout));
-      case FLOAT -> floating(layout, 32);
-      case DOUBLE -> floating(layout, 64);
+      case INTEGER -> Optional.of(integer(signal));
+      case FLOAT -> floating(signal, 32);
+      case DOUBLE -> floating(signal, 64);
     };
   }
 
-  private static Optional<DbcValues> floating(DbcSignal.Layout layout, int bits) {
+  private static Optional<DbcValues> floating(DbcSignal signal, int bits) {
+    DbcSignal.Layout layout = signal.layout();
     if (layout.length() != bits) {
       return Optional.empty();
     }
@@ -40,15 +53,21 @@ record DbcValues(String type, OptionalDouble least, OptionalDouble most, boolean
         layout.factor().compareTo(BigDecimal.ONE) != 0 || layout.offset().signum() != 0;
     String type = bits == 64 || scaled ? "float64" : "float32";
     boolean none = !layout.hasRange() || layout.least().compareTo(layout.most()) > 0;
+    if (none) {
+      OptionalDouble any = OptionalDouble.empty();
+      return Optional.of(new DbcValues(type, any, any, layout.hasRange(), List.of()));
+    }
     return Optional.of(
-        new DbcValues(
+        within(
+            layout,
             type,
-            none ? OptionalDouble.empty() : finite(layout.least()),
-            none ? OptionalDouble.empty() : finite(layout.most()),
-            none && layout.hasRange()));
+            layout.least(),
+            layout.most(),
+            special(signal, raw -> finite(layout.physical(raw)).isPresent())));
   }
 
-  private static DbcValues integer(DbcSignal.Layout layout) {
+  private static DbcValues integer(DbcSignal signal) {
+    DbcSignal.Layout layout = signal.layout();
     int bits = layout.length();
     BigInteger count = BigInteger.ONE.shiftLeft(layout.signed() ? bits - 1 : bits);
     BigDecimal lowest = new BigDecimal(layout.signed() ? count.negate() : BigInteger.ZERO);
@@ -63,11 +82,42 @@ record DbcValues(String type, OptionalDouble least, OptionalDouble most, boolean
             && (layout.least().compareTo(layout.most()) > 0
                 || layout.least().compareTo(most) > 0
                 || layout.most().compareTo(least) < 0);
-    if (layout.hasRange() && !outside) {
-      least = least.max(layout.least());
-      most = most.min(layout.most());
+    if (!layout.hasRange() || outside || type.equals("bool")) {
+      return new DbcValues(type, finite(least), finite(most), outside, List.of());
     }
-    return new DbcValues(type, finite(least), finite(most), outside);
+    List<BigDecimal> special =
+        special(
+            signal,
+            raw -> isWhole(raw) && raw.compareTo(lowest) >= 0 && raw.compareTo(highest) <= 0);
+    return within(layout, type, least.max(layout.least()), most.min(layout.most()), special);
+  }
+
+  /** Returns the raw numbers that the bits hold, with a text and outside the stated range. */
+  private static List<BigDecimal> special(DbcSignal signal, Predicate<BigDecimal> held) {
+    DbcSignal.Layout layout = signal.layout();
+    return signal.texts().keySet().stream()
+        .filter(held)
+        .filter(
+            raw ->
+                layout.physical(raw).compareTo(layout.least()) < 0
+                    || layout.physical(raw).compareTo(layout.most()) > 0)
+        .toList();
+  }
+
+  /** Returns the values from a least to a greatest one, and those of special raw numbers. */
+  private static DbcValues within(
+      DbcSignal.Layout layout,
+      String type,
+      BigDecimal least,
+      BigDecimal most,
+      List<BigDecimal> special) {
+    List<BigDecimal> values = special.stream().map(layout::physical).toList();
+    return new DbcValues(
+        type,
+        finite(values.stream().reduce(least, BigDecimal::min)),
+        finite(values.stream().reduce(most, BigDecimal::max)),
+        false,
+        special);
   }
 
   private static String type(DbcSignal.Layout layout, BigDecimal least, BigDecimal most) {

@@ -82,7 +82,9 @@ class DbcReaderTest {
         """;
     List<String> found = new ArrayList<>();
     List<String> meanings =
-        signals(text, it -> found.add(it.message())).stream().map(CatalogueSignal::description).toList();
+        signals(text, it -> found.add(it.message())).stream()
+            .map(CatalogueSignal::description)
+            .toList();
     assertEquals(
         List.of(
             "",
@@ -92,6 +94,41 @@ class DbcReaderTest {
             "Only sent where Nested_Multiplexer is -6 to -2, 0."),
         meanings);
     assertEquals(List.of("The message 'Oil' has no signal 'Gone'."), found);
+  }
+
+  /** Files usually state the range of measurements, and texts for an error and no measurement. */
+  @Test
+  void valuesWithATextArePossibleOutsideTheStatedRange() {
+    String text =
+        """
+        BO_ 1 Oil: 32 A
+         SG_ Load : 0|8@1+ (1,0) [0|250] "%" A
+         SG_ Temperature : 8|8@1+ (1,-40) [-20|200] "degC" A
+         SG_ Slip : 16|8@1- (-0.5,0) [-50|50] "" A
+         SG_ Gear : 24|3@1+ (1,0) [0|5] "" A
+         SG_ Flow : 32|32@1- (1,0) [0|10] "" A
+         SG_ Broken : 64|4@1+ (1,0) [20|30] "" A
+         SG_ On : 68|1@1+ (1,0) [1|1] "" A
+        VAL_ 1 Load 254 "error" 255 "not available" 0 "none" ;
+        VAL_ 1 Temperature 0 "frozen" 255 "SNA" ;
+        VAL_ 1 Slip 127 "SNA" ;
+        VAL_ 1 Gear 6.5 "half" 8 "too much" 5 "reverse" ;
+        VAL_ 1 Flow -1 "SNA" ;
+        VAL_ 1 Broken 15 "SNA" ;
+        VAL_ 1 On 0 "off" ;
+        SIG_VALTYPE_ 1 Flow : 1;
+        """;
+    List<String> meanings = signals(text, it -> {}).stream().map(CatalogueSignal::meaning).toList();
+    assertEquals(
+        List.of(
+            "Values: 0 none. Outside of 0 to 250: 254 error, 255 not available. Range: 0 to 255.",
+            "Outside of -20 to 200: -40 frozen, 215 SNA. Range: -40 to 215.",
+            "Outside of -50 to 50: -63.5 SNA. Range: -63.5 to 50.",
+            "Values: 6.5 half, 8 too much, 5 reverse. Range: 0 to 5.",
+            "Outside of 0 to 10: -1 SNA. Range: -1 to 10.",
+            "Values: 15 SNA. Range: 0 to 15.",
+            "Values: 0 off."),
+        meanings);
   }
 
   private static List<CatalogueSignal> signals(String text, Consumer<Diagnostic> findings) {
