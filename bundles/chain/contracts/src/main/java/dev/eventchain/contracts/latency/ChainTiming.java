@@ -17,6 +17,7 @@ import dev.eventchain.model.eventchain.SoftwareNode;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -49,6 +50,9 @@ public final class ChainTiming {
   /** Ways of messages that take time, by the names of their tasks. */
   private final Map<String, Transports.Way> ways = new HashMap<>();
 
+  /** Pairs of components between which messages are stated to take no time. */
+  private final Set<List<String>> statedAtOnce = new HashSet<>();
+
   private ChainTiming(EventChain chain, Stimuli stimuli) {
     this.chain = chain;
     deployment = Deployment.of(chain);
@@ -69,8 +73,10 @@ public final class ChainTiming {
     String from = names.get(writer);
     String to = names.get(reader);
     Optional<Transports.Way> way = transports.between(writer, reader);
-    if (way.isEmpty()) {
+    if (way.isEmpty() || way.get().isNone()) {
+      // A task that takes no time would hide that both may share a processor.
       graph.connect(from, to);
+      way.ifPresent(it -> statedAtOnce.add(List.of(from, to)));
       return;
     }
     String name = way.get().topic() + " from " + from + " to " + to;
@@ -210,7 +216,8 @@ public final class ChainTiming {
       for (int i = 1; i < path.path().size(); i++) {
         Task from = path.path().get(i - 1);
         Task to = path.path().get(i);
-        if (!isWay(from) && !isWay(to)) {
+        boolean stated = statedAtOnce.contains(List.of(from.name(), to.name()));
+        if (!isWay(from) && !isWay(to) && !stated) {
           atOnce.add("from '" + from.name() + "' to '" + to.name() + "'");
         }
       }

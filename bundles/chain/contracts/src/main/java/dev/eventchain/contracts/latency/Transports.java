@@ -40,6 +40,11 @@ final class Transports {
               : OptionalLong.empty());
     }
 
+    /** Returns whether messages are stated to be there at once. */
+    boolean isNone() {
+      return time.equals(OptionalLong.of(0));
+    }
+
     private boolean isLongerThan(Way other) {
       return other.time.isPresent()
           && (time.isEmpty() || time.getAsLong() > other.time.getAsLong());
