@@ -26,7 +26,10 @@ public record HostFailures(String who, Supplier<LastWords> lastWords, UserFiles 
   /** Time in which a process whose output has ended should be gone, so that its exit code is. */
   private static final Duration PATIENCE = Duration.ofSeconds(1);
 
+  /** What an exit code is above the number of a signal, and the greatest such number on Linux. */
   private static final int SIGNALS = 128;
+
+  private static final int LAST_SIGNAL = 64;
 
   /**
    * Cause and error output of an ended process.
@@ -48,7 +51,9 @@ public record HostFailures(String who, Supplier<LastWords> lastWords, UserFiles 
         return "";
       }
       int code = termination.exitCode();
-      return code > SIGNALS ? ", by signal " + (code - SIGNALS) : ", with the exit code " + code;
+      return code > SIGNALS && code <= SIGNALS + LAST_SIGNAL
+          ? ", by signal " + (code - SIGNALS)
+          : ", with the exit code " + code;
     }
   }
 

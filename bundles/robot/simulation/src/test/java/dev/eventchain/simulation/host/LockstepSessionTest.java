@@ -37,16 +37,17 @@ class LockstepSessionTest {
 
   private static LockstepSession session(
       InputStream input, OutputStream output, Watchdog watchdog) {
-    return new LockstepSession(
-        new HostChannel(input, output),
-        watchdog,
-        new HostFailures(
-            "The process that runs the nodes",
-            () ->
-                new HostFailures.LastWords(
-                    new ConfinedProcess.Termination(ConfinedProcess.Cause.EXITED, 139),
-                    "Traceback\nValueError: last words\n"),
-            new UserFiles(Path.of("out/ros2/aeb"))));
+    return new LockstepSession(new HostChannel(input, output), watchdog, failures(139));
+  }
+
+  private static HostFailures failures(int code) {
+    return new HostFailures(
+        "The process that runs the nodes",
+        () ->
+            new HostFailures.LastWords(
+                new ConfinedProcess.Termination(ConfinedProcess.Cause.EXITED, code),
+                "Traceback\nValueError: last words\n"),
+        new UserFiles(Path.of("out/ros2/aeb")));
   }
 
   private static Watchdog watchdog(Duration wallTime, Runnable end) {
@@ -164,6 +165,22 @@ class LockstepSessionTest {
         finding.message());
     assertEquals("out/ros2/aeb", finding.location().file());
     assertTrue(finding.hint().contains("last words"), finding::hint);
+  }
+
+  /** Linux has 64 signals; {@code sys.exit(-1)} ends with the code 255. */
+  @ParameterizedTest
+  @CsvSource({
+    "0, with the exit code 0",
+    "128, with the exit code 128",
+    "129, by signal 1",
+    "192, by signal 64",
+    "193, with the exit code 193",
+    "255, with the exit code 255"
+  })
+  void exitCodesAreThoseOfSignalsAsFarAsThereAreSignals(int code, String how) {
+    assertEquals(
+        "The process that runs the nodes ended before the scenario did, " + how + ".",
+        failures(code).ended("").diagnostics().get(0).message());
   }
 
   @Test
