@@ -74,6 +74,11 @@ final class Arrivals {
     return way.map(it -> it.time().orElse(0)).orElse(0L);
   }
 
+  /** Returns the topics of which no time on the way to a component is stated. */
+  List<String> atOnce(SoftwareNode first) {
+    return topics(first).stream().filter(topic -> transports.to(first, topic).isEmpty()).toList();
+  }
+
   static String noTime(Transports.Way way) {
     return "the transport time of " + way.topic() + " is none that a bound can count";
   }

@@ -209,10 +209,14 @@ public final class ChainTiming {
         .toList();
   }
 
-  /** Returns which messages between components are taken to be there at once, in words. */
+  /** Returns which messages on paths are taken to be there at once, in words. */
   private String transported(List<PathLatency> paths) {
     Set<String> atOnce = new LinkedHashSet<>();
     for (PathLatency path : paths) {
+      SoftwareNode first = node(path.path().get(0).name());
+      for (String topic : arrivals.atOnce(first)) {
+        atOnce.add("of " + topic + " to '" + names.get(first) + "'");
+      }
       for (int i = 1; i < path.path().size(); i++) {
         Task from = path.path().get(i - 1);
         Task to = path.path().get(i);
