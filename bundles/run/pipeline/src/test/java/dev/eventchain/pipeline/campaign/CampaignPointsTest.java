@@ -101,7 +101,10 @@ class CampaignPointsTest {
     assertTrue(json.at("/cases/4/points").isMissingNode(), json::toString);
   }
 
-  /** What fails another criterion keeps its points, and what fails a named one has none. */
+  /**
+   * What fails another criterion keeps its points, what fails a named one has 0, and what leaves a
+   * named one untested has none, unless its impact left none before.
+   */
   @Test
   void pointsDependOnNamedCriteriaAndOnTheCasesOfTheProtocol() throws IOException {
     CampaignPlan plan =
@@ -114,18 +117,22 @@ class CampaignPointsTest {
             judged(20, Label.FAILED, 0, Label.PASSED),
             judged(30, Label.FAILED, 0, Label.FAILED),
             judged(40, Label.FAILED, 9, Label.PASSED),
-            judged(50, Label.FAILED, 9, Label.UNTESTED));
+            judged(50, Label.FAILED, 9, Label.UNTESTED),
+            judged(50, Label.FAILED, 40, Label.UNTESTED));
     assertEquals(
         List.of(
             "points: none, since the protocol does not have this case (Protocol 1)",
             "points: 2 of 2 (Protocol 1)",
             "points: 0 of 2 (Protocol 1)",
             "points: 1 of 2 (Protocol 1)",
-            "points: 1 of 2 (Protocol 1)"),
+            "points: - of 2 (Protocol 1)",
+            "points: 0 of 2 (Protocol 1)"),
         new CampaignSummary(plan, rows).trials().stream().map(Trial::text).toList());
     CampaignPoints points = CampaignPoints.of(plan, rows).orElseThrow();
-    assertEquals("4 of 8", points.total());
-    assertEquals("Protocol 1; none for 1 case that it does not have", points.note());
+    assertEquals("3 of 10", points.total());
+    assertEquals(
+        "Protocol 1; none for 1 case without a verdict; none for 1 case that it does not have",
+        points.note());
     String table =
         new String(points.in(new CampaignTable(plan.names(), rows)).csv(), StandardCharsets.UTF_8);
     assertTrue(table.contains("\n1,,,10,"), table);

@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.simulation.scenario.NumberFormulas.Condition;
 import dev.eventchain.simulation.scenario.NumberFormulas.Quantity;
 import dev.eventchain.simulation.verdict.CaseResult;
+import dev.eventchain.simulation.verdict.CaseResult.CriterionMargin;
 import dev.eventchain.simulation.verdict.CaseResult.Label;
 import java.util.HashMap;
 import java.util.List;
@@ -44,7 +45,8 @@ public record Points(
   /**
    * Points of a case.
    *
-   * @param points empty if the case was not tested, ended by an error, or is none of the protocol
+   * @param points empty if the case, or a criterion on which they depend, was not tested; if it
+   *     ended by an error; and if it is none of the protocol
    * @param most for a case that passes without an impact; 0 if it is none of the protocol
    * @param isCounted whether the protocol has such a case
    */
@@ -91,16 +93,27 @@ public record Points(
     }
     OptionalDouble impact = result.impactSpeed();
     double part = impact.isPresent() ? share(numbers, impact.getAsDouble() * KMH) : 1.0;
-    return new Score(OptionalDouble.of(isKept(result) ? part * whole : 0.0), whole, true);
+    return new Score(kept(result, part * whole), whole, true);
   }
 
-  /** Returns whether a case fails none of the criteria on which its points depend. */
-  private boolean isKept(CaseResult result) {
-    return criteria.isEmpty()
-        ? result.label() == Label.PASSED || result.impactSpeed().isPresent()
-        : result.criteria().stream()
+  /**
+   * Returns the points that the criteria leave of those for an impact or for none: 0 if one of
+   * those on which they depend failed, and empty if none did and one was not tested.
+   */
+  private OptionalDouble kept(CaseResult result, double points) {
+    if (criteria.isEmpty()) {
+      boolean isKept = result.label() == Label.PASSED || result.impactSpeed().isPresent();
+      return OptionalDouble.of(isKept ? points : 0.0);
+    }
+    List<Label> labels =
+        result.criteria().stream()
             .filter(each -> criteria.stream().anyMatch(each.name()::startsWith))
-            .noneMatch(each -> each.label() == Label.FAILED);
+            .map(CriterionMargin::label)
+            .toList();
+    if (labels.contains(Label.FAILED) || points == 0.0) {
+      return OptionalDouble.of(0.0);
+    }
+    return labels.contains(Label.UNTESTED) ? OptionalDouble.empty() : OptionalDouble.of(points);
   }
 
   private boolean isCounted(Map<String, Double> numbers) {
