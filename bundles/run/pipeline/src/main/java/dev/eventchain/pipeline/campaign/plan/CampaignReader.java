@@ -101,9 +101,9 @@ public final class CampaignReader {
     Optional<PlayedScenario> played = PlayedScenario.read(file, scenario, section, given);
     List<Factor> factors = factors(section, played);
     Sampling sampling = sampling(section, factors, played);
-    FormulasOfCases formulas = new FormulasOfCases(section, factors);
     List<SourceRange> conditions = conditions(section);
-    Optional<Points> points = formulas.points(allConditions(conditions, given));
+    FormulasOfCases.Read formulas =
+        FormulasOfCases.read(section, factors, allConditions(conditions, given));
     CampaignPlan plan =
         new CampaignPlan(
             file,
@@ -120,7 +120,7 @@ public final class CampaignReader {
             section.wholeNumber("seed", SEED).orElse(1),
             section.object("boundary").flatMap(it -> boundary(it, factors, sampling)),
             section.object("search").map(SearchSettings::read).orElse(SearchSettings.USUAL),
-            points);
+            formulas.points());
     section.refuseOthers();
     return plan;
   }

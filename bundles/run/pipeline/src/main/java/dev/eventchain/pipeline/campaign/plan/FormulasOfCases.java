@@ -26,19 +26,21 @@ final class FormulasOfCases {
   private boolean complete = true;
 
   /**
-   * Creates a reader.
+   * The formulas of a campaign, without those that are wrong.
    *
-   * @param section the campaign
+   * @param points empty if there are none
    */
-  FormulasOfCases(ObjectReader section, List<Factor> factors) {
+  record Read(List<Computed> computed, Optional<Points> points) {
+
+    Read {
+      computed = List.copyOf(computed);
+    }
+  }
+
+  private FormulasOfCases(ObjectReader section, List<Factor> factors) {
     this.section = section;
     this.factors = factors;
     this.known = new ArrayList<>(factors.stream().map(Factor::name).toList());
-  }
-
-  /** Returns what is computed, once {@link #points} has read it; without what is wrong. */
-  List<Computed> computed() {
-    return List.copyOf(computed);
   }
 
   private void all(ObjectReader formulas) {
@@ -63,12 +65,19 @@ final class FormulasOfCases {
   }
 
   /**
-   * Reads what is computed and how points are counted, and requires a use of all numbers; empty if
-   * there are no points, or if they are wrong, which is reported.
+   * Reads what is computed and how points are counted, and requires a use of all numbers. What is
+   * wrong is reported.
    *
+   * @param section the campaign
    * @param conditions those of the campaign and of its criteria
    */
-  Optional<Points> points(List<SourceRange> conditions) {
+  static Read read(ObjectReader section, List<Factor> factors, List<SourceRange> conditions) {
+    FormulasOfCases formulas = new FormulasOfCases(section, factors);
+    Optional<Points> points = formulas.points(conditions);
+    return new Read(formulas.computed, points);
+  }
+
+  private Optional<Points> points(List<SourceRange> conditions) {
     section.object("computed").ifPresent(this::all);
     Optional<Points> points = section.object("points").flatMap(this::points);
     Set<String> read = new HashSet<>();
@@ -99,11 +108,19 @@ final class FormulasOfCases {
     boolean partial = part.has("at_impact");
     Optional<NumberFormulas.Quantity> share =
         partial ? formula(part, "at_impact", names) : Optional.empty();
-    List<String> criteria = part.texts("criteria");
+    List<String> criteria = criteria(part);
     List<NumberFormulas.Condition> counted = counted(part);
     part.refuseOthers();
     complete &= most.isPresent() && share.isPresent() == partial;
     return most.map(it -> new Points(source, it, share, criteria, counted, part.location()));
+  }
+
+  private static List<String> criteria(ObjectReader part) {
+    if (part.value(CriteriaByTags.KEY).filter(it -> it.isArray() && it.isEmpty()).isPresent()) {
+      String message = "No criterion is named.";
+      part.find(CampaignRules.VALUE_RANGE, message, part.at(CriteriaByTags.KEY));
+    }
+    return part.texts(CriteriaByTags.KEY);
   }
 
   /** Reads the conditions on the cases for which there are points. */
