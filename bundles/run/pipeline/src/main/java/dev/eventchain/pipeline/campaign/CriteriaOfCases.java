@@ -68,18 +68,24 @@ final class CriteriaOfCases {
   }
 
   private static void add(ObjectNode scenario, CaseCriteria criteria) {
-    ObjectNode accept = scenario.withObject("/" + ACCEPT);
-    for (Map.Entry<String, JsonNode> each : criteria.accept().properties()) {
-      JsonNode before = accept.get(each.getKey());
+    merge(scenario.withObject("/" + ACCEPT), criteria.accept(), criteria.place());
+  }
+
+  /** Adds what an object lacks to it, to its arrays and to the objects in it. */
+  private static void merge(ObjectNode all, ObjectNode added, SourceLocation place) {
+    for (Map.Entry<String, JsonNode> each : added.properties()) {
+      JsonNode before = all.get(each.getKey());
       if (before == null) {
-        accept.set(each.getKey(), each.getValue().deepCopy());
+        all.set(each.getKey(), each.getValue().deepCopy());
       } else if (before.isArray() && each.getValue().isArray()) {
         each.getValue().forEach(element -> append((ArrayNode) before, element));
+      } else if (before.isObject() && each.getValue().isObject()) {
+        merge((ObjectNode) before, (ObjectNode) each.getValue(), place);
       } else if (!isSame(before, each.getValue())) {
         String words = "'%s' is %s here, and %s elsewhere for the same cases.";
         throw new DiagnosticException(
             DiagnosticException.Reason.INPUT,
-            finding(words.formatted(each.getKey(), each.getValue(), before), criteria.place())
+            finding(words.formatted(each.getKey(), each.getValue(), before), place)
                 .withHint("Write it in one place, or give each to other cases by 'where'."));
       }
     }

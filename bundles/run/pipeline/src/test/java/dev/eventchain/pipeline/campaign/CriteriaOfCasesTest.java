@@ -85,6 +85,26 @@ class CriteriaOfCasesTest {
     assertEquals(all + "}", whole.get("accept").toString(), "a case changes no other one");
   }
 
+  /** Entries name more requirements for criteria that have some, and none with other words. */
+  @Test
+  void whatCriteriaJudgeIsAddedToWhatTheyJudgeAlready() throws IOException {
+    ObjectNode scenario = scenario();
+    ((ObjectNode) scenario.get("accept"))
+        .putObject("judges")
+        .putObject("no_impact")
+        .put("R-1", "a");
+    String entry = "- {accept: {judges: {no_impact: {R-2: b}, stops: {R-3: c}}}}";
+    ObjectNode whole = new CriteriaOfCases(plan(entry)).withThoseOfAll(scenario.deepCopy());
+    assertEquals(
+        "{\"no_impact\":{\"R-1\":\"a\",\"R-2\":\"b\"},\"stops\":{\"R-3\":\"c\"}}",
+        whole.at("/accept/judges").toString());
+    CriteriaOfCases other =
+        new CriteriaOfCases(plan("- {accept: {judges: {no_impact: {R-1: b}}}}"));
+    DiagnosticException refused =
+        assertThrows(DiagnosticException.class, () -> other.withThoseOfAll(scenario));
+    assertTrue(refused.getMessage().contains("'R-1' is \"b\" here, and \"a\" elsewhere"));
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = ';',
