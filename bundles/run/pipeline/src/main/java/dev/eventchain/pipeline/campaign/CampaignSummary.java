@@ -95,7 +95,7 @@ final class CampaignSummary {
             word,
             number,
             row.id().words(plan),
-            row.result().reason());
+            row.result().reason().replaceFirst("\\.$", ""));
   }
 
   /**
