@@ -155,11 +155,12 @@ final class CampaignScene {
    * Checks what can be checked before a case is simulated.
    *
    * @param scenes those of all campaigns of a file, of which there is at least one
+   * @param isSearched whether their cases are those to which a search comes
    * @throws DiagnosticException (INPUT) with every problem
    */
-  static void requireSound(List<CampaignScene> scenes) {
+  static void requireSound(List<CampaignScene> scenes, boolean isSearched) {
     List<Diagnostic> problems =
-        scenes.stream().flatMap(scene -> scene.template.check().stream()).toList();
+        scenes.stream().flatMap(scene -> scene.template.check(isSearched).stream()).toList();
     if (!problems.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
     }

@@ -20,6 +20,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Stream;
 
 /**
  * The files whose numbers the factors of campaigns replace: the scenarios and the bench of a
@@ -88,9 +89,11 @@ record CampaignWorld(
   List<Diagnostic> check(List<CampaignPlan> plans) {
     try {
       List<Scenario> all = Scenario.readFolder(scenarios, bench, finding -> {});
-      return plans.stream()
-          .filter(plan -> plan.played().isEmpty())
-          .flatMap(plan -> check(all, plan).stream())
+      return Stream.concat(
+              plans.stream()
+                  .filter(plan -> plan.played().isEmpty())
+                  .flatMap(plan -> check(all, plan).stream()),
+              CriteriaOfCases.withoutCase(plans, plans).stream())
           .toList();
     } catch (DiagnosticException e) {
       return List.of();
@@ -106,6 +109,6 @@ record CampaignWorld(
     } catch (DiagnosticException e) {
       return e.diagnostics();
     }
-    return new ScenarioTemplate(this, plan, file).check();
+    return new ScenarioTemplate(this, plan, file).check(!plan.isListed());
   }
 }

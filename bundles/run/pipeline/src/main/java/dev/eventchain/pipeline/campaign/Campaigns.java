@@ -17,6 +17,7 @@ import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -53,15 +54,24 @@ public final class Campaigns {
         project,
         settings,
         options.file(),
-        file ->
-            new ChosenCampaigns(options.only(), options.needsOne()).of(CampaignReader.read(file)),
+        file -> plans(file, options),
         progress,
         scenes -> run(scenes, options));
   }
 
+  private static List<CampaignPlan> plans(Path file, CampaignOptions options) {
+    List<CampaignPlan> all = CampaignReader.read(file);
+    List<CampaignPlan> chosen = new ChosenCampaigns(options.only(), options.needsOne()).of(all);
+    List<Diagnostic> problems = CriteriaOfCases.withoutCase(chosen, all);
+    if (!problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
+    }
+    return chosen;
+  }
+
   /** Simulates one campaign after the other, once all are known to be sound. */
   private static CampaignOutcome run(List<CampaignScene> scenes, CampaignOptions options) {
-    CampaignScene.requireSound(scenes);
+    CampaignScene.requireSound(scenes, false);
     List<CampaignOutcome> each =
         scenes.stream().map(scene -> new Campaigns(scene, options).run()).toList();
     List<CampaignPlan> plans = scenes.stream().map(CampaignScene::plan).toList();

@@ -5,7 +5,6 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
@@ -13,12 +12,14 @@ import dev.eventchain.pipeline.campaign.plan.CampaignRules;
 import dev.eventchain.pipeline.campaign.plan.CaseCriteria;
 import dev.eventchain.pipeline.campaign.plan.CaseList;
 import dev.eventchain.pipeline.campaign.plan.Conditions;
-import dev.eventchain.pipeline.campaign.plan.Points;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 
 /** Criteria that a campaign file gives to the cases of a campaign, put into their scenarios. */
@@ -105,15 +106,9 @@ final class CriteriaOfCases {
     return numbers ? one.decimalValue().compareTo(other.decimalValue()) == 0 : one.equals(other);
   }
 
-  /** Returns a finding for each criterion on which points depend, and that is none of a case. */
-  static List<Diagnostic> unknown(Points points, List<String> texts) {
-    return points.criteria().stream()
-        .filter(named -> texts.stream().noneMatch(text -> text.startsWith(named)))
-        .map(
-            named ->
-                finding("No criterion of the cases begins with '" + named + "'.", points.place())
-                    .withHint(NearestName.hint(named, texts)))
-        .toList();
+  /** Returns whether a path of a scenario leads to a number of a criterion. */
+  static boolean isPath(String path) {
+    return path.startsWith(ACCEPT + ".");
   }
 
   /** Returns whether a finding on the scenario of a case is about criteria. */
@@ -122,39 +117,81 @@ final class CriteriaOfCases {
         || finding.location().element().startsWith("/" + ACCEPT);
   }
 
-  private static Diagnostic finding(String message, SourceLocation place) {
+  static Diagnostic finding(String message, SourceLocation place) {
     return Diagnostic.of(CampaignRules.CRITERIA, message, place);
   }
 
+  /** Returns cases by the criteria that they have. */
+  Collection<List<CampaignCase>> kinds(List<CampaignCase> cases) {
+    Map<List<CaseCriteria>, List<CampaignCase>> kinds = new LinkedHashMap<>();
+    for (CampaignCase each : cases) {
+      kinds.computeIfAbsent(those(each), key -> new ArrayList<>()).add(each);
+    }
+    return kinds.values();
+  }
+
   /**
-   * Returns a finding for each of the criteria that no case has, and for those that cannot be put
-   * together in one.
+   * Returns a finding for each kind of cases whose criteria cannot be put together.
    *
    * @param reader returns what is wrong with the criteria of a case
    */
-  List<Diagnostic> check(Function<CampaignCase, Optional<Diagnostic>> reader) {
+  List<Diagnostic> check(
+      List<CampaignCase> cases, Function<CampaignCase, Optional<Diagnostic>> reader) {
     if (plan.criteria().isEmpty()) {
       return List.of();
     }
-    Map<List<CaseCriteria>, CampaignCase> kinds = new LinkedHashMap<>();
-    for (CampaignCase each : new CaseList(plan).cases()) {
-      kinds.putIfAbsent(those(each), each);
+    return kinds(cases).stream()
+        .flatMap(kind -> problem(kind.get(0), reader).stream())
+        .distinct()
+        .toList();
+  }
+
+  /**
+   * Returns a finding for each of the criteria of some campaigns that no case has, in none of the
+   * campaigns to which the file gives them.
+   *
+   * @param all the campaigns of the file
+   */
+  static List<Diagnostic> withoutCase(List<CampaignPlan> some, List<CampaignPlan> all) {
+    Set<CaseCriteria> asked = new LinkedHashSet<>();
+    some.forEach(plan -> plan.criteria().stream().filter(it -> !it.areOfAll()).forEach(asked::add));
+    if (asked.isEmpty()) {
+      return List.of();
     }
+    all.forEach(plan -> asked.removeAll(met(plan)));
     List<Diagnostic> found = new ArrayList<>();
-    for (Some each : some) {
-      if (kinds.keySet().stream().noneMatch(those -> those.contains(each.criteria()))) {
-        String message = "No case of '" + plan.name() + "' meets these conditions.";
-        found.add(finding(message, each.criteria().place()));
-      }
+    for (CaseCriteria each : asked) {
+      List<String> names =
+          all.stream()
+              .filter(plan -> plan.criteria().contains(each))
+              .map(plan -> "'" + plan.name() + "'")
+              .toList();
+      String message = "No case of " + String.join(" or ", names) + " meets these conditions.";
+      found.add(finding(message, each.place()));
     }
-    kinds.forEach((those, first) -> problem(those, first, reader).ifPresent(found::add));
-    return found.stream().distinct().toList();
+    return found;
+  }
+
+  /** Returns the criteria that cases of a campaign have; all, if nobody can list its cases. */
+  private static List<CaseCriteria> met(CampaignPlan plan) {
+    if (plan.criteria().isEmpty() || !plan.isListed()) {
+      return plan.criteria();
+    }
+    try {
+      List<CampaignCase> cases = new CaseList(plan).cases();
+      return new CriteriaOfCases(plan)
+          .some.stream()
+              .filter(it -> cases.stream().anyMatch(it.conditions()::keep))
+              .map(Some::criteria)
+              .toList();
+    } catch (DiagnosticException e) { // reported where its cases are made
+      return plan.criteria();
+    }
   }
 
   private Optional<Diagnostic> problem(
-      List<CaseCriteria> those,
-      CampaignCase first,
-      Function<CampaignCase, Optional<Diagnostic>> reader) {
+      CampaignCase first, Function<CampaignCase, Optional<Diagnostic>> reader) {
+    List<CaseCriteria> those = those(first);
     CaseCriteria last = those.isEmpty() ? plan.criteria().get(0) : those.get(those.size() - 1);
     return reader
         .apply(first)

@@ -93,18 +93,29 @@ final class ScenarioTemplate {
         Document.parse(text, DocumentFormat.YAML, CampaignRules.OF_DOCUMENTS, finding -> {}).root();
   }
 
-  /** Returns the criteria of all cases. */
-  List<Expectation> criteria() {
-    return cases
-        .read(SourceText.of(file.toString(), scenario.toPrettyString()), usualBench)
-        .criteria();
+  /** Returns the texts of the criteria of each kind of cases to which a search may come. */
+  List<List<String>> criteriaOfSearch() {
+    return criteria.kinds(new SearchSpace(plan).tried()).stream()
+        .flatMap(kind -> kind.stream().map(this::texts).filter(it -> !it.isEmpty()).limit(1))
+        .toList();
+  }
+
+  /** Returns the texts of the criteria of a case; none if it cannot be read. */
+  private List<String> texts(CampaignCase each) {
+    try {
+      return of(each).scenario().criteria().stream().map(Expectation::text).toList();
+    } catch (DiagnosticException e) {
+      return List.of();
+    }
   }
 
   /**
    * Returns a finding for each path that leads nowhere, or where another one leads, and for the
    * first criteria that no case can have.
+   *
+   * @param isSearched whether the cases are those to which a search comes
    */
-  List<Diagnostic> check() {
+  List<Diagnostic> check(boolean isSearched) {
     List<Diagnostic> found = new ArrayList<>();
     ObjectNode copy = scenario.deepCopy();
     Optional<ObjectNode> benchCopy = bench.map(ObjectNode::deepCopy);
@@ -120,16 +131,29 @@ final class ScenarioTemplate {
       }
     }
     if (found.isEmpty()) {
-      found.addAll(criteria.check(this::ofCriteria));
-    }
-    if (found.isEmpty()) {
-      List<String> texts = criteria().stream().map(Expectation::text).toList();
-      plan.points().ifPresent(it -> found.addAll(CriteriaOfCases.unknown(it, texts)));
+      found.addAll(ofCriteria(isSearched));
     }
     if (!found.isEmpty()) {
       return found;
     }
     return plan.sampling().kind() == Sampling.Kind.ROWS ? rows() : values();
+  }
+
+  /** Returns what is wrong with the criteria of cases, and with those on which points depend. */
+  private List<Diagnostic> ofCriteria(boolean isSearched) {
+    if (plan.criteria().isEmpty() && plan.points().isEmpty()) {
+      return List.of();
+    }
+    try {
+      List<CampaignCase> all =
+          isSearched ? new SearchSpace(plan).tried() : new CaseList(plan).cases();
+      List<Diagnostic> found = criteria.check(all, this::ofCriteria);
+      return found.isEmpty() && plan.points().isPresent()
+          ? new CriteriaOfPoints(plan, plan.points().get(), this::texts).check(criteria.kinds(all))
+          : found;
+    } catch (DiagnosticException e) {
+      return e.diagnostics();
+    }
   }
 
   /** Returns what is wrong with the criteria of a case. */
@@ -209,7 +233,8 @@ final class ScenarioTemplate {
     return List.of();
   }
 
-  private static <T> List<T> some(List<T> values) {
+  /** Returns some of very many values, the first and the last among them. */
+  static <T> List<T> some(List<T> values) {
     int last = values.size() - 1;
     int most = Math.min(last, MOST_TRIED);
     return IntStream.rangeClosed(0, most)

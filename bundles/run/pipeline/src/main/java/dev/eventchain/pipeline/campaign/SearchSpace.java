@@ -15,6 +15,11 @@ import java.util.SplittableRandom;
 /** The factors of a campaign as a unit cube: a coordinate is the share of a factor's values. */
 final class SearchSpace {
 
+  private static final int TRIED = 256;
+
+  /** Factors with few corners. */
+  private static final int FEW = 8;
+
   private final CampaignPlan plan;
   private final Conditions conditions;
 
@@ -34,6 +39,32 @@ final class SearchSpace {
 
   Levels levels(int factor) {
     return plan.factors().get(factor).levels();
+  }
+
+  /**
+   * Returns cases from all over the space, its corners among them if they are few: those that the
+   * conditions keep, or all if they keep none.
+   */
+  List<CampaignCase> tried() {
+    List<double[]> points = new ArrayList<>(spread(TRIED, new SplittableRandom(plan.seed())));
+    if (dimensions() <= FEW) {
+      points.addAll(corners());
+    }
+    List<CampaignCase> all = points.stream().map(this::at).distinct().toList();
+    List<CampaignCase> kept = all.stream().filter(this::keeps).toList();
+    return kept.isEmpty() ? all : kept;
+  }
+
+  private List<double[]> corners() {
+    List<double[]> corners = new ArrayList<>();
+    for (int corner = 0; corner < 1 << dimensions(); corner++) {
+      double[] point = new double[dimensions()];
+      for (int i = 0; i < point.length; i++) {
+        point[i] = (corner >> i & 1) == 0 ? 0.0 : Math.nextDown(1.0);
+      }
+      corners.add(point);
+    }
+    return corners;
   }
 
   /** Returns the case at a point. */

@@ -16,7 +16,6 @@ import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.simulation.scenario.Expectation;
 import dev.eventchain.simulation.verdict.CaseResult;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -84,8 +83,8 @@ public final class Searches {
 
   private CampaignOutcome run() {
     long start = System.nanoTime();
+    CampaignScene.requireSound(List.of(scene), true);
     requireCriterion();
-    CampaignScene.requireSound(List.of(scene));
     SearchSpace space = new SearchSpace(plan);
     CampaignStore.Cases empty = scene.cases(Optional.empty(), Shard.ALL);
     Path folder = scene.run().options().output().resolve(FOLDER);
@@ -110,14 +109,14 @@ public final class Searches {
     }
   }
 
-  /** Requires that the criterion that is minimised is the one of the scenario that begins so. */
+  /** Requires that the criterion that is minimised is the one of a case that begins so. */
   private void requireCriterion() {
     if (settings.criterion().isEmpty()) {
       return;
     }
     SearchSettings.Named named = settings.criterion().get();
-    List<String> all = scene.template().criteria().stream().map(Expectation::text).toList();
-    long meant = all.stream().filter(text -> text.startsWith(named.text())).count();
+    List<List<String>> all = scene.template().criteriaOfSearch();
+    long meant = all.stream().mapToLong(it -> count(it, named.text())).max().orElse(0);
     if (meant != 1) {
       String words = meant == 0 ? "No criterion of '%s' begins" : "Several criteria of '%s' begin";
       throw new DiagnosticException(
@@ -126,8 +125,14 @@ public final class Searches {
                   CampaignRules.SEARCH_CRITERION,
                   words.formatted(plan.scenario()) + " with '" + named.text() + "'.",
                   named.place())
-              .withHint(NearestName.hint(named.text(), all)));
+              .withHint(
+                  NearestName.hint(
+                      named.text(), all.stream().flatMap(List::stream).distinct().toList())));
     }
+  }
+
+  private static long count(List<String> texts, String beginning) {
+    return texts.stream().filter(text -> text.startsWith(beginning)).count();
   }
 
   /** Searches on a thread of its own, while this one simulates what is asked for. */

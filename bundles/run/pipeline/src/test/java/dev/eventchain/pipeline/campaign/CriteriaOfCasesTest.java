@@ -12,12 +12,14 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
+import dev.eventchain.pipeline.campaign.plan.CaseList;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.scenario.CaseReader;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -118,7 +120,9 @@ class CriteriaOfCasesTest {
   void whatNoCaseCanHaveIsFoundBeforeTheFirstOne(String entry, String message) throws IOException {
     CampaignPlan plan = plan("- " + entry);
     CriteriaOfCases criteria = new CriteriaOfCases(plan);
-    List<Diagnostic> found = criteria.check(each -> problem(criteria, each));
+    List<Diagnostic> found =
+        new ArrayList<>(CriteriaOfCases.withoutCase(List.of(plan), List.of(plan)));
+    found.addAll(criteria.check(new CaseList(plan).cases(), each -> problem(criteria, each)));
     assertEquals(1, found.size(), found::toString);
     assertEquals("campaign.criteria", found.get(0).id());
     assertEquals(5, found.get(0).location().line());
@@ -135,24 +139,6 @@ class CriteriaOfCasesTest {
     } catch (IOException e) {
       throw new IllegalStateException(e);
     }
-  }
-
-  @Test
-  void pointsDependOnCriteriaThatThereAre() throws IOException {
-    Path file = folder.resolve("p.yaml");
-    String text =
-        """
-        scenario: s
-        factors: {f: {path: p, values: [1]}}
-        points: {source: p, most: 1, criteria: [no impact, the lane is held]}
-        """;
-    CampaignPlan plan = CampaignReader.read(Files.writeString(file, text)).get(0);
-    List<Diagnostic> found =
-        CriteriaOfCases.unknown(
-            plan.points().orElseThrow(), List.of("no impact", "the lane is kept (always x)"));
-    assertEquals(
-        List.of("No criterion of the cases begins with 'the lane is held'."),
-        found.stream().map(Diagnostic::message).toList());
   }
 
   @Test

@@ -66,6 +66,12 @@ public record CampaignPlan(
         : Optional.empty();
   }
 
+  /** Returns whether it has a list of cases: a grid has no end of values that have to be drawn. */
+  public boolean isListed() {
+    return sampling.kind().isDrawn()
+        || factors.stream().noneMatch(factor -> factor.levels().isContinuous());
+  }
+
   /** Returns the plan of a search: each combination once, and no grid. */
   public CampaignPlan ofSearch() {
     return new CampaignPlan(
@@ -160,6 +166,15 @@ public record CampaignPlan(
    */
   public Optional<Points.Score> score(CampaignCase each, CaseResult result) {
     return points.map(it -> it.of(allNumbers(each), result));
+  }
+
+  /**
+   * Returns whether points are counted for a case.
+   *
+   * @throws DiagnosticException (INPUT) if a formula has no value
+   */
+  public boolean counts(CampaignCase each) {
+    return points.isPresent() && points.get().isCounted(allNumbers(each));
   }
 
   /**

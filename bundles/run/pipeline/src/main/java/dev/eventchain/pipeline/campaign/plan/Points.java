@@ -116,7 +116,7 @@ public record Points(
     return labels.contains(Label.UNTESTED) ? OptionalDouble.empty() : OptionalDouble.of(points);
   }
 
-  private boolean isCounted(Map<String, Double> numbers) {
+  boolean isCounted(Map<String, Double> numbers) {
     return counted.stream().allMatch(each -> each.holds().test(numbers));
   }
 
