@@ -126,7 +126,7 @@ class UnitConversionTest {
     project.requireNotPassed();
   }
 
-  /** Templates that were made before units were converted. */
+  /** Templates of a project from before units were converted: its nodes, then all of them. */
   @Test
   void whatTemplatesDoNotConvertIsNotGenerated() throws IOException {
     project.write(
@@ -139,10 +139,20 @@ class UnitConversionTest {
         [chain.main()/]
         [/template]
         """);
-    String units = Files.readString(Program.ROOT.resolve("templates/python/units.mtl"));
-    String stated = "data.componentUnit.orEmpty().trim() <> '' and";
-    assertTrue(units.contains(stated), units);
-    project.write("templates/python/units.mtl", units.replace(stated, "false and"));
+    project.write(
+        "templates/node.mtl",
+        """
+        [module node('http://eventchain.dev/eventchain/1.0')]
+        [import python::names /]
+        [import python::python /]
+        [template public nodeModule(chain : EventChain, node : SoftwareNode)]
+        class [node.nodeClass()/]:
+            [for (data : Data | node.inputs())]
+            def on_[data.keyword()/](self, message):
+                self.received[ '[' /][data.keyword().literal()/][ ']' /] = message[data.fieldPath()/]
+            [/for]
+        [/template]
+        """);
     project.write(
         "eventchain.yaml",
         Files.readString(project.path().resolve("eventchain.yaml"))

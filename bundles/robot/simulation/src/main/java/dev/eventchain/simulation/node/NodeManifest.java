@@ -212,7 +212,10 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
 
   private Diagnostic unconverted(SoftwareNode component, String value) {
     return problem(
-        "The node of '%s' does not convert %s.".formatted(component.getName(), value), "/nodes");
+            "The node of '%s' does not convert %s.".formatted(component.getName(), value), "/nodes")
+        .withHint(
+            "Generate again with templates that convert it and say so by"
+                + " [chain.manifestFile(true)/], or convert inside the component.");
   }
 
   /** Returns the file of a module, relative to the folder on the Python path. */

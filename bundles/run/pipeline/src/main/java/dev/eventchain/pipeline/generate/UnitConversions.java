@@ -78,6 +78,6 @@ final class UnitConversions {
                                 ComponentUnits.of(data)),
                         model.locate(data))
                     .withHint(
-                        "Import python::units for the conversion, and python::manifest to say that it is done."));
+                        "Convert with python::units, and say so by [chain.manifestFile(true)/] of python::manifest."));
   }
 }
