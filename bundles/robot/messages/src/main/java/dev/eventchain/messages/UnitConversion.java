@@ -70,12 +70,15 @@ public final class UnitConversion {
 
   /**
    * Returns the operators that convert an operand to their left, as most programming languages
-   * write them: {@code "/ 3.6"}, {@code "* 1.8 + 32.0"}; empty for equal units. The result has
-   * floating point also where the operand is an integer.
+   * write them: {@code "/ 3.6"}, {@code "* 1.8 + 32.0"}; {@code "* 1.0"} for equal units with
+   * different spellings. The result has floating point also where the operand is an integer.
    */
   public String operators() {
-    String scaled = factor == 1.0 ? "" : (divides ? "/ " : "* ") + literal(factor);
     String shifted = shift == 0.0 ? "" : (shift < 0 ? "- " : "+ ") + literal(Math.abs(shift));
+    if (factor == 1.0 && !shifted.isEmpty()) {
+      return shifted;
+    }
+    String scaled = (divides ? "/ " : "* ") + literal(factor);
     return (scaled + " " + shifted).strip();
   }
 

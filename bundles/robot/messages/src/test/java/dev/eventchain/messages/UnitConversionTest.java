@@ -29,8 +29,9 @@ class UnitConversionTest {
     "kPa, bar, / 100.0, 250, 2.5",
     "us, s, / 1000000.0, 5, 0.000005",
     "s, ns, * 1.0e9, 2, 2000000000",
-    "km/h, kmh, '', 7, 7",
-    "K/s, degC/s, '', 7, 7",
+    "km/h, kmh, * 1.0, 7, 7",
+    "K/s, degC/s, * 1.0, 7, 7",
+    "%, percent, * 1.0, 50, 50",
   })
   void numbersAreConvertedAsTheOperatorsSay(
       String from, String to, String operators, double number, double expected) {
