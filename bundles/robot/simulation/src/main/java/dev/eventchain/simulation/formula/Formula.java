@@ -180,12 +180,12 @@ public final class Formula {
   }
 
   /**
-   * Returns whether the premises of all its implications came true in a run; false if it has no
-   * implication.
+   * Returns whether a run that ended too early came to something that the formula asks for: to the
+   * premise of one of its implications, with those that the conclusion has, or to a part without
+   * any premise. Parts that are decided do not count.
    */
-  public boolean cameToPremises(Trace trace) {
-    FormulaEvaluation strict = FormulaEvaluation.strictly(condition, new SampledRun(trace));
-    return strict.hasImplication() && !strict.isVacuous();
+  public boolean cameToPremise(Trace trace) {
+    return FormulaEvaluation.strictly(condition, new SampledRun(trace)).isOpen();
   }
 
   private static Outcome unknown(FormulaEvaluation evaluation, SampledRun run) {

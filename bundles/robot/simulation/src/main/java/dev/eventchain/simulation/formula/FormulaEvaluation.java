@@ -88,15 +88,25 @@ final class FormulaEvaluation {
     }
   }
 
-  /** Returns whether it or a part of it is an implication. */
-  boolean hasImplication() {
-    return condition instanceof Condition.Implication
-        || parts.stream().anyMatch(FormulaEvaluation::hasImplication);
+  /**
+   * Returns whether it is unknown at the start although the run came to something that it asks for.
+   * Of a conjunction or a disjunction at the start, only the unknown parts count.
+   */
+  boolean isOpen() {
+    return condition instanceof Condition.Junction
+        ? parts.stream().anyMatch(FormulaEvaluation::isOpen)
+        : verdict() == Robustness.UNKNOWN && asks();
   }
 
-  /** Returns whether it or a part of it is true only as nothing came that could make it false. */
-  boolean isVacuous() {
-    return vacuity.isPresent() || parts.stream().anyMatch(FormulaEvaluation::isVacuous);
+  /**
+   * Returns whether it asks for something that is behind no premise, or behind premises all of
+   * which came true: an implication asks for what its conclusion asks for, once its premise holds.
+   */
+  private boolean asks() {
+    if (condition instanceof Condition.Implication) {
+      return vacuity.isEmpty() && parts.get(1).asks();
+    }
+    return parts.isEmpty() || parts.stream().anyMatch(FormulaEvaluation::asks);
   }
 
   /** Returns the truth at the start, see {@link Robustness}. */

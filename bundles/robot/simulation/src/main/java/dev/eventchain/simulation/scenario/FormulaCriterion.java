@@ -105,7 +105,7 @@ public record FormulaCriterion(
 
   @Override
   public boolean cameToPremise(Trace trace) {
-    return formula.cameToPremises(trace);
+    return formula.cameToPremise(trace);
   }
 
   @Override

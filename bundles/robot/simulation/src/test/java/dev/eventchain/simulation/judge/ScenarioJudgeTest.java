@@ -24,6 +24,8 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests what a judge keeps of the runs that it judges. */
 class ScenarioJudgeTest {
@@ -151,6 +153,34 @@ class ScenarioJudgeTest {
     assertEquals(List.of(), unasked(allowed, met, 0.0), "the impact ended the run too soon");
     assertEquals(List.of(never), unasked(allowed, never, 0.0));
     assertEquals(List.of(met), unasked(allowed, met, 1.0), "the vehicle brakes in time");
+  }
+
+  private static final String MET = "ttc < 1 s implies eventually[0, 0.2] ego.speed > 1 m/s";
+  private static final String NEVER_MET = "brake > 0.5 implies ego.speed > 0 m/s";
+
+  /** Formulas that the impact, which ends the run, leaves undecided. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "always[0, 7] ((" + MET + ") and (" + NEVER_MET + "))",
+        "always[0, 7] (" + NEVER_MET + ") and always[0, 7] (" + MET + ")",
+        "always[0, 7] (ttc < 2 s implies (" + MET + "))",
+        "always[0, 7] (ttc < 1 s implies (ego.speed > 1 m/s and (" + NEVER_MET + ")))",
+        "eventually[0, 7] (brake > 0.5)",
+      })
+  void whatARunCameToIsNotLeftAside(String formula) throws Exception {
+    assertEquals(List.of(), unasked("maximal_impact_speed_kmh: 90, ", formula, 0.0));
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "always[0, 7] (ttc < 1 s implies (" + NEVER_MET + "))",
+        "always[0, 7] ((" + NEVER_MET + ") and (ego.speed > 15 m/s implies brake > 0))",
+        "always[0, 1] (ttc < 9 s implies ego.speed > 1 m/s) and always[0, 7] (" + NEVER_MET + ")",
+      })
+  void whatARunDidNotComeToIsLeftAside(String formula) throws Exception {
+    assertEquals(List.of(formula), unasked("maximal_impact_speed_kmh: 90, ", formula, 0.0));
   }
 
   /** Returns the formulas that a run with an optional one does not ask. */
