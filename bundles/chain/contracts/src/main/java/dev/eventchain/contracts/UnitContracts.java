@@ -158,8 +158,8 @@ final class UnitContracts {
   }
 
   /**
-   * Returns the change of an unknown unit to that of the other side, if that is known. Similar texts
-   * are no evidence that both are the same: "f/s" is one letter from "m/s".
+   * Returns the change of an unknown unit to that of the other side, if that is known. Similar
+   * texts are no evidence that both are the same: "f/s" is one letter from "m/s".
    */
   private static Change respelling(String here, Optional<Unit> other) {
     if (other.isEmpty() || Unit.parse(here).isPresent()) {

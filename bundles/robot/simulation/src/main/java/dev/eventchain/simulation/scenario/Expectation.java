@@ -65,8 +65,8 @@ public interface Expectation {
   Outcome judge(Trace trace);
 
   /**
-   * Returns whether a run that ended too early to decide it came to what it asks for: a premise came
-   * true, or it has none; false where only its kind tells when it asks for something.
+   * Returns whether a run that ended too early to decide it came to what it asks for: a premise
+   * came true, or it has none; false where only its kind tells when it asks for something.
    */
   default boolean cameToPremise(Trace trace) {
     return false;
