@@ -34,6 +34,7 @@ public final class StrengthTrials {
 
   private final Map<SoftwareNode, List<String>> requirements = new LinkedHashMap<>();
   private final Map<String, List<FaultTrial>> trials = new LinkedHashMap<>();
+  private final Branches branches;
   private final StrengthBudget budget;
   private Optional<TrialRound<FaultTrial>> last = Optional.empty();
   private int rounds;
@@ -45,6 +46,7 @@ public final class StrengthTrials {
    */
   public StrengthTrials(SimulatedChain chain, List<ScenarioRun> runs, StrengthBudget budget) {
     this.budget = budget;
+    this.branches = new Branches(chain.nodes());
     ScenarioJudge judge = new ScenarioJudge(chain, runs, true);
     List<JudgedScenario> scenarios =
         runs.stream()
@@ -138,13 +140,15 @@ public final class StrengthTrials {
       case 1 -> sample();
       case 2 -> unlimited(ids(this::isShort), MOST_SCENARIOS);
       case 3 -> unlimited(ids(each -> each.noticed() == 0), Integer.MAX_VALUE);
-      case 4 -> everyScenario(ids(each -> isBelowMinimum(each.sharpest())));
+      case 4 -> everyScenario(ids(each -> isBelowMinimum(each.counted())));
       default -> everywhere(ids(each -> !each.needed()));
     };
   }
 
   private boolean isShort(Strength.Requirement measured) {
-    return measured.noticed() == 0 || isBelowMinimum(measured);
+    return measured.noticed() == 0
+        || isBelowMinimum(measured)
+        || isBelowMinimum(measured.counted());
   }
 
   private boolean isBelowMinimum(Strength.Requirement measured) {
@@ -225,11 +229,9 @@ public final class StrengthTrials {
   }
 
   private Strength.Requirement requirement(String id) {
-    List<String> components =
-        requirements.keySet().stream()
-            .filter(node -> requirements.get(node).contains(id))
-            .map(SoftwareNode::getName)
-            .toList();
+    List<SoftwareNode> nodes =
+        requirements.keySet().stream().filter(node -> requirements.get(node).contains(id)).toList();
+    List<String> components = nodes.stream().map(SoftwareNode::getName).toList();
     Set<String> asked = askedFor(id);
     boolean needed =
         components.stream()
@@ -240,6 +242,7 @@ public final class StrengthTrials {
     return new Strength.Requirement(
         id,
         components,
+        branches.of(id, nodes),
         asked,
         needed,
         all().stream().flatMap(it -> it.reaction(id).stream()).toList(),

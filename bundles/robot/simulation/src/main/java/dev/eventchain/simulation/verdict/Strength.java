@@ -24,6 +24,9 @@ public record Strength(
 
   private static final double PERCENT = 100;
 
+  /** The number of faults of whole messages, which each output that changes has. */
+  private static final int ENOUGH = 6;
+
   /** Copies the list. */
   public Strength {
     requirements = List.copyOf(requirements);
@@ -39,6 +42,9 @@ public record Strength(
    *
    * @param id the identifier of the requirement
    * @param components the components that satisfy it
+   * @param branches the branches of the data flow between them. Each begins with the component in
+   *     which it ends, such as one with an output that is marked with the requirement, and goes on
+   *     with those that contribute to this branch only
    * @param outputs the topics of their outputs that are marked with it; empty if none is, so that
    *     each of their outputs may be what it asks for
    * @param needed true if a criterion of any scenario notices that nothing, or always the same, is
@@ -50,6 +56,7 @@ public record Strength(
   public record Requirement(
       String id,
       List<String> components,
+      List<List<String>> branches,
       Set<String> outputs,
       boolean needed,
       List<Reaction> reactions,
@@ -58,6 +65,7 @@ public record Strength(
     /** Copies the lists. */
     public Requirement {
       components = List.copyOf(components);
+      branches = branches.stream().map(List::copyOf).toList();
       outputs = Collections.unmodifiableSortedSet(new TreeSet<>(outputs));
       reactions = List.copyOf(reactions);
     }
@@ -78,24 +86,41 @@ public record Strength(
     }
 
     /**
-     * Returns the same for the faults of one component only: the one of which the criteria notice
-     * the largest part, the first of equal ones. A design that lets more components contribute to a
-     * requirement is not tested less.
+     * Returns the same for the faults of the components that count for a bound: one of each branch,
+     * as if one component did what these do. A design that lets more components contribute to a
+     * requirement is not tested less. Where outputs are marked with the requirement, and the
+     * criteria notice nothing of the component of one, that component alone counts.
      */
-    public Requirement sharpest() {
-      return components.stream()
-          .map(this::of)
-          .reduce((one, other) -> other.percent() > one.percent() ? other : one)
-          .orElse(this);
+    public Requirement counted() {
+      List<Requirement> found = branches.stream().map(this::sharpest).toList();
+      return found.stream()
+          .filter(each -> !outputs.isEmpty() && each.noticed() == 0)
+          .findFirst()
+          .orElseGet(() -> of(found.stream().flatMap(it -> it.components.stream()).toList()));
     }
 
-    private Requirement of(String component) {
+    /**
+     * Returns the strength of the component of a branch of which the criteria notice the largest
+     * part. Those that only contribute need enough faults: a single one that is noticed says
+     * little.
+     */
+    private Requirement sharpest(List<String> branch) {
+      Requirement end = of(branch.subList(0, 1));
+      return branch.stream()
+          .skip(1)
+          .map(name -> of(List.of(name)))
+          .filter(each -> each.faults() >= ENOUGH)
+          .reduce(end, (one, other) -> other.percent() > one.percent() ? other : one);
+    }
+
+    private Requirement of(List<String> some) {
       return new Requirement(
           id,
-          List.of(component),
+          some,
+          some.stream().map(List::of).toList(),
           outputs,
           needed,
-          reactions.stream().filter(each -> each.component().equals(component)).toList(),
+          reactions.stream().filter(each -> some.contains(each.component())).toList(),
           leftOut);
     }
 

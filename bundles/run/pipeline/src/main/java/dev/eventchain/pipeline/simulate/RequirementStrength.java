@@ -94,10 +94,10 @@ public final class RequirementStrength {
     if (!measured.needed()) {
       return Optional.of(idle(item, measured));
     }
-    Strength.Requirement sharpest = measured.sharpest();
-    return sharpest.percent() >= settings.minimumOf(item.id())
+    Strength.Requirement counted = measured.counted();
+    return counted.percent() >= settings.minimumOf(item.id())
         ? Optional.empty()
-        : Optional.of(low(item, sharpest, measured.components().size() > 1));
+        : Optional.of(low(item, counted, measured.components().size() > 1));
   }
 
   private static Diagnostic none(WrittenRequirement item, Strength.Requirement measured) {
@@ -124,9 +124,9 @@ public final class RequirementStrength {
   }
 
   /**
-   * Returns the finding that too few faults of a component are noticed.
+   * Returns the finding that too few faults are noticed.
    *
-   * @param measured the strength on the component of which the largest part is noticed
+   * @param measured the strength on the components that count
    * @param several true if the requirement has further components
    */
   private Diagnostic low(WrittenRequirement item, Strength.Requirement measured, boolean several) {
@@ -135,17 +135,20 @@ public final class RequirementStrength {
         SimulateRules.SIMULATION_STRENGTH_LOW,
         String.format(
             Locale.ROOT,
-            "The criteria of %s notice %d of %d standard faults%s, which is %.1f %% and not %.1f %%. Not: %s.",
+            "The criteria of %s notice %d of %d standard faults%s: %.1f %% and not %.1f %%. Not: %s.",
             item.id(),
             measured.noticed(),
             measured.faults(),
-            several
-                ? " of " + components(measured) + ", the component of which they notice most"
-                : "",
+            several ? counting(measured) : "",
             measured.percent(),
             settings.minimumOf(item.id()),
             named(measured)),
         "Add criteria that notice them");
+  }
+
+  private static String counting(Strength.Requirement counted) {
+    return " of %s, which %s for the bound"
+        .formatted(components(counted), counted.components().size() == 1 ? "counts" : "count");
   }
 
   private static Diagnostic finding(

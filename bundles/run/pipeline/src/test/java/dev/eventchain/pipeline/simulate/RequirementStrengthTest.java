@@ -15,7 +15,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.stream.Stream;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 /** Tests the findings about the strength of evidence. */
@@ -66,15 +67,51 @@ class RequirementStrengthTest {
 
   @Test
   void aDesignMayLetFurtherComponentsContribute() {
-    List<Reaction> half = List.of(reaction("Brake", true), reaction("Brake", false));
-    List<Reaction> more = new ArrayList<>(half);
-    more.addAll(List.of(reaction("Radar", false), reaction("Radar", false)));
-    assertTrue(strength(true, half, 0).findings().isEmpty());
-    assertTrue(strength(true, more, 0).findings().isEmpty());
-    more.add(reaction("Brake", false));
-    Diagnostic found = only(strength(true, more, 0));
+    List<List<String>> upstream = List.of(List.of("Brake", "Radar"));
+    List<Reaction> more = reactions("Brake", 4, 8);
+    more.addAll(reactions("Radar", 0, 33));
+    assertTrue(strength(upstream, Set.of(), more).findings().isEmpty());
+    List<Reaction> less = reactions("Brake", 3, 8);
+    less.addAll(reactions("Radar", 0, 33));
+    Diagnostic found = only(strength(upstream, Set.of(), less));
     assertEquals("simulation.strength.low", found.id());
-    assertTrue(found.message().contains("1 of 3 standard faults of 'Brake'"), found.message());
+    assertTrue(
+        found.message().contains("3 of 8 standard faults of 'Brake', which counts for the bound:"),
+        found.message());
+    List<Reaction> sharp = reactions("Brake", 3, 8);
+    sharp.addAll(reactions("Radar", 5, 9));
+    assertTrue(strength(upstream, Set.of(), sharp).findings().isEmpty());
+  }
+
+  @Test
+  void aContributionWithFewFaultsDoesNotCount() {
+    List<Reaction> reactions = reactions("Filter", 1, 1);
+    reactions.addAll(reactions("Brake", 2, 12));
+    Diagnostic found = only(strength(List.of(List.of("Brake", "Filter")), Set.of(), reactions));
+    assertTrue(found.message().contains("2 of 12 standard faults of 'Brake'"), found.message());
+  }
+
+  @Test
+  void effectsThatNothingJudgesCount() {
+    List<List<String>> both = List.of(List.of("Warner"), List.of("Brake"));
+    List<Reaction> reactions = reactions("Warner", 9, 9);
+    reactions.addAll(reactions("Brake", 0, 12));
+    Diagnostic marked = only(strength(both, Set.of("/warning", "/brake"), reactions));
+    assertTrue(marked.message().contains("0 of 12 standard faults of 'Brake'"), marked.message());
+    Diagnostic found = only(strength(both, Set.of(), reactions));
+    assertTrue(
+        found
+            .message()
+            .contains("9 of 21 standard faults of 'Warner' and 'Brake', which count for the bound"),
+        found.message());
+    reactions.addAll(reactions("Brake", 5, 5));
+    assertTrue(strength(both, Set.of("/warning", "/brake"), reactions).findings().isEmpty());
+  }
+
+  private static List<Reaction> reactions(String component, int noticed, int faults) {
+    return IntStream.range(0, faults)
+        .mapToObj(i -> reaction(component, i < noticed))
+        .collect(Collectors.toCollection(ArrayList::new));
   }
 
   private static Reaction reaction(String component, boolean noticed) {
@@ -108,13 +145,25 @@ class RequirementStrengthTest {
 
   private static RequirementStrength strength(
       boolean needed, List<Reaction> reactions, int leftOut) {
-    List<String> components =
-        Stream.concat(Stream.of("Brake"), reactions.stream().map(Reaction::component))
-            .distinct()
-            .toList();
+    List<List<String>> alone = List.of(List.of("Brake"));
+    return strength(needed, alone, Set.of("/emergency"), reactions, leftOut);
+  }
+
+  private static RequirementStrength strength(
+      List<List<String>> branches, Set<String> outputs, List<Reaction> reactions) {
+    return strength(true, branches, outputs, reactions, 0);
+  }
+
+  private static RequirementStrength strength(
+      boolean needed,
+      List<List<String>> branches,
+      Set<String> outputs,
+      List<Reaction> reactions,
+      int leftOut) {
+    List<String> components = branches.stream().flatMap(List::stream).toList();
     Strength.Requirement requirement =
         new Strength.Requirement(
-            "BRK-1", components, Set.of("/emergency"), needed, reactions, leftOut);
+            "BRK-1", components, branches, outputs, needed, reactions, leftOut);
     int tried = reactions.size();
     Strength measured = new Strength(List.of(requirement), tried, 30, tried, tried + leftOut);
     WrittenRequirement written =
