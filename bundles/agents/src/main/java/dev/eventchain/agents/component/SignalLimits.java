@@ -3,6 +3,7 @@ package dev.eventchain.agents.component;
 import dev.eventchain.agents.chain.ChainView.Component;
 import dev.eventchain.agents.chain.ChainView.Port;
 import dev.eventchain.agents.chain.ChainView.Value;
+import dev.eventchain.messages.FieldType;
 import dev.eventchain.messages.RosNames;
 import dev.eventchain.model.Signal;
 import java.util.ArrayList;
@@ -54,7 +55,7 @@ final class SignalLimits {
     List<Object> limits = new ArrayList<>();
     if (type.equals("string")) {
       limits.addAll(stated.texts());
-    } else if (type.matches("float(32|64)?|double|char|u?int(8|16|32|64)")) {
+    } else if (type.matches(FieldType.NUMBER)) {
       limits.addAll(around(stated.least(), type));
       limits.addAll(around(stated.most(), type));
     }

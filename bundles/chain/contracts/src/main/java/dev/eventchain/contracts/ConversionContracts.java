@@ -70,20 +70,12 @@ final class ConversionContracts {
     }
     return types
         .fieldType(data)
-        .filter(type -> !isNumber(type))
+        .filter(type -> !type.toString().matches(FieldType.NUMBER))
         .map(
             type ->
                 new Problem(
                     "it is no single number, but %s".formatted(type),
                     "Convert inside the component, and leave its unit out."));
-  }
-
-  private static boolean isNumber(FieldType type) {
-    return type.shape() == FieldType.Shape.SINGLE
-        && switch (type.kind()) {
-          case BOOL, BYTE, STRING, MESSAGE -> false;
-          default -> true;
-        };
   }
 
   private static Optional<Problem> ofUnits(Data data) {

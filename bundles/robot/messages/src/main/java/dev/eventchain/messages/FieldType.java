@@ -15,6 +15,9 @@ import java.util.Optional;
 public record FieldType(
     Kind kind, Optional<MessageType> message, Shape shape, int size, int stringBound) {
 
+  /** Pattern of the types of single numbers, with those that other languages call otherwise. */
+  public static final String NUMBER = "float(32|64)?|double|char|u?int(8|16|32|64)";
+
   /** Primitive types of the message language; {@code char} is {@code uint8} in ROS 2. */
   public enum Kind {
     /** True or false, one byte. */
