@@ -44,7 +44,7 @@ public final class ImplementStage implements StageWork {
         .addFile(run.project().softwareBase().resolve("components.json"))
         .add(run.project().configuration().models("test"))
         .addFiles(TestFiles.ofProject(run.project()));
-    if (run.softwareBase().catalogue().isPresent()) {
+    if (run.project().catalogue().isPresent()) {
       fingerprint.addFiles(run.project().signalFiles()); // components are called at their limits
     }
     if (!TestFiles.ofProject(run.project()).isEmpty()) {
