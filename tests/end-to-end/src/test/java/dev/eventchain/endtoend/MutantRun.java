@@ -109,12 +109,13 @@ final class MutantRun {
 
   /** Returns the verdicts, in the order of the trials. */
   List<ScenarioVerdict> simulate(List<Trial> trials) throws IOException {
+    int processes = Math.min(PROCESSES, trials.size());
     List<CompletableFuture<List<ScenarioVerdict>>> parts = new ArrayList<>();
-    for (int i = 0; i < PROCESSES; i++) {
+    for (int i = 0; i < processes; i++) {
       int turn = i;
       List<Trial> part =
           IntStream.range(0, trials.size())
-              .filter(index -> index % PROCESSES == turn)
+              .filter(index -> index % processes == turn)
               .mapToObj(trials::get)
               .toList();
       Path copy = Files.createTempDirectory(folder, "package");
@@ -123,7 +124,7 @@ final class MutantRun {
     }
     List<List<ScenarioVerdict>> verdicts = parts.stream().map(CompletableFuture::join).toList();
     return IntStream.range(0, trials.size())
-        .mapToObj(index -> verdicts.get(index % PROCESSES).get(index / PROCESSES))
+        .mapToObj(index -> verdicts.get(index % processes).get(index / processes))
         .toList();
   }
 
