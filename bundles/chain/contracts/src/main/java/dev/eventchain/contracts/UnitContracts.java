@@ -134,7 +134,11 @@ final class UnitContracts {
               .formatted(unit.isEmpty() ? here : there);
       return Optional.of(new Clash(Severity.WARNING, hint, respelling(here, other)));
     }
-    return switch (unit.get().relationTo(other.get())) {
+    return clash(unit.get(), other.get(), there, writes);
+  }
+
+  private static Optional<Clash> clash(Unit unit, Unit other, String there, boolean writes) {
+    return switch (unit.relationTo(other)) {
       case SAME -> Optional.empty();
       case ANGLE ->
           Optional.of(
@@ -150,10 +154,7 @@ final class UnitContracts {
                   Change.NONE));
       case CONVERTIBLE ->
           Optional.of(
-              new Clash(
-                  Severity.ERROR,
-                  conversion(unit.get(), other.get(), there, writes),
-                  Change.WITH_CODE));
+              new Clash(Severity.ERROR, conversion(unit, other, there, writes), Change.WITH_CODE));
     };
   }
 

@@ -26,9 +26,10 @@ public record HostFailures(String who, Supplier<LastWords> lastWords, UserFiles 
   /** Time in which a process whose output has ended should be gone, so that its exit code is. */
   private static final Duration PATIENCE = Duration.ofSeconds(1);
 
-  /** What an exit code is above the number of a signal, and the greatest such number on Linux. */
+  /** Difference between an exit code and the signal that ended the process. */
   private static final int SIGNALS = 128;
 
+  /** The greatest number of a signal on Linux. */
   private static final int LAST_SIGNAL = 64;
 
   /**

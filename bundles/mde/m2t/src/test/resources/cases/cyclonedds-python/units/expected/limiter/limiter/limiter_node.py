@@ -141,7 +141,7 @@ class Limiter_node:
         message = runner.newest(self.reader_limit)
         if message is not None:
             # km/h
-            value = message.data
+            value = message.data * 1.0
             received = self.received
             received["limit_that_somebody_has_set_with_the_wheel"] = value
 

@@ -107,4 +107,4 @@ def test_a_message_of_each_topic_executes_the_component() -> None:
     assert given["speed"] == 1.5 / 3.6
     assert given["pedal"] == 2 / 100.0
     assert given["temperature"] == 3.5 * 1.8 + 32.0
-    assert given["limit_that_somebody_has_set_with_the_wheel"] == 4.5
+    assert given["limit_that_somebody_has_set_with_the_wheel"] == 4.5 * 1.0

@@ -161,6 +161,7 @@ class Limiter_node(rclpy.node.Node):
         """Keep what arrived on the topic until the next execution."""
         # km/h
         value = message.data
+        value = value * 1.0
         self.received["limit_that_somebody_has_set_with_the_wheel"] = value
 
     def too_old(self) -> list[str]:

@@ -159,7 +159,7 @@ INPUTS = {
     "speed": 1.5 / 3.6,
     "pedal": 2 / 100.0,
     "temperature": 3.5 * 1.8 + 32.0,
-    "limit_that_somebody_has_set_with_the_wheel": 4.5,
+    "limit_that_somebody_has_set_with_the_wheel": 4.5 * 1.0,
 }
 
 OUTPUTS = {
