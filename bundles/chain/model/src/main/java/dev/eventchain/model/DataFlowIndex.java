@@ -4,10 +4,13 @@ import dev.eventchain.messages.RosNames;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -61,6 +64,19 @@ public final class DataFlowIndex {
   /** Returns the components that read data of this one, including itself if it does. */
   public List<SoftwareNode> successors(SoftwareNode node) {
     return view(successors, node);
+  }
+
+  /**
+   * Returns the components that data of this one reach, through others as well, the nearest first;
+   * including itself if data of it come back.
+   */
+  public Set<SoftwareNode> behind(SoftwareNode node) {
+    Set<SoftwareNode> reached = new LinkedHashSet<>();
+    Deque<SoftwareNode> open = new ArrayDeque<>(List.of(node));
+    while (!open.isEmpty()) {
+      successors(open.remove()).stream().filter(reached::add).forEach(open::add);
+    }
+    return reached;
   }
 
   /** Returns the outputs that feed an input. */

@@ -6,9 +6,7 @@ import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.SoftwareNode;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -87,15 +85,12 @@ final class Arrivals {
    * Returns the topics that a component reads, except for those written by components behind it.
    */
   Set<String> topics(SoftwareNode first) {
-    Set<SoftwareNode> behind = new LinkedHashSet<>(List.of(first));
-    Deque<SoftwareNode> open = new ArrayDeque<>(behind);
-    while (!open.isEmpty()) {
-      flow.successors(open.remove()).stream().filter(behind::add).forEach(open::add);
-    }
+    Set<SoftwareNode> behind = flow.behind(first);
     Set<String> found = new LinkedHashSet<>();
     for (Data input : first.getInput()) {
       TopicIndex.nameOf(input, first)
-          .filter(topic -> writers(topic).stream().noneMatch(behind::contains))
+          .filter(
+              topic -> writers(topic).stream().noneMatch(it -> it == first || behind.contains(it)))
           .ifPresent(found::add);
     }
     return found;

@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.RosNames;
+import dev.eventchain.model.DataFlowIndex;
 import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.eventchain.ComponentImplementation;
 import dev.eventchain.model.eventchain.Data;
@@ -91,6 +92,11 @@ public final class SimulatedChain {
   /** Returns the message types that the nodes use. */
   public MessageCatalog catalog() {
     return catalog;
+  }
+
+  /** Returns the data flow between all nodes of the chain. */
+  public DataFlowIndex flow() {
+    return DataFlowIndex.of(chain);
   }
 
   /** Returns the nodes, in chain order. */

@@ -1,47 +1,18 @@
 package dev.eventchain.simulation.strength;
 
-import dev.eventchain.model.TopicIndex;
-import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.DataFlowIndex;
 import dev.eventchain.model.eventchain.SoftwareNode;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Collection;
-import java.util.Deque;
-import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.Set;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /** The branches of the data flow between the components of a requirement. */
 final class Branches {
 
-  private final Map<SoftwareNode, Set<SoftwareNode>> behind = new LinkedHashMap<>();
+  private final DataFlowIndex flow;
 
-  /** Creates the branches of a chain with all of its components. */
-  Branches(Collection<SoftwareNode> nodes) {
-    nodes.forEach(node -> behind.put(node, behind(node, nodes)));
-  }
-
-  /** Returns the components that read something which depends on a component. */
-  private static Set<SoftwareNode> behind(SoftwareNode start, Collection<SoftwareNode> nodes) {
-    Set<SoftwareNode> found = new HashSet<>();
-    Deque<SoftwareNode> open = new ArrayDeque<>(List.of(start));
-    while (!open.isEmpty()) {
-      SoftwareNode node = open.remove();
-      Set<String> written = topics(node, node.getOutput()).collect(Collectors.toSet());
-      nodes.stream()
-          .filter(other -> topics(other, other.getInput()).anyMatch(written::contains))
-          .filter(found::add)
-          .forEach(open::add);
-    }
-    return found;
-  }
-
-  private static Stream<String> topics(SoftwareNode node, Collection<Data> data) {
-    return data.stream().flatMap(each -> TopicIndex.nameOf(each, node).stream());
+  /** Creates the branches of a chain with this data flow. */
+  Branches(DataFlowIndex flow) {
+    this.flow = flow;
   }
 
   /**
@@ -68,8 +39,8 @@ final class Branches {
   /** Returns whether no other component is behind it; those of a cycle are all ends. */
   private boolean isEnd(SoftwareNode node, List<SoftwareNode> components) {
     return components.stream()
-        .filter(behind.get(node)::contains)
-        .allMatch(other -> behind.get(other).contains(node));
+        .filter(flow.behind(node)::contains)
+        .allMatch(other -> flow.behind(other).contains(node));
   }
 
   private List<String> branch(
@@ -77,7 +48,7 @@ final class Branches {
     List<String> names = new ArrayList<>(List.of(end.getName()));
     for (SoftwareNode node : components) {
       if (!ends.contains(node)
-          && ends.stream().filter(behind.get(node)::contains).toList().equals(List.of(end))) {
+          && ends.stream().filter(flow.behind(node)::contains).toList().equals(List.of(end))) {
         names.add(node.getName());
       }
     }

@@ -46,7 +46,7 @@ public final class StrengthTrials {
    */
   public StrengthTrials(SimulatedChain chain, List<ScenarioRun> runs, StrengthBudget budget) {
     this.budget = budget;
-    this.branches = new Branches(chain.nodes());
+    this.branches = new Branches(chain.flow());
     ScenarioJudge judge = new ScenarioJudge(chain, runs, true);
     List<JudgedScenario> scenarios =
         runs.stream()

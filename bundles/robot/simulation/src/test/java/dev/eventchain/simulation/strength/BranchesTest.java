@@ -2,7 +2,9 @@ package dev.eventchain.simulation.strength;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import dev.eventchain.model.DataFlowIndex;
 import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainFactory;
 import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
@@ -29,6 +31,7 @@ class BranchesTest {
   private static Data data(String topic) {
     Data data = EventchainFactory.eINSTANCE.createData();
     data.setTopicName(topic);
+    data.setFieldName("data");
     return data;
   }
 
@@ -39,7 +42,13 @@ class BranchesTest {
   }
 
   private List<List<String>> of(SoftwareNode... components) {
-    return new Branches(List.of(distance, time, warner, brake)).of("AEB-3", List.of(components));
+    EventChain chain = EventchainFactory.eINSTANCE.createEventChain();
+    for (SoftwareNode node : List.of(distance, time, warner, brake)) {
+      chain.getSoftware().add(node);
+      chain.getData().addAll(node.getInput());
+      chain.getData().addAll(node.getOutput());
+    }
+    return new Branches(DataFlowIndex.of(chain)).of("AEB-3", List.of(components));
   }
 
   @Test

@@ -13,11 +13,9 @@ import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.run.RunOptions.Driver;
 import dev.eventchain.pipeline.stage.RunContext;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
-import java.util.Deque;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -97,14 +95,7 @@ final class MissingTimes {
   /** Returns a component and all that data of it reach. */
   private static Set<SoftwareNode> reachable(SoftwareNode first, DataFlowIndex flow) {
     Set<SoftwareNode> reached = new LinkedHashSet<>(Set.of(first));
-    Deque<SoftwareNode> open = new ArrayDeque<>(reached);
-    while (!open.isEmpty()) {
-      for (SoftwareNode next : flow.successors(open.remove())) {
-        if (reached.add(next)) {
-          open.add(next);
-        }
-      }
-    }
+    reached.addAll(flow.behind(first));
     return reached;
   }
 
