@@ -19,9 +19,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * Tests that the scenarios of the examples fail components with safety-relevant defects, and by the
- * criterion that concerns the defect. A build tries one in {@link Thorough#DAYS} mutants, other
- * ones each day; the profile {@code thorough} tries all. {@code -Dmutants.turn=N} repeats a
- * build's.
+ * criterion that concerns the defect. A build tries one in {@link Thorough#DAYS} mutants, at least
+ * one of each example, other ones each day; the profile {@code thorough} tries all. {@code
+ * -Dmutants.turn=N} repeats a build's.
  */
 class MutantsTest {
 
@@ -36,7 +36,7 @@ class MutantsTest {
     List<Mutant> mutants = Mutant.read(MUTANTS.resolve(example + ".yaml"));
     Set<String> ids = mutants.stream().map(Mutant::id).collect(Collectors.toSet());
     assertEquals(mutants.size(), ids.size(), "two have the same id");
-    int days = Math.min(Thorough.DAYS, mutants.size()); // at least one a day
+    int days = Math.min(Thorough.DAYS, mutants.size());
     long turn = Thorough.turn() % days;
     MutantRun run = MutantRun.of(example, folder);
     run.requireComponentsOf(mutants);

@@ -15,8 +15,6 @@ import java.util.function.ObjIntConsumer;
 /** Statements about messages and signals that come after them. */
 final class DbcFacts {
 
-  private static final long LARGEST_NUMBER = 0xFFFF_FFFFL;
-
   /** Codings by their numbers. */
   private static final List<DbcSignal.Coding> CODINGS =
       List.of(DbcSignal.Coding.INTEGER, DbcSignal.Coding.FLOAT, DbcSignal.Coding.DOUBLE);
@@ -147,7 +145,7 @@ final class DbcFacts {
 
   private Optional<DbcMessage> message() throws UnreadException {
     int offset = part.offset();
-    long number = part.whole(LARGEST_NUMBER);
+    long number = part.whole(DbcMessage.LARGEST_NUMBER);
     Optional<DbcMessage> message = network.find(number);
     if (message.isEmpty()) {
       warnings.accept("There is no message with the identifier " + number + ".", offset);

@@ -10,6 +10,9 @@ import java.util.Set;
 /** A message of a network, while its statements are read. */
 final class DbcMessage {
 
+  /** The largest identifier that a file can have, in 32 bits. */
+  static final long LARGEST_NUMBER = 0xFFFF_FFFFL;
+
   /** Bit that marks an identifier of 29 bits. */
   private static final long EXTENDED = 0x8000_0000L;
 

@@ -19,7 +19,6 @@ import java.util.function.Consumer;
  */
 final class DbcReader {
 
-  private static final long LARGEST_NUMBER = 0xFFFF_FFFFL;
   private static final int LARGEST_SIZE = 1 << 16;
   private static final int LONGEST_SIGNAL = 64;
   private static final long LARGEST_STANDARD = 0x7FF;
@@ -173,7 +172,7 @@ final class DbcReader {
   private void message() throws UnreadException {
     open = Optional.empty();
     Token identifier = tokens.peek();
-    long number = part.whole(LARGEST_NUMBER);
+    long number = part.whole(DbcMessage.LARGEST_NUMBER);
     Token name = part.word();
     part.sign(":");
     int size = (int) part.whole(LARGEST_SIZE);

@@ -1,6 +1,7 @@
 package dev.eventchain.lsp.check;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.project.ProjectFolder;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -27,4 +28,21 @@ interface CheckUnit {
    *     file cannot be read
    */
   List<Diagnostic> check();
+
+  /** Unit about the files of a project, whose findings about no file its settings get. */
+  interface OfProject extends CheckUnit {
+
+    /** Returns the folder of the project. */
+    Path folder();
+
+    @Override
+    default Path subject() {
+      return new ProjectFolder(folder()).configurationFile();
+    }
+
+    @Override
+    default Optional<Path> project() {
+      return Optional.of(folder());
+    }
+  }
 }

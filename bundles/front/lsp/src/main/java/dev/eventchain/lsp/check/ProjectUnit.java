@@ -19,23 +19,12 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 
 /** A project: what {@code eventchain validate DIR} checks, without asking a language model. */
-record ProjectUnit(Path folder, Duration timeLimit) implements CheckUnit {
+record ProjectUnit(Path folder, Duration timeLimit) implements CheckUnit.OfProject {
 
   private static final String NO_MODEL = "project.stage.missing";
-
-  @Override
-  public Path subject() {
-    return new ProjectFolder(folder).configurationFile();
-  }
-
-  @Override
-  public Optional<Path> project() {
-    return Optional.of(folder);
-  }
 
   @Override
   public List<Diagnostic> check() {

@@ -116,7 +116,7 @@ final class MutantTrials implements AutoCloseable {
     if (mutant.kind() != Mutant.Kind.MODULE) {
       return Replacements.of(mutant.component(), copy(mutant.file(), mutant.text()));
     }
-    Path alone = write(mutant.file(), mutant.text());
+    Path alone = write(ownFolder(), mutant.file(), mutant.text());
     Map<String, Path> folders = new TreeMap<>();
     for (SoftwareBase.Component user : modules.users(mutant.file())) {
       if (user.node().isEmpty()) {
@@ -179,7 +179,7 @@ final class MutantTrials implements AutoCloseable {
     }
     Path original = run.softwareBase().find(component).orElseThrow().file();
     Path copy = copy(original, SourceText.read(original).text());
-    write(copy.resolveSibling(mutant.file().getFileName()), mutant);
+    write(copy.getParent(), mutant.file(), mutant.text());
     return copy;
   }
 
@@ -258,19 +258,10 @@ final class MutantTrials implements AutoCloseable {
     }
   }
 
-  /** Writes a module into a folder of its own. */
-  private Path write(Path file, String text) {
+  /** Writes the text of a module into a folder; it may be there already, without the defect. */
+  private Path write(Path into, Path file, String text) {
     try {
-      return Files.writeString(ownFolder().resolve(file.getFileName()), text);
-    } catch (IOException e) {
-      throw folder.unwritable(e);
-    }
-  }
-
-  /** Writes the text of a mutant into a file. */
-  private void write(Path file, Mutant mutant) {
-    try {
-      Files.writeString(file, mutant.text());
+      return Files.writeString(into.resolve(file.getFileName()), text);
     } catch (IOException e) {
       throw folder.unwritable(e);
     }
