@@ -30,9 +30,9 @@ class LauncherTest {
   static final String FORGER =
       """
       case "$*" in
-        *dev.eventchain.cli.Rehearsal*) echo rehearsal >>calls; exit 0 ;;
-        *-Xshare:dump*) for word; do case $word in -XX:SharedArchiveFile=*)
-          echo "no archive" >"${word#*=}" ;; esac; done; exit 0 ;;
+        *dev.eventchain.cli.Rehearsal*) echo rehearsal >>calls
+          for word; do case $word in -XX:ArchiveClassesAtExit=*)
+            echo "no archive" >"${word#*=}" ;; esac; done; exit 0 ;;
       esac
       """;
 
@@ -66,7 +66,7 @@ class LauncherTest {
     assertVersionAlone(version());
     assertEquals(made, Files.getLastModifiedTime(archive()));
     assertTrue(loadedFrom(archive).contains("dev.eventchain.cli.Main source: shared objects file"));
-    assertTrue(loadedFrom(archive).contains("picocli.CommandLine source: shared objects file"));
+    assertTrue(loadedFrom(archive).contains("ObjectMapper source: shared objects file"));
     assertEquals(List.of(), leftOvers());
   }
 

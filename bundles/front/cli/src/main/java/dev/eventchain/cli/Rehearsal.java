@@ -11,7 +11,7 @@ import java.util.jar.JarFile;
 
 /**
  * Runs the most common commands without output. The launcher runs it once per JDK with the JVM
- * option that lists loaded classes, for a class archive.
+ * option that archives the loaded classes at the end.
  */
 final class Rehearsal {
 
