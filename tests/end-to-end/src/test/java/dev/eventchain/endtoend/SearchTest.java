@@ -54,6 +54,7 @@ class SearchTest {
         Files.readAllBytes(results("cases.csv")), Files.readAllBytes(results("cases.json")));
   }
 
+  @InTurn
   @Test
   void nothingIsFoundInTheExampleAndTheSameOnAnyNumberOfProcessors() throws IOException {
     search(new Program())
