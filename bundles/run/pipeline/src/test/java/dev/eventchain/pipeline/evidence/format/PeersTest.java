@@ -10,6 +10,7 @@ import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.Report;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.Trial;
+import dev.eventchain.fixtures.InTurn;
 import dev.eventchain.fixtures.RequirementTools;
 import dev.eventchain.fixtures.RequirementTools.Ended;
 import dev.eventchain.pipeline.evidence.Evidence;
@@ -274,6 +275,11 @@ class PeersTest {
         Files.readString(folder.resolve("new.reqif")),
         Files.readString(folder.resolve("passed.reqif")).replace("<warn>", "&lt;warn&gt;"),
         "apart from titles, which it does not escape");
+  }
+
+  @InTurn
+  @Test
+  void strictDocConvertsReqif() throws Exception {
     passes(folder, "strictdoc", "convert", "--output-format", "sdoc", "new.reqif", "converted");
     String sdoc;
     try (var files = Files.walk(folder.resolve("converted"))) {
