@@ -10,6 +10,7 @@ import dev.eventchain.m2t.syntax.Token.Kind;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.regex.Pattern;
 
 /** Parser of the blocks inside a template. The tokens are balanced, so blocks always end. */
@@ -200,23 +201,37 @@ final class BlockParser {
   }
 
   private Optional<Node> ifBlock(Token token) {
-    List<Branch> branches = new ArrayList<>();
-    branch(token).ifPresent(branches::add);
+    Alternatives<Branch> found = alternatives(token, this::branch);
+    return Optional.of(new Syntax.If(token.start(), found.parts(), found.otherwise()));
+  }
+
+  /**
+   * The parts of a block of which one is used.
+   *
+   * @param otherwise the body after {@code [else]}; empty without one
+   */
+  private record Alternatives<T>(List<T> parts, List<Node> otherwise) {}
+
+  /** Parses a block with parts like its first one, and {@code [else]} at its end. */
+  private <T> Alternatives<T> alternatives(Token first, Function<Token, Optional<T>> part) {
+    List<T> parts = new ArrayList<>();
+    part.apply(first).ifPresent(parts::add);
     List<Node> otherwise = List.of();
     boolean last = false;
     while (tokens.get(next).kind() == Kind.MIDDLE) {
       Token middle = tokens.get(next++);
       if (last) {
-        problems.syntax(middle.start(), "Only [/if] may follow [else].", "");
+        String end = "[/" + first.keyword() + "]";
+        problems.syntax(middle.start(), "Only " + end + " may follow [else].", "");
       }
       if (middle.keyword().equals("else")) {
         last = true;
         otherwise = body();
       } else {
-        branch(middle).ifPresent(branches::add);
+        part.apply(middle).ifPresent(parts::add);
       }
     }
-    return Optional.of(new Syntax.If(token.start(), List.copyOf(branches), otherwise));
+    return new Alternatives<>(List.copyOf(parts), otherwise);
   }
 
   private Optional<Branch> branch(Token token) {
@@ -231,23 +246,8 @@ final class BlockParser {
   }
 
   private Optional<Node> letBlock(Token token) {
-    List<Binding> bindings = new ArrayList<>();
-    binding(token).ifPresent(bindings::add);
-    List<Node> otherwise = List.of();
-    boolean last = false;
-    while (tokens.get(next).kind() == Kind.MIDDLE) {
-      Token middle = tokens.get(next++);
-      if (last) {
-        problems.syntax(middle.start(), "Only [/let] may follow [else].", "");
-      }
-      if (middle.keyword().equals("else")) {
-        last = true;
-        otherwise = body();
-      } else {
-        binding(middle).ifPresent(bindings::add);
-      }
-    }
-    return Optional.of(new Syntax.Let(token.start(), List.copyOf(bindings), otherwise));
+    Alternatives<Binding> found = alternatives(token, this::binding);
+    return Optional.of(new Syntax.Let(token.start(), found.parts(), found.otherwise()));
   }
 
   private Optional<Binding> binding(Token token) {
