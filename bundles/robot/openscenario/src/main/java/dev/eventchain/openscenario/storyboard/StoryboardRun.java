@@ -12,6 +12,7 @@ import dev.eventchain.openscenario.storyboard.tree.Change;
 import dev.eventchain.openscenario.storyboard.tree.Log;
 import dev.eventchain.openscenario.storyboard.tree.Tree;
 import dev.eventchain.openscenario.storyboard.world.Collisions;
+import dev.eventchain.openscenario.storyboard.world.ControlDomain;
 import dev.eventchain.openscenario.storyboard.world.Entities;
 import dev.eventchain.openscenario.storyboard.world.EntityState;
 import dev.eventchain.openscenario.storyboard.world.RoadMap;
@@ -21,6 +22,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * A run of a storyboard in steps of simulated time. The same scenario and the same steps give the
@@ -150,21 +152,10 @@ public final class StoryboardRun {
    * Hands the ego over to software. From then on no action changes its speed or its way; those that
    * run go on in time, and end, without an effect on it.
    *
-   * @param speed whether the software decides its speed
-   * @param way whether the software decides its way
+   * @param domains what the software decides
    */
-  public void handOver(boolean speed, boolean way) {
-    scene.actor(ego).release(speed, way);
-  }
-
-  /** Returns whether the scenario ever activated the ego's controller for its speed. */
-  public boolean isSpeedActivated() {
-    return scene.actor(ego).isSpeedActivated();
-  }
-
-  /** Returns whether the scenario ever activated the ego's controller for its way. */
-  public boolean isWayActivated() {
-    return scene.actor(ego).isWayActivated();
+  public void handOver(Set<ControlDomain> domains) {
+    scene.actor(ego).release(domains);
   }
 
   /** Returns whether the storyboard has a stop trigger. */

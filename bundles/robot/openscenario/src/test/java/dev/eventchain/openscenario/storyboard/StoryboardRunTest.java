@@ -21,6 +21,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.openscenario.storyboard.world.Collisions;
+import dev.eventchain.openscenario.storyboard.world.ControlDomain;
 import dev.eventchain.openscenario.storyboard.world.EntityState;
 import dev.eventchain.openscenario.storyboard.world.Pose;
 import dev.eventchain.openscenario.storyboard.world.Visibility;
@@ -29,6 +30,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 /** Tests what the world asks of a run, and tells it. */
@@ -56,7 +58,7 @@ class StoryboardRunTest {
     StoryboardRun run = ego(event("E", FASTER, after(1)), event("F", FASTER, after(3)));
     played(run, 2);
     assertEquals(12, state(run, "Ego").speed(), 1e-9);
-    run.handOver(true, false);
+    run.handOver(Set.of(ControlDomain.LONGITUDINAL));
     double x = state(run, "Ego").pose().x();
     for (int i = 0; i < 400; i++) {
       double v = Math.max(0, state(run, "Ego").speed() - 5 * STEP);
@@ -84,18 +86,6 @@ class StoryboardRunTest {
     run.advance(1, Optional.empty(), Collisions.NONE);
     assertEquals(104, state(run, "Ego").pose().x(), 1e-9);
     assertEquals(-5, state(run, "Ego").pose().y(), 1e-9);
-  }
-
-  @Test
-  void saysWhenTheControllerOfTheEgoIsActivated() {
-    String activate =
-        "<PrivateAction><ControllerAction><ActivateControllerAction longitudinal='true'"
-            + " lateral='false'/></ControllerAction></PrivateAction>";
-    StoryboardRun run = ego(event("E", activate, after(1)));
-    assertFalse(run.isSpeedActivated());
-    played(run, 1);
-    assertTrue(run.isSpeedActivated());
-    assertFalse(run.isWayActivated());
   }
 
   @Test

@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.openscenario.storyboard.StoryboardRun;
 import dev.eventchain.openscenario.storyboard.tree.Change;
+import dev.eventchain.openscenario.storyboard.world.ControlDomain;
 import dev.eventchain.openscenario.storyboard.world.Entity;
 import dev.eventchain.openscenario.storyboard.world.EntityState;
 import dev.eventchain.openscenario.storyboard.world.Pose;
@@ -18,10 +19,12 @@ import dev.eventchain.simulation.world.Shape;
 import dev.eventchain.simulation.world.Track;
 import dev.eventchain.simulation.world.World;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 
 /** Plays a storyboard in the world. */
 final class StoryboardDirector implements Director {
@@ -112,25 +115,36 @@ final class StoryboardDirector implements Director {
   }
 
   private void play(int moment, Ego seen) {
-    if (seen.pedals() || seen.wheel()) {
-      run.handOver(seen.pedals(), seen.wheel());
-    }
+    Set<ControlDomain> taken = taken(seen);
+    run.handOver(taken);
     if (moment > 0) {
       run.advance(
           STEP,
-          Optional.of(state(seen)).filter(it -> seen.pedals() || seen.wheel()),
+          taken.isEmpty() ? Optional.empty() : Optional.of(state(seen)),
           (one, other) -> touch(one, other, seen));
     }
     now = moment;
     move(moment);
     EntityState known = run.states().get(ego.name());
     if (moment > 0) {
-      requireNoJump(known, seen.pedals() || seen.wheel() ? state(seen).pose() : planned);
+      requireNoJump(known, taken.isEmpty() ? planned : state(seen).pose());
     }
     EntityState wanted = run.next(STEP).get(ego.name());
     planned = wanted.pose();
     acceleration = (wanted.speed() - seen.velocity()) / STEP;
     curvature = driver.curvature(seen, known, wanted);
+  }
+
+  /** Returns what the software controls of the ego. */
+  private static Set<ControlDomain> taken(Ego seen) {
+    Set<ControlDomain> taken = EnumSet.noneOf(ControlDomain.class);
+    if (seen.pedals()) {
+      taken.add(ControlDomain.LONGITUDINAL);
+    }
+    if (seen.wheel()) {
+      taken.add(ControlDomain.LATERAL);
+    }
+    return taken;
   }
 
   /** Refuses what moves the ego to another place at once, which no vehicle can follow. */

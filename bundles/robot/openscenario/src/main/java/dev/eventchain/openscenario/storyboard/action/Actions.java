@@ -1,8 +1,6 @@
 package dev.eventchain.openscenario.storyboard.action;
 
 import dev.eventchain.openscenario.document.ScenarioElement;
-import java.util.List;
-import java.util.Optional;
 
 /** Reads actions. */
 public final class Actions {
@@ -29,8 +27,8 @@ public final class Actions {
       case "LateralAction" -> lateral(action.choice());
       case "RoutingAction" -> RoutingActions.read(action.choice());
       case "SynchronizeAction" -> Synchronizing.read(action);
-      case "ControllerAction" -> controllers(action);
-      case "ActivateControllerAction" -> ControllerActions.read(action);
+      // The only controller is that of the ego: the software, from its first command on.
+      case "ControllerAction", "ActivateControllerAction" -> PrivateAction.NONE;
       case "TeleportAction" -> TeleportActions.read(action);
       case "VisibilityAction" -> TeleportActions.visibility(action);
       case "AppearanceAction" -> PrivateAction.NONE;
@@ -53,15 +51,6 @@ public final class Actions {
       case "LaneOffsetAction" -> LateralActions.laneOffset(action);
       case "LateralDistanceAction" -> LateralDistance.read(action);
       default -> throw new IllegalArgumentException(action.name() + " is not supported");
-    };
-  }
-
-  /** Returns all actions of an element, which before 1.1 may have more than one. */
-  private static PrivateAction controllers(ScenarioElement action) {
-    List<PrivateAction> all = action.children().stream().map(ControllerActions::read).toList();
-    return (scene, actor) -> {
-      all.forEach(each -> each.start(scene, actor));
-      return Optional.empty();
     };
   }
 }

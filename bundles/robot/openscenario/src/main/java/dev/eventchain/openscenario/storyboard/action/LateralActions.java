@@ -5,6 +5,7 @@ import dev.eventchain.openscenario.storyboard.scene.Actor;
 import dev.eventchain.openscenario.storyboard.scene.LaneWay;
 import dev.eventchain.openscenario.storyboard.scene.Scene;
 import dev.eventchain.openscenario.storyboard.scene.Task;
+import dev.eventchain.openscenario.storyboard.world.ControlDomain;
 import dev.eventchain.openscenario.storyboard.world.EntityState;
 import dev.eventchain.openscenario.storyboard.world.LanePoint;
 import dev.eventchain.openscenario.storyboard.world.StoryboardRules;
@@ -123,7 +124,7 @@ final class LateralActions {
   /** Starts a shift; one that takes no time happens at once. */
   static Optional<Task> start(Scene scene, Actor actor, LaneShift shift) {
     Task task = new Task(actor.entity().name());
-    if (!(shift.extent() > 0) && !actor.hasOwnWay()) {
+    if (!(shift.extent() > 0) && !actor.decides(ControlDomain.LATERAL)) {
       LaneWay there = shift.way().withOffset(shift.to().in(scene));
       EntityState before = actor.state();
       actor.place(

@@ -8,6 +8,7 @@ import dev.eventchain.openscenario.storyboard.scene.KeepLane;
 import dev.eventchain.openscenario.storyboard.scene.LaneWay;
 import dev.eventchain.openscenario.storyboard.scene.Scene;
 import dev.eventchain.openscenario.storyboard.scene.Task;
+import dev.eventchain.openscenario.storyboard.world.ControlDomain;
 import dev.eventchain.openscenario.storyboard.world.EntityState;
 import dev.eventchain.openscenario.storyboard.world.StoryboardRules;
 import java.util.Optional;
@@ -111,7 +112,7 @@ final class LongitudinalDistance {
   }
 
   private static void jump(Scene scene, Actor actor, double distance) {
-    if (actor.hasOwnSpeed()) {
+    if (actor.decides(ControlDomain.LONGITUDINAL)) {
       return;
     }
     EntityState before = actor.state();

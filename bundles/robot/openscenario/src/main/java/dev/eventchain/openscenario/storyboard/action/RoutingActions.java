@@ -11,6 +11,7 @@ import dev.eventchain.openscenario.storyboard.scene.Actor;
 import dev.eventchain.openscenario.storyboard.scene.KeepLane;
 import dev.eventchain.openscenario.storyboard.scene.Scene;
 import dev.eventchain.openscenario.storyboard.scene.Task;
+import dev.eventchain.openscenario.storyboard.world.ControlDomain;
 import dev.eventchain.openscenario.storyboard.world.EntityState;
 import dev.eventchain.openscenario.storyboard.world.Pose;
 import dev.eventchain.openscenario.storyboard.world.RoadPoint;
@@ -59,7 +60,7 @@ final class RoutingActions {
         actor.speed(course.firstSpeed());
         actor.drive(scene, task, course);
       }
-      if (!actor.hasOwnWay()) {
+      if (!actor.decides(ControlDomain.LATERAL)) {
         place(scene, actor, path.pose(begin));
       }
       actor.steer(scene, task, new OnPath(path, begin, trajectory.isClosed() && !timed));

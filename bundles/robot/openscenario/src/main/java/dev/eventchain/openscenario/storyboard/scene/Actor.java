@@ -1,13 +1,16 @@
 package dev.eventchain.openscenario.storyboard.scene;
 
 import dev.eventchain.openscenario.storyboard.world.Angles;
+import dev.eventchain.openscenario.storyboard.world.ControlDomain;
 import dev.eventchain.openscenario.storyboard.world.Entity;
 import dev.eventchain.openscenario.storyboard.world.EntityState;
 import dev.eventchain.openscenario.storyboard.world.LanePoint;
 import dev.eventchain.openscenario.storyboard.world.Pose;
 import dev.eventchain.openscenario.storyboard.world.RoadPoint;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /** An entity in motion. */
 public final class Actor {
@@ -25,10 +28,7 @@ public final class Actor {
   private Lateral lateral = StraightOn.STRAIGHT_ON;
   private Task longitudinalTask;
   private Task lateralTask;
-  private boolean ownSpeed;
-  private boolean ownWay;
-  private boolean speedActivated;
-  private boolean wayActivated;
+  private final Set<ControlDomain> own = EnumSet.noneOf(ControlDomain.class);
   private List<RoadPoint> route = List.of();
 
   Actor(Entity entity) {
@@ -65,36 +65,14 @@ public final class Actor {
     return lateral;
   }
 
-  /** Returns whether it decides its speed itself, so that actions do not. */
-  public boolean hasOwnSpeed() {
-    return ownSpeed;
+  /** Returns whether it decides a part of its motion itself, so that actions do not. */
+  public boolean decides(ControlDomain domain) {
+    return own.contains(domain);
   }
 
-  /** Returns whether it decides its way itself, so that actions do not. */
-  public boolean hasOwnWay() {
-    return ownWay;
-  }
-
-  /** Lets it decide its speed, its way or both itself from now on. */
-  public void release(boolean speed, boolean way) {
-    ownSpeed |= speed;
-    ownWay |= way;
-  }
-
-  /** Says that its controller is active for its speed, its way, or both. */
-  public void activate(boolean speed, boolean way) {
-    speedActivated |= speed;
-    wayActivated |= way;
-  }
-
-  /** Returns whether its controller was ever active for its speed. */
-  public boolean isSpeedActivated() {
-    return speedActivated;
-  }
-
-  /** Returns whether its controller was ever active for its way. */
-  public boolean isWayActivated() {
-    return wayActivated;
+  /** Lets it decide parts of its motion itself from now on. */
+  public void release(Set<ControlDomain> domains) {
+    own.addAll(domains);
   }
 
   /** Lets it go on along a way, which no task decides. */
@@ -114,7 +92,7 @@ public final class Actor {
 
   /** Gives it another speed at once, unless it decides that itself. */
   public void speed(double speed) {
-    if (!ownSpeed) {
+    if (!decides(ControlDomain.LONGITUDINAL)) {
       state = state.withSpeed(entity.performance().limited(speed));
     }
   }
@@ -162,7 +140,7 @@ public final class Actor {
   public Next next(Scene scene, double dt) {
     Longitudinal.Step planned = longitudinal.step(scene, this, dt);
     Longitudinal.Step along =
-        ownSpeed
+        decides(ControlDomain.LONGITUDINAL)
             ? new Longitudinal.Step(
                 state.speed() * dt, state.speed(), 0, planned.next(), planned.done())
             : planned;
