@@ -67,7 +67,7 @@ public final class DdsParticipant implements AutoCloseable {
   private final int handle;
   private final DynamicTypes types;
   private final Map<String, Topic> topics = new HashMap<>();
-  private final List<AutoCloseable> endpoints = new ArrayList<>();
+  private final List<DdsEndpoint> endpoints = new ArrayList<>();
   private Optional<Graph> graph = Optional.empty();
   private Optional<Discovery> discovery = Optional.empty();
   private boolean closed;
@@ -178,8 +178,8 @@ public final class DdsParticipant implements AutoCloseable {
    */
   public synchronized DdsWriter writer(String topic, MessageType type, QosSettings qos) {
     DdsWriter writer =
-        new DdsWriter(this, new Endpoint(cyclone, DdsNames.topic(topic), topic, type), qos);
-    return added(writer, true, writer.gid());
+        new DdsWriter(this, new DdsTopic(cyclone, DdsNames.topic(topic), topic, type), qos);
+    return added(writer);
   }
 
   /**
@@ -206,15 +206,15 @@ public final class DdsParticipant implements AutoCloseable {
   private synchronized DdsReader reader(
       String topic, MessageType type, QosSettings qos, Optional<Consumer<DdsSample>> listener) {
     DdsReader reader =
-        new DdsReader(this, new Endpoint(cyclone, DdsNames.topic(topic), topic, type), qos);
-    added(reader, false, reader.gid());
+        new DdsReader(this, new DdsTopic(cyclone, DdsNames.topic(topic), topic, type), qos);
+    added(reader);
     listener.ifPresent(reader::start);
     return reader;
   }
 
-  private <E extends AutoCloseable> E added(E endpoint, boolean writer, byte[] gid) {
+  private <E extends DdsEndpoint> E added(E endpoint) {
     endpoints.add(endpoint);
-    graph.ifPresent(announced -> announced.add(writer, gid));
+    graph.ifPresent(announced -> announced.add(endpoint));
     return endpoint;
   }
 
@@ -230,15 +230,9 @@ public final class DdsParticipant implements AutoCloseable {
     if (graph.isPresent()) {
       throw new IllegalStateException("This participant is already announced.");
     }
-    List<AutoCloseable> known = List.copyOf(endpoints);
+    List<DdsEndpoint> known = List.copyOf(endpoints);
     Graph announced = new Graph(this, cyclone, node);
-    for (AutoCloseable endpoint : known) {
-      if (endpoint instanceof DdsWriter writer) {
-        announced.add(true, writer.gid());
-      } else if (endpoint instanceof DdsReader reader) {
-        announced.add(false, reader.gid());
-      }
-    }
+    known.forEach(announced::add);
     graph = Optional.of(announced);
   }
 
@@ -289,16 +283,16 @@ public final class DdsParticipant implements AutoCloseable {
   }
 
   /** Forgets a closed endpoint. */
-  synchronized void removed(AutoCloseable endpoint, byte[] gid) {
+  synchronized void removed(DdsEndpoint endpoint) {
     if (endpoints.remove(endpoint) && !closed) {
-      graph.ifPresent(announced -> announced.remove(gid));
+      graph.ifPresent(announced -> announced.remove(endpoint));
     }
   }
 
   /** Closes it with its writers and readers. Waits for running listeners. */
   @Override
   public void close() {
-    List<AutoCloseable> open;
+    List<DdsEndpoint> open;
     synchronized (this) {
       if (closed) {
         return;
@@ -307,13 +301,7 @@ public final class DdsParticipant implements AutoCloseable {
       open = List.copyOf(endpoints);
     }
     // Without the lock, since a listener may be waiting for it.
-    for (AutoCloseable endpoint : open) {
-      if (endpoint instanceof DdsWriter writer) {
-        writer.close();
-      } else if (endpoint instanceof DdsReader reader) {
-        reader.close();
-      }
-    }
+    open.forEach(DdsEndpoint::close);
     cyclone.delete(handle);
     Domain.leave(cyclone, domain);
   }

@@ -7,11 +7,10 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Consumer;
 
 /** A reader of messages of one topic. Thread-safe. */
-public final class DdsReader implements AutoCloseable {
+public final class DdsReader extends DdsEndpoint {
 
   private static final int ANY_STATE = 0x7F;
   private static final int AT_ONCE = 32;
@@ -24,10 +23,6 @@ public final class DdsReader implements AutoCloseable {
   private static final long STAMP = 16;
   private static final long PUBLICATION = 32;
 
-  private final DdsParticipant participant;
-  private final Endpoint endpoint;
-  private final int handle;
-  private final byte[] gid;
   private final int waitset;
   private final int guard;
   private final Memory pointers = new Memory((long) AT_ONCE * Long.BYTES);
@@ -37,36 +32,19 @@ public final class DdsReader implements AutoCloseable {
   private boolean closing;
   private boolean closed;
 
-  DdsReader(DdsParticipant participant, Endpoint endpoint, QosSettings qos) {
-    this.participant = participant;
-    this.endpoint = endpoint;
-    Cyclone cyclone = endpoint.cyclone();
-    handle = endpoint.create(participant, qos, false);
-    gid = endpoint.gid(handle);
-    int condition = endpoint.check(cyclone.createReadcondition(handle, ANY_STATE), "wait");
-    guard = endpoint.check(cyclone.createGuardcondition(participant.handle()), "wait");
-    waitset = endpoint.check(cyclone.createWaitset(participant.handle()), "wait");
-    endpoint.check(cyclone.waitsetAttach(waitset, condition, 1), "wait");
-    endpoint.check(cyclone.waitsetAttach(waitset, guard, 2), "wait");
-  }
-
-  /** Returns the topic. */
-  public String topic() {
-    return endpoint.topic();
-  }
-
-  byte[] gid() {
-    return gid.clone();
-  }
-
-  /** Returns its GUID, as hexadecimal digits: no other endpoint ever has the same. */
-  public String guid() {
-    return Endpoint.hex(gid);
+  DdsReader(DdsParticipant participant, DdsTopic topic, QosSettings qos) {
+    super(participant, topic, Side.READER, qos);
+    Cyclone cyclone = topic.cyclone();
+    int condition = topic.check(cyclone.createReadcondition(handle(), ANY_STATE), "wait");
+    guard = topic.check(cyclone.createGuardcondition(participant.handle()), "wait");
+    waitset = topic.check(cyclone.createWaitset(participant.handle()), "wait");
+    topic.check(cyclone.waitsetAttach(waitset, condition, 1), "wait");
+    topic.check(cyclone.waitsetAttach(waitset, guard, 2), "wait");
   }
 
   /** Passes samples to a listener in a separate thread from now on. */
   synchronized void start(Consumer<DdsSample> listener) {
-    Thread reading = new Thread(() -> read(listener), "dds-reader " + endpoint.topic());
+    Thread reading = new Thread(() -> read(listener), "dds-reader " + topic());
     reading.setDaemon(true);
     thread = Optional.of(reading);
     reading.start();
@@ -96,7 +74,8 @@ public final class DdsReader implements AutoCloseable {
     }
   }
 
-  private synchronized boolean isClosing() {
+  @Override
+  synchronized boolean isClosing() {
     return closing;
   }
 
@@ -117,7 +96,7 @@ public final class DdsReader implements AutoCloseable {
     requireOpen();
     if (thread.isPresent()) {
       throw new IllegalStateException(
-          "The samples of " + endpoint.topic() + " are delivered to its listener.");
+          "The samples of " + topic() + " are delivered to its listener.");
     }
     return takeAll();
   }
@@ -142,8 +121,10 @@ public final class DdsReader implements AutoCloseable {
     int count = AT_ONCE;
     while (count == AT_ONCE) {
       count =
-          endpoint.check(
-              Samples.takecdr(handle, pointers, AT_ONCE, information, ANY_STATE), "take samples");
+          ddsTopic()
+              .check(
+                  Samples.takecdr(handle(), pointers, AT_ONCE, information, ANY_STATE),
+                  "take samples");
       for (int i = 0; i < count; i++) {
         add(samples, pointers.getPointer((long) i * Long.BYTES), i * INFORMATION_SIZE);
       }
@@ -168,48 +149,10 @@ public final class DdsReader implements AutoCloseable {
     Samples.ddsiSerdataUnref(data);
   }
 
-  /** Returns the number of matched writers. */
-  public synchronized int matched() {
-    requireOpen();
-    return endpoint.matched(handle, false, null, 0);
-  }
-
-  /**
-   * Waits until writers are matched.
-   *
-   * @return false if there are fewer after the timeout
-   * @throws IllegalStateException if the reader is, or gets, closed
-   */
-  public boolean waitForMatches(int count, Duration timeout) {
-    return Matches.await(() -> matched() >= count, timeout);
-  }
-
-  /**
-   * Waits until certain writers are matched.
-   *
-   * @param guids their GUIDs, as {@link #guid}
-   * @return false if one is not after the timeout
-   * @throws IllegalStateException if this is, or gets, closed
-   */
-  public boolean waitForPeers(Set<String> guids, Duration timeout) {
-    return Matches.await(() -> peers().containsAll(guids), timeout);
-  }
-
-  private synchronized Set<String> peers() {
-    requireOpen();
-    return endpoint.peers(handle, false);
-  }
-
   /** Returns the events since the last call. */
   public synchronized List<DdsEvent> events() {
     requireOpen();
-    return Statuses.ofReader(endpoint.cyclone(), handle);
-  }
-
-  private void requireOpen() {
-    if (closing) {
-      throw new IllegalStateException("The reader of " + endpoint.topic() + " is closed.");
-    }
+    return Statuses.ofReader(cyclone(), handle());
   }
 
   /** Closes it. Waits for a running listener, unless the listener calls this itself. */
@@ -220,7 +163,7 @@ public final class DdsReader implements AutoCloseable {
         return;
       }
       closing = true;
-      endpoint.cyclone().setGuardcondition(guard, true);
+      cyclone().setGuardcondition(guard, true);
     }
     // Without the lock, which the thread needs to finish.
     thread.filter(reading -> reading != Thread.currentThread()).ifPresent(DdsReader::join);
@@ -229,11 +172,11 @@ public final class DdsReader implements AutoCloseable {
         return;
       }
       closed = true;
-      endpoint.cyclone().delete(waitset);
-      endpoint.cyclone().delete(guard);
-      endpoint.cyclone().delete(handle);
+      cyclone().delete(waitset);
+      cyclone().delete(guard);
+      cyclone().delete(handle());
     }
-    participant.removed(this, gid);
+    forget();
   }
 
   private static void join(Thread reading) {

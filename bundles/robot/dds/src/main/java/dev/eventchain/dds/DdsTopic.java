@@ -5,16 +5,15 @@ import com.sun.jna.Pointer;
 import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.QosSettings;
 import java.util.HashSet;
-import java.util.HexFormat;
 import java.util.Set;
 
 /**
- * Common part of writers and readers.
+ * A topic in the library, and what its writers and readers ask the library.
  *
- * @param ddsTopic the name of the topic in DDS
- * @param topic the name in messages to the user
+ * @param ddsName the name in DDS
+ * @param name the name in messages to the user
  */
-record Endpoint(Cyclone cyclone, String ddsTopic, String topic, MessageType type) {
+record DdsTopic(Cyclone cyclone, String ddsName, String name, MessageType type) {
 
   private static final int GUID_SIZE = 16;
 
@@ -25,22 +24,22 @@ record Endpoint(Cyclone cyclone, String ddsTopic, String topic, MessageType type
     int create(int participant, int topic, Pointer qos, Pointer listener);
   }
 
-  int create(DdsParticipant participant, QosSettings settings, boolean writer) {
-    int topicHandle = participant.topic(ddsTopic, type);
-    Creation creation = writer ? cyclone::createWriter : cyclone::createReader;
+  int create(DdsParticipant participant, QosSettings settings, Side side) {
+    int topicHandle = participant.topic(ddsName, type);
+    Creation creation = side == Side.WRITER ? cyclone::createWriter : cyclone::createReader;
     return Policies.with(
         cyclone,
         settings,
-        writer,
+        side,
         "typehash=" + type.hash() + ";",
         qos ->
             check(
                 creation.create(participant.handle(), topicHandle, qos, null),
-                writer ? "create a writer" : "create a reader"));
+                "create a " + side.word()));
   }
 
   int check(int result, String what) {
-    return Codes.check(cyclone, result, what + " of " + topic);
+    return Codes.check(cyclone, result, what + " of " + name);
   }
 
   byte[] gid(int handle) {
@@ -50,19 +49,19 @@ record Endpoint(Cyclone cyclone, String ddsTopic, String topic, MessageType type
   }
 
   /** Returns the GUIDs of the endpoints that match one, as hexadecimal digits. */
-  Set<String> peers(int handle, boolean writer) {
-    int room = matched(handle, writer, null, 0) + 8;
+  Set<String> peers(int handle, Side side) {
+    int room = matched(handle, side, null, 0) + 8;
     Memory handles = new Memory((long) room * Long.BYTES);
-    int count = Math.min(room, matched(handle, writer, handles, room));
+    int count = Math.min(room, matched(handle, side, handles, room));
     Set<String> peers = new HashSet<>();
     for (int i = 0; i < count; i++) {
       long peer = handles.getLong((long) i * Long.BYTES);
       Pointer found =
-          writer
+          side == Side.WRITER
               ? cyclone.getMatchedSubscriptionData(handle, peer)
               : cyclone.getMatchedPublicationData(handle, peer);
       if (found != null) { // else it was deleted meanwhile
-        peers.add(hex(found.getByteArray(0, GUID_SIZE)));
+        peers.add(DdsEndpoint.hex(found.getByteArray(0, GUID_SIZE)));
         cyclone.builtintopicFreeEndpoint(found);
       }
     }
@@ -70,13 +69,9 @@ record Endpoint(Cyclone cyclone, String ddsTopic, String topic, MessageType type
   }
 
   /** Returns the number of endpoints that match one, and writes their handles. */
-  int matched(int handle, boolean writer, Pointer handles, int room) {
-    return writer
+  int matched(int handle, Side side, Pointer handles, int room) {
+    return side == Side.WRITER
         ? check(cyclone.getMatchedSubscriptions(handle, handles, room), "count the readers")
         : check(cyclone.getMatchedPublications(handle, handles, room), "count the writers");
-  }
-
-  static String hex(byte[] guid) {
-    return HexFormat.of().formatHex(guid);
   }
 }

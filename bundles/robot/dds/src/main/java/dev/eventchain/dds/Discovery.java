@@ -64,9 +64,9 @@ final class Discovery {
   Discovery(DdsParticipant participant, Cyclone cyclone) {
     this.cyclone = cyclone;
     format = participant.graphFormat();
-    Endpoint endpoint = format.endpoint(cyclone);
-    own = endpoint.gid(participant.handle());
-    graph = new DdsReader(participant, endpoint, Graph.QOS.withHistory(History.KEEP_ALL));
+    DdsTopic topic = format.topic(cyclone);
+    own = topic.gid(participant.handle());
+    graph = new DdsReader(participant, topic, Graph.QOS.withHistory(History.KEEP_ALL));
     writers = reader(participant, PUBLICATIONS);
     readers = reader(participant, SUBSCRIPTIONS);
     boolean known =
@@ -79,7 +79,7 @@ final class Discovery {
   }
 
   private boolean isGraph(Pointer pointer) {
-    return Endpoint.hex(pointer.getByteArray(0, GUID_SIZE)).equals(Endpoint.hex(graph.gid()))
+    return DdsEndpoint.hex(pointer.getByteArray(0, GUID_SIZE)).equals(DdsEndpoint.hex(graph.gid()))
         && text(pointer, TOPIC).equals(graph.topic());
   }
 
@@ -138,12 +138,12 @@ final class Discovery {
   private List<Peer> peer(boolean writes, Pointer endpoint, long handle) {
     byte[] owner = endpoint.getByteArray(OWNER, GUID_SIZE);
     Optional<String> topic = DdsNames.rosTopic(text(endpoint, TOPIC));
-    if (Endpoint.hex(owner).equals(Endpoint.hex(own)) || topic.isEmpty()) {
+    if (DdsEndpoint.hex(owner).equals(DdsEndpoint.hex(own)) || topic.isEmpty()) {
       return List.of();
     }
-    String id = Endpoint.hex(endpoint.getByteArray(0, GUID_SIZE));
+    String id = DdsEndpoint.hex(endpoint.getByteArray(0, GUID_SIZE));
     Pointer qos = endpoint.getPointer(POLICIES);
-    String node = nodes.getOrDefault(Endpoint.hex(owner), Map.of()).getOrDefault(id, "");
+    String node = nodes.getOrDefault(DdsEndpoint.hex(owner), Map.of()).getOrDefault(id, "");
     String type = DdsNames.rosType(text(endpoint, TYPE));
     return List.of(
         new Peer(
@@ -153,7 +153,7 @@ final class Discovery {
             settings(qos),
             hash(qos),
             node,
-            Endpoint.hex(owner),
+            DdsEndpoint.hex(owner),
             id,
             handle));
   }
@@ -219,9 +219,9 @@ final class Discovery {
       String name = (namespace.endsWith("/") ? namespace : namespace + "/") + node.get("node_name");
       for (String ends : List.of("reader_gid_seq", "writer_gid_seq")) {
         ((List<?>) node.get(ends))
-            .forEach(gid -> byEndpoint.put(Endpoint.hex(GraphFormat.guid(gid)), name));
+            .forEach(gid -> byEndpoint.put(DdsEndpoint.hex(GraphFormat.guid(gid)), name));
       }
     }
-    return Map.of(Endpoint.hex(GraphFormat.guid(said.get("gid"))), byEndpoint);
+    return Map.of(DdsEndpoint.hex(GraphFormat.guid(said.get("gid"))), byEndpoint);
   }
 }

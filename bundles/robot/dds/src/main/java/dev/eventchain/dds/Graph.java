@@ -29,18 +29,19 @@ final class Graph {
   Graph(DdsParticipant participant, Cyclone cyclone, String node) {
     this.node = node;
     format = participant.graphFormat();
-    Endpoint endpoint = format.endpoint(cyclone);
-    participantGid = endpoint.gid(participant.handle());
-    writer = new DdsWriter(participant, endpoint, QOS);
+    DdsTopic topic = format.topic(cyclone);
+    participantGid = topic.gid(participant.handle());
+    writer = new DdsWriter(participant, topic, QOS);
     publish();
   }
 
-  void add(boolean isWriter, byte[] gid) {
-    (isWriter ? writers : readers).add(gid);
+  void add(DdsEndpoint endpoint) {
+    (endpoint.side() == Side.WRITER ? writers : readers).add(endpoint.gid());
     publish();
   }
 
-  void remove(byte[] gid) {
+  void remove(DdsEndpoint endpoint) {
+    byte[] gid = endpoint.gid();
     writers.removeIf(other -> Arrays.equals(other, gid));
     readers.removeIf(other -> Arrays.equals(other, gid));
     publish();

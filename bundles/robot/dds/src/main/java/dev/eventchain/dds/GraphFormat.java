@@ -61,8 +61,8 @@ final class GraphFormat {
   }
 
   /** Returns the topic on which participants announce their nodes. */
-  Endpoint endpoint(Cyclone cyclone) {
-    return new Endpoint(cyclone, TOPIC, TOPIC, participantType());
+  DdsTopic topic(Cyclone cyclone) {
+    return new DdsTopic(cyclone, TOPIC, TOPIC, participantType());
   }
 
   /** Returns the message for a DDS GUID. */

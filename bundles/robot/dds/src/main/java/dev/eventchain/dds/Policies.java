@@ -27,61 +27,60 @@ final class Policies {
   static int with(
       Cyclone cyclone,
       QosSettings settings,
-      boolean writer,
+      Side side,
       String userData,
       ToIntFunction<Pointer> use) {
     return with(
         cyclone,
         userData,
         qos -> {
-          int reliable = isReliable(settings, writer) ? 1 : 0;
+          int reliable = isReliable(settings, side) ? 1 : 0;
           cyclone.qsetReliability(qos, reliable, MAXIMAL_BLOCKING_TIME.toNanos());
-          setHistory(cyclone, qos, settings, writer);
+          setHistory(cyclone, qos, settings, side);
           cyclone.qsetDeadline(qos, nanos(settings.deadline()));
-          int liveliness = isManual(settings, writer) ? MANUAL_BY_TOPIC : 0;
+          int liveliness = isManual(settings, side) ? MANUAL_BY_TOPIC : 0;
           cyclone.qsetLiveliness(qos, liveliness, nanos(settings.lease()));
           cyclone.qsetDataRepresentation(qos, 1, new short[] {XCDR1});
-          if (writer) {
+          if (side == Side.WRITER) {
             cyclone.qsetWriterDataLifecycle(qos, false);
           }
           return use.applyAsInt(qos);
         });
   }
 
-  private static void setHistory(
-      Cyclone cyclone, Pointer qos, QosSettings settings, boolean writer) {
+  private static void setHistory(Cyclone cyclone, Pointer qos, QosSettings settings, Side side) {
     boolean all = settings.history() == QosSettings.History.KEEP_ALL;
     int history = all ? 1 : 0;
     int depth = all ? UNLIMITED : Math.max(1, settings.depth());
     cyclone.qsetHistory(qos, history, depth);
-    boolean kept = isKept(settings, writer);
+    boolean kept = isKept(settings, side);
     cyclone.qsetDurability(qos, kept ? 1 : 0);
     if (kept) {
       cyclone.qsetDurabilityService(qos, 0, history, depth, UNLIMITED, UNLIMITED, UNLIMITED);
     }
   }
 
-  private static boolean isReliable(QosSettings settings, boolean writer) {
+  private static boolean isReliable(QosSettings settings, Side side) {
     return switch (settings.reliability()) {
       case RELIABLE, SYSTEM_DEFAULT -> true;
       case BEST_EFFORT -> false;
-      case BEST_AVAILABLE -> writer;
+      case BEST_AVAILABLE -> side == Side.WRITER;
     };
   }
 
-  private static boolean isKept(QosSettings settings, boolean writer) {
+  private static boolean isKept(QosSettings settings, Side side) {
     return switch (settings.durability()) {
       case TRANSIENT_LOCAL -> true;
       case VOLATILE, SYSTEM_DEFAULT -> false;
-      case BEST_AVAILABLE -> writer;
+      case BEST_AVAILABLE -> side == Side.WRITER;
     };
   }
 
-  private static boolean isManual(QosSettings settings, boolean writer) {
+  private static boolean isManual(QosSettings settings, Side side) {
     return switch (settings.liveliness()) {
       case MANUAL_BY_TOPIC -> true;
       case AUTOMATIC -> false;
-      case BEST_AVAILABLE -> writer;
+      case BEST_AVAILABLE -> side == Side.WRITER;
     };
   }
 

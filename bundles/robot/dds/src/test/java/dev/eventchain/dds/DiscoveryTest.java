@@ -139,7 +139,7 @@ class DiscoveryTest {
       DdsReader graph =
           new DdsReader(
               observer,
-              new Endpoint(
+              new DdsTopic(
                   Wire.library().cyclone(), "ros_discovery_info", "ros_discovery_info", type),
               QOS.withDurability(QosSettings.Durability.TRANSIENT_LOCAL));
       MessageValue seen = last(graph, type);
