@@ -10,7 +10,6 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -148,13 +147,7 @@ public final class ComponentMutator {
                 .workFolder(folder.path())
                 .limits(new ConfinedProcess.Limits(LONGEST, LONGEST, MEMORY_MIB))
                 .start()) {
-      try (OutputStream input = process.stdin()) {
-        input.write(request);
-      } catch (IOException e) {
-        // The process ended before it read its input; then it gives no answer.
-      }
-      byte[] output = process.stdout().readNBytes(MOST_OUTPUT);
-      return JSON.readTree(output);
+      return JSON.readTree(process.ask(request, MOST_OUTPUT).output());
     } catch (JsonProcessingException e) {
       return JSON.createObjectNode();
     } catch (IOException e) {

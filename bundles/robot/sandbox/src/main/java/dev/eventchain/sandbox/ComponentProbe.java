@@ -9,7 +9,6 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -137,18 +136,11 @@ public final class ComponentProbe {
             .limits(new ConfinedProcess.Limits(LONGEST, processorTime, MEMORY_MIB))
             .confinement(confinement)
             .start()) {
-      try (OutputStream input = process.stdin()) {
-        input.write(request);
-      } catch (IOException e) {
-        // The process ended before it read its input; its termination gives the reason.
-      }
-      byte[] output = process.stdout().readNBytes(MAXIMAL_OUTPUT);
-      if (output.length == MAXIMAL_OUTPUT) {
-        process.kill(ConfinedProcess.Cause.CLOSED);
-      }
-      ConfinedProcess.Termination end = process.await();
+      ConfinedProcess.Answer answer = process.ask(request, MAXIMAL_OUTPUT);
       return new ProbeReport(
-          new String(output, StandardCharsets.UTF_8), end, process.standardError());
+          new String(answer.output(), StandardCharsets.UTF_8),
+          answer.end(),
+          answer.standardError());
     }
   }
 

@@ -67,6 +67,14 @@ public final class ConfinedProcess implements AutoCloseable {
     }
   }
 
+  /**
+   * The answer of a program to its only request.
+   *
+   * @param output its standard output
+   * @param standardError as {@link ConfinedProcess#standardError}
+   */
+  public record Answer(byte[] output, Termination end, String standardError) {}
+
   private static final int CPU_TIME_SIGNAL = 128 + 24;
   private static final long CLOSE_SECONDS = 5;
   private static final long MOST_OUTPUT = 16L * 1024 * 1024;
@@ -131,6 +139,25 @@ public final class ConfinedProcess implements AutoCloseable {
   /** Returns whether it is still running. */
   public boolean isAlive() {
     return process.isAlive();
+  }
+
+  /**
+   * Sends a program its only request, and waits for the answer and its end.
+   *
+   * @param mostOutput the number of bytes after which it is killed
+   * @throws IOException if the answer cannot be read
+   */
+  public Answer ask(byte[] request, int mostOutput) throws IOException {
+    try (OutputStream input = stdin()) {
+      input.write(request);
+    } catch (IOException e) {
+      // The program ended before it read its input; its termination gives the reason.
+    }
+    byte[] output = stdout().readNBytes(mostOutput);
+    if (output.length == mostOutput) {
+      kill(Cause.CLOSED);
+    }
+    return new Answer(output, await(), standardError());
   }
 
   /** Waits until it has ended and its standard error is complete. */

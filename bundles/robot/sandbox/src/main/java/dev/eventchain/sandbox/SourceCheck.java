@@ -7,7 +7,6 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
@@ -95,17 +94,11 @@ public final class SourceCheck {
             .workFolder(folder.path())
             .limits(LIMITS)
             .start()) {
-      try (OutputStream input = process.stdin()) {
-        input.write(request(sources));
-      } catch (IOException e) {
-        // The process ended before it read its input; its output tells.
-      }
-      byte[] output = process.stdout().readNBytes(MAXIMAL_OUTPUT);
-      boolean success = process.await().isSuccess();
-      JsonNode found = success ? read(output) : JSON.createArrayNode();
+      ConfinedProcess.Answer answer = process.ask(request(sources), MAXIMAL_OUTPUT);
+      JsonNode found = answer.end().isSuccess() ? read(answer.output()) : JSON.createArrayNode();
       return found.size() == sources.size()
           ? diagnostics(found, sources)
-          : List.of(unfinished(sources.get(0), process.standardError()));
+          : List.of(unfinished(sources.get(0), answer.standardError()));
     }
   }
 

@@ -10,7 +10,6 @@ import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.sandbox.PythonSources;
 import dev.eventchain.sandbox.WorkFolder;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -53,16 +52,11 @@ final class SourceReader {
             .workFolder(folder.path())
             .limits(LIMITS)
             .start()) {
-      try (OutputStream input = process.stdin()) {
-        input.write(JSON.writeValueAsBytes(request));
-      } catch (IOException e) {
-        // The process ended before it read its input; its output tells.
+      ConfinedProcess.Answer answer = process.ask(JSON.writeValueAsBytes(request), MAXIMAL_OUTPUT);
+      if (!answer.end().isSuccess() || answer.output().length == MAXIMAL_OUTPUT) {
+        throw unfinished(workspace, answer.standardError().strip());
       }
-      byte[] output = process.stdout().readNBytes(MAXIMAL_OUTPUT);
-      if (!process.await().isSuccess() || output.length == MAXIMAL_OUTPUT) {
-        throw unfinished(workspace, process.standardError().strip());
-      }
-      return JSON.readTree(new String(output, StandardCharsets.UTF_8));
+      return JSON.readTree(new String(answer.output(), StandardCharsets.UTF_8));
     }
   }
 
