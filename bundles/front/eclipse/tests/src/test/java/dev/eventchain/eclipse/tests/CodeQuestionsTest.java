@@ -4,16 +4,18 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.constraints.editing.RuleLanguageService;
+import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.editing.Analysis;
 import dev.eventchain.editing.LanguageService;
-import dev.eventchain.editing.MemoryWorkspace;
 import dev.eventchain.editing.TextLines;
+import dev.eventchain.editing.Workspace;
 import dev.eventchain.m2t.editing.TemplateLanguageService;
 import dev.eventchain.model.eventchain.EventchainPackage;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.jface.text.IDocument;
 import org.eclipse.jface.text.ITextHover;
 import org.eclipse.jface.text.ITextHoverExtension2;
@@ -106,11 +108,29 @@ class CodeQuestionsTest {
     return (SourceViewerConfiguration) method.invoke(editor);
   }
 
+  /** A workspace of one text, about chains. */
+  private record OneText(Path file, SourceText text) implements Workspace {
+
+    @Override
+    public List<Path> files() {
+      return List.of(file);
+    }
+
+    @Override
+    public Optional<SourceText> text(Path asked) {
+      return Optional.of(text).filter(each -> asked.equals(file));
+    }
+
+    @Override
+    public List<EPackage> metamodels(Path asked) {
+      return List.of(EventchainPackage.eINSTANCE);
+    }
+  }
+
   /** Returns the analysis by the engine itself. */
   private Analysis analysis(String name, String text) {
-    MemoryWorkspace workspace = new MemoryWorkspace(List.of(EventchainPackage.eINSTANCE));
     Path file = project.file(name).getLocation().toPath();
-    workspace.put(file, text);
+    Workspace workspace = new OneText(file, SourceText.of(file.toString(), text));
     LanguageService service =
         name.endsWith(".ocl")
             ? new RuleLanguageService(workspace)

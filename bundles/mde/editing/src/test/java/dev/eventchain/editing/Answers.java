@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** The answers of a language service as lines of text, for logs and tests. */
+/** The answers of a language service as lines of text. */
 public final class Answers {
 
   private final LanguageService service;
