@@ -70,11 +70,6 @@ public final class SignalCatalogue {
     return List.copyOf(byPath.values());
   }
 
-  /** Returns the signal with a path. */
-  public Optional<CatalogueSignal> find(String path) {
-    return Optional.ofNullable(byPath.get(path));
-  }
-
   /** Returns whether a signal has a path, or is in the group with that path. */
   public static boolean isIn(CatalogueSignal signal, String path) {
     return signal.path().equals(path) || signal.path().startsWith(path + ".");

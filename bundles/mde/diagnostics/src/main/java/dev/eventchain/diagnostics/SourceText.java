@@ -2,7 +2,6 @@ package dev.eventchain.diagnostics;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
@@ -194,11 +193,6 @@ public final class SourceText {
     // Without a reason of the system, Java's message is the file name.
     String reason = e instanceof FileSystemException file ? file.getReason() : e.getMessage();
     return reason == null || reason.isBlank() ? "the system does not say why" : plain(reason);
-  }
-
-  /** As {@link #reason(IOException)}. */
-  public static String reason(UncheckedIOException e) {
-    return reason(e.getCause());
   }
 
   /** Returns a plain wording for a known error message of Linux; other messages unchanged. */

@@ -17,9 +17,4 @@ public record TextRange(TextPosition start, TextPosition end) {
   public boolean touches(TextPosition position) {
     return start.compareTo(position) <= 0 && position.compareTo(end) <= 0;
   }
-
-  /** Returns whether another range is inside this one or equal to it. */
-  public boolean contains(TextRange other) {
-    return touches(other.start) && touches(other.end);
-  }
 }

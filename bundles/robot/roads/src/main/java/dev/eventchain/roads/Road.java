@@ -119,11 +119,6 @@ public final class Road {
     return line.length();
   }
 
-  /** Returns the id of the junction that it leads through, if it does. */
-  public Optional<String> junction() {
-    return facts.junction;
-  }
-
   /** Returns the side on which vehicles drive. */
   public Traffic traffic() {
     return facts.traffic;
@@ -292,10 +287,6 @@ public final class Road {
 
   ReferenceLine line() {
     return line;
-  }
-
-  RoadSurface surface() {
-    return surface;
   }
 
   /** Returns t of lane 0. */

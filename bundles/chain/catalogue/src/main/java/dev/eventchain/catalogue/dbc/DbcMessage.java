@@ -1,6 +1,5 @@
 package dev.eventchain.catalogue.dbc;
 
-import dev.eventchain.diagnostics.SourceLocation;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.Map;
@@ -22,7 +21,6 @@ final class DbcMessage {
   private final long number;
   private final String name;
   private final int size;
-  private final SourceLocation place;
   private final Set<String> senders = new LinkedHashSet<>();
   private final Map<String, DbcSignal> signals = new LinkedHashMap<>();
   private String longName = "";
@@ -35,11 +33,10 @@ final class DbcMessage {
    * @param number its identifier as the file has it
    * @param size in bytes
    */
-  DbcMessage(long number, String name, int size, SourceLocation place) {
+  DbcMessage(long number, String name, int size) {
     this.number = number;
     this.name = name;
     this.size = size;
-    this.place = place;
   }
 
   boolean isExtended() {
@@ -65,10 +62,6 @@ final class DbcMessage {
 
   int size() {
     return size;
-  }
-
-  SourceLocation place() {
-    return place;
   }
 
   /** Returns the nodes that send it. */

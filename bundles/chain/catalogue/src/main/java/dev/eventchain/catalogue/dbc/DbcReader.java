@@ -176,7 +176,7 @@ final class DbcReader {
     Token name = part.word();
     part.sign(":");
     int size = (int) part.whole(LARGEST_SIZE);
-    DbcMessage message = new DbcMessage(number, name.text(), size, source.at(name.offset()));
+    DbcMessage message = new DbcMessage(number, name.text(), size);
     Token sender = part.word();
     if (!sender.is(NOBODY)) {
       message.senders().add(sender.text());

@@ -88,11 +88,6 @@ public final class LinkedModules {
     return Optional.ofNullable(declarations.get(callable));
   }
 
-  /** Returns the templates of a name that the main module sees. */
-  public List<Template> templates(String name) {
-    return main.calls().templates(name);
-  }
-
   /** Compiles a template of the main module; its findings are lost. */
   public synchronized void compile(
       Syntax.Template syntax, int number, ExpressionListener listener) {

@@ -67,10 +67,6 @@ final class TemplateAnalysis extends AssistedText {
     return world.linked().language();
   }
 
-  List<TemplateUnit> units() {
-    return units;
-  }
-
   private Optional<TemplateUnit> unitAt(int offset) {
     return units.stream()
         .filter(each -> each.block().start() <= offset && offset <= each.block().end())

@@ -39,8 +39,4 @@ public record Token(
   SourceRange content(SourceText source) {
     return source.range(contentStart, contentEnd);
   }
-
-  boolean isBlockTag() {
-    return kind == Kind.OPEN || kind == Kind.MIDDLE || kind == Kind.CLOSE;
-  }
 }

@@ -204,13 +204,7 @@ public final class ActorSignals implements Signal.Source {
    * @param name its name
    * @param quantity such as {@code gap}
    */
-  public record Reading(String of, String name, String quantity) {
-
-    /** Returns whether it is one of an actor. */
-    public boolean isOfActor() {
-      return of.equals("actor");
-    }
-  }
+  public record Reading(String of, String name, String quantity) {}
 
   /** Returns what a signal reads of an actor or an event; empty if it is no signal of one. */
   public static Optional<Reading> reading(String signal) {

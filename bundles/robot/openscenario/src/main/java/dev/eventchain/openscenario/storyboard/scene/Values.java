@@ -15,11 +15,6 @@ public final class Values {
     values.put(name, value);
   }
 
-  /** Returns whether a name has a value. */
-  public boolean knows(String name) {
-    return values.containsKey(name);
-  }
-
   /** Returns the value of a name that has one. */
   public String get(String name) {
     return values.get(name);
