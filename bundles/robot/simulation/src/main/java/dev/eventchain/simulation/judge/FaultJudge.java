@@ -142,14 +142,19 @@ public final class FaultJudge {
    * events are unknown.
    */
   private static CriterionResult endedEarly(Detected wanted, Diagnostic end) {
+    return result(wanted, Outcome.untested(endedEarly(end)));
+  }
+
+  /** Returns the result of a wanted detection, which reads no signal. */
+  private static CriterionResult result(Detected wanted, Outcome outcome) {
     return new CriterionResult(
         text(wanted),
-        false,
-        false,
-        endedEarly(end),
-        Optional.empty(),
-        OptionalDouble.empty(),
-        List.of(),
+        outcome.tested(),
+        outcome.passed(),
+        outcome.detail(),
+        outcome.margin(),
+        outcome.decided(),
+        outcome.otherwise(),
         List.of(),
         List.of(),
         wanted.location(),
@@ -179,19 +184,7 @@ public final class FaultJudge {
         !effective
             ? "the fault had no effect"
             : first.map(it -> measured(it, start)).orElse("nothing reported it");
-    return new CriterionResult(
-        text(wanted),
-        effective,
-        passed,
-        measured,
-        Optional.empty(),
-        OptionalDouble.empty(),
-        List.of(),
-        List.of(),
-        List.of(),
-        wanted.location(),
-        List.of(),
-        Optional.empty());
+    return result(wanted, new Outcome(effective, passed, measured, Optional.empty()));
   }
 
   private static String measured(Detection detection, double start) {
