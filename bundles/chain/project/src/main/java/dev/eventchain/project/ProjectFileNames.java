@@ -24,23 +24,23 @@ public final class ProjectFileNames {
   /** Names of files that are read, relative to the project. */
   private static final List<String> KNOWN =
       List.of(
-          "accepted.yaml",
-          "bench.yaml",
-          "constraints.ocl",
-          "design-rules.md",
-          "eventchain-suppressions.yaml",
+          ProjectLayout.ACCEPTED,
+          ProjectLayout.BENCH,
+          ProjectLayout.CONSTRAINTS,
+          ProjectLayout.DESIGN_RULES,
+          ProjectLayout.SUPPRESSIONS,
           "model",
-          "model/chain.xmi",
-          "mutants.yaml",
-          "recordings",
-          "requirements.md",
-          "scenarios",
-          "software-base",
-          "software-base/components.json",
-          "software-base/msg",
-          "software-base/questions.json",
-          "software-base/signals.json",
-          "tests");
+          ProjectLayout.MODEL,
+          ProjectLayout.MUTANTS,
+          ProjectLayout.RECORDINGS,
+          ProjectLayout.REQUIREMENTS,
+          ProjectLayout.SCENARIOS,
+          ProjectLayout.SOFTWARE_BASE,
+          ProjectLayout.COMPONENTS,
+          ProjectLayout.MESSAGES,
+          ProjectLayout.QUESTIONS,
+          ProjectLayout.SIGNALS,
+          ProjectLayout.TESTS);
 
   /** Suffixes of the files in project folders that are read. */
   private static final List<String> READ =

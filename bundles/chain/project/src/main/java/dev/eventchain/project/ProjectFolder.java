@@ -17,6 +17,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 
 /** A user's project folder: paths of its files, and of those results that are checked. */
@@ -30,9 +31,6 @@ public class ProjectFolder {
 
   /** Name of the constraints for the design rules among the results of a run. */
   public static final String GENERATED = "generated.ocl";
-
-  private static final String CONFIGURATION = "eventchain.yaml";
-  private static final String DESIGN_RULES = "design-rules.md";
 
   private final Path folder;
 
@@ -65,7 +63,7 @@ public class ProjectFolder {
 
   /** Returns the configuration file, which identifies a project. */
   public final Path configurationFile() {
-    return folder.resolve(CONFIGURATION);
+    return folder.resolve(ProjectLayout.CONFIGURATION);
   }
 
   /**
@@ -90,7 +88,8 @@ public class ProjectFolder {
                   SourceLocation.of(folder))
               .withHint(
                   ProjectFileNames.misspelt(configurationFile())
-                      .map(name -> "Rename '" + name + "' to '" + CONFIGURATION + "'.")
+                      .map(
+                          name -> "Rename '" + name + "' to '" + ProjectLayout.CONFIGURATION + "'.")
                       .orElse(
                           "Name the folder of a project, for example examples/aeb; 'eventchain"
                               + " init' starts one. Model files are named one by one.")));
@@ -106,12 +105,12 @@ public class ProjectFolder {
 
   /** Returns the file of suppressions, which may be absent. */
   public final Path suppressionsFile() {
-    return folder.resolve("eventchain-suppressions.yaml");
+    return folder.resolve(ProjectLayout.SUPPRESSIONS);
   }
 
   /** Returns the file of accepted texts of requirements, which may be absent. */
   public final Path acceptedFile() {
-    return folder.resolve("accepted.yaml");
+    return folder.resolve(ProjectLayout.ACCEPTED);
   }
 
   /** Returns the accepted texts of requirements, if the project keeps any. */
@@ -123,7 +122,7 @@ public class ProjectFolder {
 
   /** Returns the default output folder. */
   public final Path defaultOutput() {
-    return folder.resolve("out");
+    return folder.resolve(ProjectLayout.OUTPUT);
   }
 
   /**
@@ -142,7 +141,7 @@ public class ProjectFolder {
 
   /** Returns the file of functional requirements in Markdown, which may be absent. */
   public final Path requirements() {
-    return folder.resolve("requirements.md");
+    return folder.resolve(ProjectLayout.REQUIREMENTS);
   }
 
   /**
@@ -202,29 +201,33 @@ public class ProjectFolder {
 
   /** Returns the file of design rules, if it exists. */
   public final Optional<Path> designRules() {
-    return existing(DESIGN_RULES);
+    return existing(ProjectLayout.DESIGN_RULES);
   }
 
   /** Returns the file of design rules, which may be absent. */
   public final Path designRulesFile() {
-    return folder.resolve(DESIGN_RULES);
+    return folder.resolve(ProjectLayout.DESIGN_RULES);
   }
 
   /** Returns the folder of the software base. */
   public final Path softwareBase() {
-    return folder.resolve("software-base");
+    return folder.resolve(ProjectLayout.SOFTWARE_BASE);
+  }
+
+  /** Returns the file that describes the existing components, which may be absent. */
+  public final Path componentsFile() {
+    return folder.resolve(ProjectLayout.COMPONENTS);
   }
 
   /** Returns the files that describe the software base, which may be absent. */
   public final List<Path> softwareBaseFiles() {
-    Stream<Path> components = Stream.of(softwareBase().resolve("components.json"));
-    return Stream.concat(components, signalFiles().stream()).toList();
+    return Stream.concat(Stream.of(componentsFile()), signalFiles().stream()).toList();
   }
 
   /** Returns the files of the vehicle's signals, without what they include. */
   public final List<Path> signalFiles() {
     Stream<Path> others = catalogue().stream().flatMap(it -> it.source().files().stream());
-    return Stream.concat(Stream.of(softwareBase().resolve("signals.json")), others).toList();
+    return Stream.concat(Stream.of(folder.resolve(ProjectLayout.SIGNALS)), others).toList();
   }
 
   /** Returns the catalogue of signals that the configuration names, which has to be readable. */
@@ -234,12 +237,12 @@ public class ProjectFolder {
 
   /** Returns the file of open questions about the software base, which may be absent. */
   public final Path questionsFile() {
-    return softwareBase().resolve("questions.json");
+    return folder.resolve(ProjectLayout.QUESTIONS);
   }
 
   /** Returns the edited chain model, if there is one; then it is the source. */
   public Optional<Path> editedModel() {
-    return existing("model/chain.xmi");
+    return existing(ProjectLayout.MODEL);
   }
 
   /** Returns the chain model: the edited one, otherwise the one of an earlier run. */
@@ -247,9 +250,27 @@ public class ProjectFolder {
     return editedModel().or(() -> Optional.of(output.resolve(MODEL)).filter(Files::isRegularFile));
   }
 
+  /** Returns the document of constraints written by users, which may be absent. */
+  public final Path constraintsFile() {
+    return folder.resolve(ProjectLayout.CONSTRAINTS);
+  }
+
   /** Returns the documents of constraints written by users, and their imports. */
   public final List<Path> ownConstraints() {
-    return OclRules.files(existing("constraints.ocl").stream().toList());
+    return OclRules.files(existing(ProjectLayout.CONSTRAINTS).stream().toList());
+  }
+
+  /**
+   * Returns the documents of rules that are checked together with one although none imports the
+   * other: both of a project for each of them, and any other document alone.
+   */
+  public static Set<Path> checkedTogether(Path document) {
+    return around(document)
+        .map(
+            project ->
+                Set.of(project.constraintsFile(), project.defaultOutput().resolve(GENERATED)))
+        .filter(together -> together.contains(document))
+        .orElse(Set.of(document));
   }
 
   /** Returns the constraints generated by an earlier run, if there are any. */
@@ -273,7 +294,7 @@ public class ProjectFolder {
 
   /** Returns the folders with {@code <package>/msg/*.msg}. */
   public final List<Path> messageFolders() {
-    Optional<Path> messages = existing("software-base/msg");
+    Optional<Path> messages = existing(ProjectLayout.MESSAGES);
     messages.filter(each -> !Files.isDirectory(each)).ifPresent(ProjectFolder::refuseNoFolder);
     return messages.map(List::of).orElse(List.of());
   }
@@ -315,15 +336,7 @@ public class ProjectFolder {
         .filter(Objects::nonNull)
         .findFirst()
         .filter(id -> !hasRequirements())
-        .map(
-            id ->
-                Diagnostic.of(
-                        FileRules.MISSING,
-                        "There is no such file, but the project names the requirement '"
-                            + id
-                            + "'.",
-                        SourceLocation.of(requirements()))
-                    .withHint("Write each requirement into it: '- " + id + ": ...'"));
+        .map(id -> Requirements.missing(requirements(), id));
   }
 
   /**

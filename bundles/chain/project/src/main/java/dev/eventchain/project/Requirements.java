@@ -2,11 +2,14 @@ package dev.eventchain.project;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.Rule;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.project.requirements.RequirementRules;
 import dev.eventchain.project.requirements.SourceRequirements;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
@@ -42,6 +45,15 @@ public record Requirements(List<WrittenRequirement> items, List<Diagnostic> diag
   public Requirements {
     items = List.copyOf(items);
     diagnostics = List.copyOf(diagnostics);
+  }
+
+  /** Returns the finding that there is no file of requirements although something names one. */
+  static Diagnostic missing(Path file, String id) {
+    return Diagnostic.of(
+            FileRules.MISSING,
+            "There is no such file, but the project names the requirement '" + id + "'.",
+            SourceLocation.of(file))
+        .withHint("Write each requirement into it: '- " + id + ": ...'");
   }
 
   /** Reads the items of a file. */

@@ -9,6 +9,7 @@ import dev.eventchain.pipeline.run.RunOptions.Driver;
 import dev.eventchain.pipeline.run.RunResult;
 import dev.eventchain.pipeline.run.ScenarioSelection;
 import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.project.ProjectLayout;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -54,7 +55,7 @@ abstract class ChainMojo extends EventchainMojo {
   }
 
   private static boolean isChain(File folder) {
-    return Files.exists(folder.toPath().resolve("eventchain.yaml"));
+    return Files.exists(folder.toPath().resolve(ProjectLayout.CONFIGURATION));
   }
 
   /** Returns the folder for the results of the chain in a folder. */

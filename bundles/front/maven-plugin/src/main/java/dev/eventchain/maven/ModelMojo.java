@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.Outcome;
+import dev.eventchain.project.ProjectLayout;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -91,7 +92,7 @@ abstract class ModelMojo extends ChainMojo {
 
   /** Returns the suppressions for models. */
   final Suppressions suppressions() {
-    Path usual = Places.shown(new File(basedir(), "eventchain-suppressions.yaml"));
+    Path usual = Places.shown(new File(basedir(), ProjectLayout.SUPPRESSIONS));
     return suppressions(Optional.of(usual).filter(Files::exists));
   }
 }

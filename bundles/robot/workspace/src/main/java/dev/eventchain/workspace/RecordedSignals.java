@@ -58,11 +58,10 @@ public final class RecordedSignals {
         new FoundNode(
             "/reader", "", OptionalDouble.empty(), List.of(), true, Optional.empty(), "", 0);
     List<DescribedNode> all = List.of(new DescribedNode("Reader", reader, endpoints));
-    files.put("software-base/signals.json", SignalsJson.of(all, all));
+    files.put(SoftwareBaseFiles.SIGNALS, SignalsJson.of(all, all));
     files.put(
-        "software-base/components.json",
-        JsonLayout.of(JsonNodeFactory.instance.arrayNode()) + "\n");
-    files.put("software-base/questions.json", SoftwareBaseFiles.text(questions));
+        SoftwareBaseFiles.COMPONENTS, JsonLayout.of(JsonNodeFactory.instance.arrayNode()) + "\n");
+    files.put(SoftwareBaseFiles.QUESTIONS, SoftwareBaseFiles.text(questions));
     return files;
   }
 
@@ -87,7 +86,7 @@ public final class RecordedSignals {
   private void keep(MessageType type) {
     String definition = recording.definitions().get(type.name());
     if (definition != null && !standard.find(type.name()).filter(type::equals).isPresent()) {
-      files.put("software-base/msg/" + type.name() + ".msg", definition);
+      files.put(SoftwareBaseFiles.MESSAGES + type.name() + ".msg", definition);
     }
     type.fields().forEach(field -> field.type().message().ifPresent(this::keep));
   }

@@ -21,6 +21,13 @@ import java.util.TreeMap;
  */
 public final class SoftwareBaseFiles {
 
+  static final String COMPONENTS = "software-base/components.json";
+  static final String SIGNALS = "software-base/signals.json";
+  static final String QUESTIONS = "software-base/questions.json";
+
+  /** The folder of message definitions. */
+  static final String MESSAGES = "software-base/msg/";
+
   /** The folder of nodes that are hosted as they are. */
   private static final String SOURCES = "software-base/nodes/";
 
@@ -60,9 +67,9 @@ public final class SoftwareBaseFiles {
     }
     List<DescribedNode> components = nodes.stream().filter(this::isOfAChain).toList();
     components.forEach(this::askAbout);
-    files.put("software-base/components.json", components(components));
-    files.put("software-base/signals.json", SignalsJson.of(nodes, components));
-    files.put("software-base/questions.json", text(questions));
+    files.put(COMPONENTS, components(components));
+    files.put(SIGNALS, SignalsJson.of(nodes, components));
+    files.put(QUESTIONS, text(questions));
     return files;
   }
 
@@ -173,7 +180,7 @@ public final class SoftwareBaseFiles {
     if (file.isPresent()) {
       String name = file.get().getFileName().toString();
       String ending = name.substring(name.lastIndexOf('.'));
-      files.put("software-base/msg/" + type.name() + ending, SourceText.read(file.get()).text());
+      files.put(MESSAGES + type.name() + ending, SourceText.read(file.get()).text());
     }
     type.fields().forEach(field -> field.type().message().ifPresent(this::keep));
   }

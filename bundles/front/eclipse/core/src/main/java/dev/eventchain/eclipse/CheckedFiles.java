@@ -2,6 +2,7 @@ package dev.eventchain.eclipse;
 
 import dev.eventchain.check.Metamodels;
 import dev.eventchain.check.ProjectValidation;
+import dev.eventchain.project.ProjectLayout;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -20,12 +21,6 @@ import org.eclipse.core.runtime.IPath;
 
 /** Checked files of an Eclipse project, by kind. */
 final class CheckedFiles {
-
-  /** File that marks a folder as an Eventchain project. */
-  static final String CONFIGURATION = "eventchain.yaml";
-
-  /** Output folder of such a project. */
-  static final String OUTPUT = "out";
 
   private final List<IContainer> folders = new ArrayList<>();
   private final List<IFile> models = new ArrayList<>();
@@ -50,7 +45,8 @@ final class CheckedFiles {
       return false;
     }
     if (resource instanceof IContainer folder) {
-      boolean results = folder.getName().equals(OUTPUT) && isProjectFolder(folder.getParent());
+      boolean results =
+          folder.getName().equals(ProjectLayout.OUTPUT) && isProjectFolder(folder.getParent());
       if (!results && isProjectFolder(folder)) {
         folders.add(folder);
       }
@@ -69,7 +65,7 @@ final class CheckedFiles {
 
   static boolean isProjectFolder(IContainer folder) {
     return folder.getType() != IResource.ROOT
-        && folder.getFile(IPath.fromOSString(CONFIGURATION)).exists();
+        && folder.getFile(IPath.fromOSString(ProjectLayout.CONFIGURATION)).exists();
   }
 
   /**

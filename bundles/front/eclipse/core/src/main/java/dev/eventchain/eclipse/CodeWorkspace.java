@@ -30,8 +30,6 @@ import org.eclipse.emf.ecore.EPackage;
  */
 final class CodeWorkspace implements Workspace {
 
-  private static final String CONSTRAINTS = "constraints.ocl";
-
   /** Number of changes in Eclipse's workspace so far, for all that is kept until the next one. */
   private static final AtomicLong CHANGES = new AtomicLong();
 
@@ -188,13 +186,6 @@ final class CodeWorkspace implements Workspace {
   /** Returns the constraints of an Eventchain project for each of them. */
   @Override
   public Set<Path> checkedTogether(Path file) {
-    return ProjectFolder.around(file)
-        .map(
-            around ->
-                Set.of(
-                    around.folder().resolve(CONSTRAINTS),
-                    around.defaultOutput().resolve(ProjectFolder.GENERATED)))
-        .filter(together -> together.contains(file))
-        .orElse(Set.of(file));
+    return ProjectFolder.checkedTogether(file);
   }
 }

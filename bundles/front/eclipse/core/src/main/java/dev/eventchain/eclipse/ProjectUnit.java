@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import dev.eventchain.project.SuppressionFile;
 import java.nio.file.Path;
 import java.time.LocalDate;
@@ -32,7 +33,7 @@ record ProjectUnit(IContainer folder, Path path, ProjectValidation validation)
 
   @Override
   public IResource subject() {
-    return folder.getFile(IPath.fromOSString(CheckedFiles.CONFIGURATION));
+    return folder.getFile(IPath.fromOSString(ProjectLayout.CONFIGURATION));
   }
 
   @Override
@@ -41,7 +42,7 @@ record ProjectUnit(IContainer folder, Path path, ProjectValidation validation)
       return "ocl".equals(file.getFileExtension()); // documents may import others from elsewhere
     }
     IPath name = file.getFullPath().makeRelativeTo(folder.getFullPath());
-    return name.segment(0).equals(CheckedFiles.OUTPUT)
+    return name.segment(0).equals(ProjectLayout.OUTPUT)
         ? name.segmentCount() == 2 && CHECKED_RESULTS.contains(name.lastSegment())
         : !name.segment(0).startsWith(".");
   }
@@ -53,7 +54,7 @@ record ProjectUnit(IContainer folder, Path path, ProjectValidation validation)
 
   /** Returns whether a document contains the rules of this folder. */
   boolean hasRules(IFile document) {
-    return document.equals(folder.getFile(IPath.fromOSString("constraints.ocl")));
+    return document.equals(folder.getFile(IPath.fromOSString(ProjectLayout.CONSTRAINTS)));
   }
 
   @Override

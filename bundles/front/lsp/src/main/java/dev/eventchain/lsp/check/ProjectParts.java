@@ -48,8 +48,7 @@ final class ProjectParts {
       return project.constraintFiles(output);
     } catch (DiagnosticException e) {
       // The check of the project says why.
-      return List.of(
-          project.folder().resolve("constraints.ocl"), output.resolve(ProjectFolder.GENERATED));
+      return List.of(project.constraintsFile(), output.resolve(ProjectFolder.GENERATED));
     }
   }
 }

@@ -1,6 +1,7 @@
 package dev.eventchain.lsp.check;
 
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import java.io.IOException;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
@@ -31,8 +32,6 @@ public final class WorkspaceFiles {
 
   /** The most files that are looked at; a home folder that is opened by mistake has more. */
   private static final int MOST_FILES = 200_000;
-
-  private static final String PROJECT = "eventchain.yaml";
 
   private static final Set<String> BUILT = Set.of("node_modules", "target", "__pycache__");
 
@@ -126,7 +125,7 @@ public final class WorkspaceFiles {
 
     @Override
     public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
-      if (file.getFileName().toString().equals(PROJECT)) {
+      if (file.getFileName().toString().equals(ProjectLayout.CONFIGURATION)) {
         found.projects.add(named(file).getParent());
       } else if (attributes.isRegularFile() && isKnown(file)) {
         found.files.add(named(file));
@@ -167,7 +166,8 @@ public final class WorkspaceFiles {
   }
 
   private static boolean isOutput(Path folder) {
-    return folder.endsWith("out") && Files.isRegularFile(folder.resolveSibling(PROJECT));
+    return folder.endsWith(ProjectLayout.OUTPUT)
+        && Files.isRegularFile(folder.resolveSibling(ProjectLayout.CONFIGURATION));
   }
 
   /** Returns whether a file may be a unit, or one that units of other files look for. */

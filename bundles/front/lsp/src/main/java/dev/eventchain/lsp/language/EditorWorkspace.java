@@ -26,8 +26,6 @@ import org.eclipse.emf.ecore.EPackage;
 /** The files and open texts of a session, as the services of languages see them. */
 public final class EditorWorkspace implements Workspace {
 
-  private static final String CONSTRAINTS = "constraints.ocl";
-
   /**
    * A text, and what it was made from: an open text, or the state of a file.
    *
@@ -137,14 +135,7 @@ public final class EditorWorkspace implements Workspace {
   /** Returns the constraints of a project for each of them; others see only what they import. */
   @Override
   public Set<Path> checkedTogether(Path file) {
-    return ProjectFolder.around(file)
-        .map(
-            project ->
-                Set.of(
-                    project.folder().resolve(CONSTRAINTS),
-                    project.defaultOutput().resolve(ProjectFolder.GENERATED)))
-        .filter(together -> together.contains(file))
-        .orElse(Set.of(file));
+    return ProjectFolder.checkedTogether(file);
   }
 
   private static boolean isSame(List<SourceText> first, List<SourceText> second) {

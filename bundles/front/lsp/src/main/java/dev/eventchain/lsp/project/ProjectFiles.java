@@ -14,6 +14,7 @@ import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import dev.eventchain.project.SoftwareBase;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -84,7 +85,7 @@ final class ProjectFiles {
   Map<String, String> scenarios() {
     Map<String, String> found = new TreeMap<>();
     for (Path file : files()) {
-      if (file.startsWith(folder.folder().resolve("scenarios"))) {
+      if (file.startsWith(folder.folder().resolve(ProjectLayout.SCENARIOS))) {
         String text = workspace.text(file).map(SourceText::text).orElse("");
         Matcher name = NAME.matcher(text);
         Matcher title = TITLE.matcher(text);
@@ -162,7 +163,7 @@ final class ProjectFiles {
 
   /** Returns whether requirements are kept in a file of ours, which may be changed. */
   boolean owns(WrittenRequirement requirement) {
-    return Path.of(requirement.location().file()).endsWith("requirements.md");
+    return Path.of(requirement.location().file()).endsWith(ProjectLayout.REQUIREMENTS);
   }
 
   /** Returns what kind of file of the project one is, if a schema describes it. */

@@ -4,6 +4,7 @@ import dev.eventchain.pipeline.ProjectBench;
 import dev.eventchain.pipeline.campaign.CampaignFiles;
 import dev.eventchain.pipeline.campaign.Campaigns;
 import dev.eventchain.pipeline.project.Configuration;
+import dev.eventchain.project.ProjectLayout;
 import dev.eventchain.project.SuppressionFile;
 import java.nio.file.Path;
 import java.util.EnumMap;
@@ -26,13 +27,13 @@ final class ProjectSchemas {
   /** The kinds of the files in the folder of a project that have one name. */
   private static final Map<String, Kind> BY_NAME =
       Map.of(
-          "eventchain.yaml",
+          ProjectLayout.CONFIGURATION,
           Kind.SETTINGS,
-          "eventchain-suppressions.yaml",
+          ProjectLayout.SUPPRESSIONS,
           Kind.SUPPRESSIONS,
-          "bench.yaml",
+          ProjectLayout.BENCH,
           Kind.BENCH,
-          "faults.yaml",
+          ProjectLayout.FAULTS,
           Kind.FAULTS);
 
   private final Map<Kind, ProjectSchema> read = new EnumMap<>(Kind.class);
@@ -45,7 +46,7 @@ final class ProjectSchemas {
       return Optional.empty();
     } else if (inside.getNameCount() == 1 && BY_NAME.containsKey(first)) {
       return Optional.of(BY_NAME.get(first));
-    } else if (inside.getNameCount() > 1 && first.equals("scenarios")) {
+    } else if (inside.getNameCount() > 1 && first.equals(ProjectLayout.SCENARIOS)) {
       return Optional.of(Kind.SCENARIO);
     }
     boolean isCampaign =

@@ -2,6 +2,7 @@ package dev.eventchain.lsp.project;
 
 import dev.eventchain.lsp.check.WorkspaceFiles;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import java.io.IOException;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
@@ -44,7 +45,7 @@ final class ProjectWalk extends SimpleFileVisitor<Path> {
         !folder.equals(project.folder())
             && (WorkspaceFiles.isPassedOver(folder)
                 || folder.equals(project.defaultOutput())
-                || folder.equals(project.folder().resolve("recordings"))
+                || folder.equals(project.folder().resolve(ProjectLayout.RECORDINGS))
                 || Files.isRegularFile(new ProjectFolder(folder).configurationFile()));
     return skipped ? FileVisitResult.SKIP_SUBTREE : FileVisitResult.CONTINUE;
   }

@@ -41,7 +41,7 @@ public final class ImplementStage implements StageWork {
     fingerprint
         .addFile(run.file(ProjectFolder.DESCRIPTION))
         .addRequirements()
-        .addFile(run.project().softwareBase().resolve("components.json"))
+        .addFile(run.project().componentsFile())
         .add(run.project().configuration().models("test"))
         .addFiles(TestFiles.ofProject(run.project()));
     if (run.project().catalogue().isPresent()) {

@@ -34,7 +34,7 @@ public final class ModelStage implements StageWork {
     fingerprint
         .addFile(run.file(ProjectFolder.DESCRIPTION))
         .addRequirements()
-        .addFile(run.project().softwareBase().resolve("components.json"));
+        .addFile(run.project().componentsFile());
     run.project().editedModel().ifPresent(fingerprint::addFile);
   }
 

@@ -17,6 +17,7 @@ import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import dev.eventchain.project.ProjectSettings;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -30,7 +31,7 @@ import java.util.Optional;
  * without one, proposals of a language model in {@code out/tests}.
  */
 public final class TestFiles {
-  static final String FOLDER = "tests";
+  static final String FOLDER = ProjectLayout.TESTS;
   private static final String SUFFIX = ".yaml";
 
   private final RunContext run;

@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import dev.eventchain.xmi.LoadedModel;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -34,7 +35,7 @@ record ReferenceChain(String name, String description) {
       LoadedModel loaded =
           EventChainMetamodel.store(project.folder()).loadAll(List.of(edited.get())).get(0);
       String description = EventChainWriter.write(ChainModel.chainOf(loaded, edited.get()));
-      return Optional.of(new ReferenceChain("model/chain.xmi", description));
+      return Optional.of(new ReferenceChain(ProjectLayout.MODEL, description));
     }
     return Stream.of(output, project.defaultOutput())
         .map(folder -> folder.resolve(ProjectFolder.DESCRIPTION))

@@ -7,6 +7,7 @@ import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.project.DatedEntries;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import java.nio.file.Path;
 import java.time.LocalDate;
 import java.util.HashSet;
@@ -22,8 +23,6 @@ import java.util.Set;
  * @param entries in the order of the file
  */
 record AcceptedMutants(List<Entry> entries) {
-
-  static final String FILE = "mutants.yaml";
 
   /** An accepted mutant. */
   record Entry(
@@ -45,7 +44,7 @@ record AcceptedMutants(List<Entry> entries) {
    * @throws DiagnosticException INPUT with all invalid entries
    */
   static AcceptedMutants of(ProjectFolder project) {
-    Path file = project.folder().resolve(FILE);
+    Path file = project.folder().resolve(ProjectLayout.MUTANTS);
     return ProjectFolder.isAbsent(file) ? new AcceptedMutants(List.of()) : read(file);
   }
 

@@ -3,8 +3,8 @@ package dev.eventchain.pipeline.project;
 import dev.eventchain.messages.RosDistribution;
 import dev.eventchain.project.CatalogueSettings;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import dev.eventchain.project.RequirementSources;
-import dev.eventchain.simulation.bench.Bench;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -66,7 +66,7 @@ public final class Project extends ProjectFolder {
   }
 
   public Path recordings() {
-    return folder().resolve("recordings");
+    return folder().resolve(ProjectLayout.RECORDINGS);
   }
 
   /**
@@ -98,17 +98,17 @@ public final class Project extends ProjectFolder {
 
   /** Returns the connections between world and chain, if the project defines them itself. */
   public Optional<Path> bench() {
-    return existing(Bench.FILE);
+    return existing(ProjectLayout.BENCH);
   }
 
   /** Returns the project's own file of faults, if there is one; others are named by options. */
   public Optional<Path> faults() {
-    return existing("faults.yaml");
+    return existing(ProjectLayout.FAULTS);
   }
 
   /** Returns the folder of the scenarios. */
   public Path scenarios() {
-    return folder().resolve("scenarios");
+    return folder().resolve(ProjectLayout.SCENARIOS);
   }
 
   /** Returns all handwritten files that a run may read, except recordings and the chain. */
@@ -118,7 +118,8 @@ public final class Project extends ProjectFolder {
     files.addAll(ownConstraints());
     bench().ifPresent(files::add);
     catalogue().ifPresent(it -> files.addAll(it.source().files()));
-    for (String name : List.of("software-base", "scenarios", "tests")) {
+    for (String name :
+        List.of(ProjectLayout.SOFTWARE_BASE, ProjectLayout.SCENARIOS, ProjectLayout.TESTS)) {
       existing(name).filter(Files::isDirectory).ifPresent(each -> files.addAll(below(each)));
     }
     files.addAll(Templates.ownFiles(this));

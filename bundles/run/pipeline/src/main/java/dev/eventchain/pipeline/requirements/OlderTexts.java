@@ -14,6 +14,7 @@ import dev.eventchain.pipeline.results.VerdictFile;
 import dev.eventchain.pipeline.simulate.SimulateStage;
 import dev.eventchain.project.AcceptedTexts;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -42,7 +43,7 @@ final class OlderTexts {
   static OlderTexts of(Project project, Path old) {
     OlderTexts older = new OlderTexts();
     Path inside = old.resolve(SimulateStage.VERDICT);
-    if (Files.isRegularFile(old.resolve("eventchain.yaml"))) {
+    if (Files.isRegularFile(old.resolve(ProjectLayout.CONFIGURATION))) {
       older.add(new ProjectFolder(old).readRequirements().items());
     } else if (Files.isRegularFile(inside)) {
       older.addResults(inside);

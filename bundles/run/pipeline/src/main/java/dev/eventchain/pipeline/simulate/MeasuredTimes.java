@@ -77,7 +77,7 @@ final class MeasuredTimes {
    * @return the findings about times that are longer than stated
    */
   static List<Diagnostic> propose(RunContext run, SimulationResult result) {
-    Path file = run.project().softwareBase().resolve("components.json");
+    Path file = run.project().componentsFile();
     run.output().removeAll(DIFF);
     if (run.options().driver() != Driver.DDS_IN_REAL_TIME || !Files.isRegularFile(file)) {
       return List.of();

@@ -22,6 +22,7 @@ import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.files.SourceFile;
 import dev.eventchain.project.OpenQuestions;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import dev.eventchain.project.ProjectSettings;
 import dev.eventchain.project.Requirements;
 import dev.eventchain.project.SoftwareBase;
@@ -50,8 +51,6 @@ import java.util.stream.Stream;
  */
 public final class ProjectStart {
 
-  private static final String BENCH = "bench.yaml";
-
   private static final String MODELS =
       """
       models:
@@ -61,28 +60,24 @@ public final class ProjectStart {
   /** Files of {@code examples/radar-aeb}, which are in the jar. */
   static final List<String> STARTER =
       List.of(
-          BENCH,
-          "eventchain.yaml",
-          "model/chain.xmi",
-          "mutants.yaml",
-          "requirements.md",
+          ProjectLayout.BENCH,
+          ProjectLayout.CONFIGURATION,
+          ProjectLayout.MODEL,
+          ProjectLayout.MUTANTS,
+          ProjectLayout.REQUIREMENTS,
           "scenarios/short-sight.yaml",
           "scenarios/stopped-vehicle-50.yaml",
-          "software-base/components.json",
+          ProjectLayout.COMPONENTS,
           "software-base/components/Brake_Request.py",
           "software-base/components/Collision_Warning.py",
           "software-base/components/Radar_Tracking.py",
           "software-base/msg/demo_msgs/msg/BrakeRequest.msg",
           "software-base/msg/demo_msgs/msg/RadarTarget.msg",
           "software-base/msg/demo_msgs/msg/Threat.msg",
-          "software-base/signals.json",
+          ProjectLayout.SIGNALS,
           "tests/Brake_Request.yaml",
           "tests/Collision_Warning.yaml",
           "tests/Radar_Tracking.yaml");
-
-  private static final String SIGNALS = "software-base/signals.json";
-  private static final String MODEL = "model/chain.xmi";
-  private static final String COMPONENTS = "software-base/components.json";
 
   /**
    * The content of the new project.
@@ -156,11 +151,11 @@ public final class ProjectStart {
   }
 
   private Started create() {
-    if (exists("eventchain.yaml")) {
+    if (exists(ProjectLayout.CONFIGURATION)) {
       throw refused(StartRules.EXISTS, "This is already a project.", "Run it: eventchain run DIR");
     }
     Map<String, String> files = new LinkedHashMap<>();
-    if (exists(SIGNALS)) {
+    if (exists(ProjectLayout.SIGNALS)) {
       aroundSoftware(files);
     } else if (isEmpty()) {
       STARTER.forEach(name -> files.put(name, starter(name)));
@@ -198,22 +193,22 @@ public final class ProjectStart {
 
   private void aroundSoftware(Map<String, String> files) {
     SoftwareBase base = software(files);
-    Path messages = folder.resolve("software-base/msg");
+    Path messages = folder.resolve(ProjectLayout.MESSAGES);
     MessageCatalog catalog =
         MessageCatalog.of(Files.isDirectory(messages) ? List.of(messages) : List.of());
     String name = name();
-    files.put("eventchain.yaml", "name: " + name + "\n" + MODELS);
+    files.put(ProjectLayout.CONFIGURATION, "name: " + name + "\n" + MODELS);
     Requirements requirements = requirements(files);
-    if (!exists(MODEL) && !base.components().isEmpty()) {
+    if (!exists(ProjectLayout.MODEL) && !base.components().isEmpty()) {
       EventChain chain = chain(name, requirements, base);
       unfed = unfed(chain, base);
       if (unfed.isEmpty()) {
-        files.put(MODEL, new String(XmiStore.toBytes(chain), StandardCharsets.UTF_8));
+        files.put(ProjectLayout.MODEL, new String(XmiStore.toBytes(chain), StandardCharsets.UTF_8));
       }
     }
-    files.put(BENCH, bench.text(base.signals().orElse(List.of()), catalog, rates));
-    if (!exists("scenarios")) {
-      files.put("scenarios/stopped-vehicle.yaml", scenario(requirements));
+    files.put(ProjectLayout.BENCH, bench.text(base.signals().orElse(List.of()), catalog, rates));
+    if (!exists(ProjectLayout.SCENARIOS)) {
+      files.put(ProjectLayout.SCENARIOS + "/stopped-vehicle.yaml", scenario(requirements));
     }
   }
 
@@ -232,7 +227,7 @@ public final class ProjectStart {
   }
 
   private Requirements requirements(Map<String, String> files) {
-    String name = "requirements.md";
+    String name = ProjectLayout.REQUIREMENTS;
     if (exists(name)) {
       return ProjectFolder.readRules(folder.resolve(name));
     }
@@ -246,7 +241,8 @@ public final class ProjectStart {
     ProjectSettings settings =
         new ProjectSettings(name, ProjectSettings.DEFAULT_FREQUENCY, RosDistribution.DEFAULT);
     Modeled<EventChain> chain =
-        ChainModel.ofDescription(folder.resolve(COMPONENTS), settings, requirements, base);
+        ChainModel.ofDescription(
+            folder.resolve(ProjectLayout.COMPONENTS), settings, requirements, base);
     if (Diagnostic.anyError(chain.diagnostics())) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, chain.diagnostics());
     }
@@ -308,17 +304,19 @@ public final class ProjectStart {
 
   /** Returns the folder's software; an empty list if there are no components. */
   private SoftwareBase software(Map<String, String> files) {
-    SoftwareBase base = SoftwareBase.read(folder.resolve("software-base"));
-    boolean withoutComponents = !exists(COMPONENTS);
+    SoftwareBase base = SoftwareBase.read(folder.resolve(ProjectLayout.SOFTWARE_BASE));
+    boolean withoutComponents = !exists(ProjectLayout.COMPONENTS);
     List<Diagnostic> found =
         base.diagnostics().stream()
-            .filter(it -> !withoutComponents || !it.location().file().endsWith(COMPONENTS))
+            .filter(
+                it ->
+                    !withoutComponents || !it.location().file().endsWith(ProjectLayout.COMPONENTS))
             .toList();
     if (Diagnostic.anyError(found)) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, found);
     }
     if (withoutComponents) {
-      files.put(COMPONENTS, "[]\n");
+      files.put(ProjectLayout.COMPONENTS, "[]\n");
     }
     return base;
   }

@@ -7,6 +7,7 @@ import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.QosProfile;
 import dev.eventchain.model.eventchain.Requirement;
+import dev.eventchain.project.ProjectLayout;
 import dev.eventchain.project.Requirements;
 import java.nio.file.Path;
 import java.util.Objects;
@@ -63,7 +64,7 @@ enum ElementFix {
       }
       Optional<Path> written =
           EventchainFolders.around(file)
-              .map(folder -> folder.getLocation().toPath().resolve("requirements.md"));
+              .map(folder -> folder.getLocation().toPath().resolve(ProjectLayout.REQUIREMENTS));
       Optional<String> text =
           written.stream()
               .flatMap(path -> Requirements.read(SourceText.read(path)).items().stream())

@@ -4,6 +4,8 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.eclipse.ChainImport;
 import dev.eventchain.eclipse.EventchainFolders;
+import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -47,7 +49,7 @@ final class ImportPage extends WizardPage {
    */
   ImportPage(IContainer folder) {
     super("import");
-    proposed = folder == null ? null : folder.getFullPath().append("chain.xmi");
+    proposed = folder == null ? null : folder.getFullPath().append(ProjectFolder.MODEL);
     setTitle("Event Chain from JSON");
     setDescription(
         "Creates a model from the description of a chain, in the form in which language models"
@@ -123,7 +125,7 @@ final class ImportPage extends WizardPage {
 
   private void browseTarget() {
     SaveAsDialog dialog = new SaveAsDialog(getShell());
-    dialog.setOriginalName("chain.xmi");
+    dialog.setOriginalName(ProjectFolder.MODEL);
     dialog.open();
     if (dialog.getResult() != null) {
       target.setText(dialog.getResult().toString());
@@ -198,7 +200,8 @@ final class ImportPage extends WizardPage {
   private String readDescription() {
     IContainer around = EventchainFolders.around(target()).orElse(target().getProject());
     IPath place = around.getLocation();
-    Path requirements = place == null ? path("") : place.toPath().resolve("requirements.md");
+    Path requirements =
+        place == null ? path("") : place.toPath().resolve(ProjectLayout.REQUIREMENTS);
     try {
       read = ChainImport.read(path(source.getText()), name.getText(), requirements, frequency());
       show(read.diagnostics());

@@ -2,6 +2,7 @@ package dev.eventchain.eclipse.ui.wizards;
 
 import dev.eventchain.eclipse.Program;
 import dev.eventchain.eclipse.ui.EventchainUi;
+import dev.eventchain.project.ProjectLayout;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -84,9 +85,9 @@ final class ProjectContent {
       throw failure("The program could not start a project: " + said.toString().strip(), null);
     }
     try {
-      rename("eventchain.yaml", "(?m)^(name:\\s*).*$", "$1" + chain);
+      rename(ProjectLayout.CONFIGURATION, "(?m)^(name:\\s*).*$", "$1" + chain);
       String name = "(<eventchain:EventChain\\b[^>]*?\\sname=\")[^\"]*";
-      rename("model/chain.xmi", name, "$1" + chain);
+      rename(ProjectLayout.MODEL, name, "$1" + chain);
     } catch (IOException e) {
       throw failure("The chain could not be named: " + e.getMessage(), e);
     }
@@ -108,7 +109,7 @@ final class ProjectContent {
    */
   void copy(Path example, IProgressMonitor monitor) throws CoreException {
     try (Stream<Path> walk = Files.walk(example)) {
-      Path results = example.resolve("out");
+      Path results = example.resolve(ProjectLayout.OUTPUT);
       for (Path file : walk.filter(each -> !each.startsWith(results)).sorted().toList()) {
         if (monitor.isCanceled()) {
           throw new OperationCanceledException();

@@ -2,6 +2,7 @@ package dev.eventchain.eclipse.ui.wizards;
 
 import dev.eventchain.eclipse.EventchainCore;
 import dev.eventchain.eclipse.Program;
+import dev.eventchain.project.ProjectLayout;
 import java.lang.reflect.InvocationTargetException;
 import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IProject;
@@ -117,8 +118,8 @@ public final class ProjectWizard extends Wizard implements INewWizard {
   }
 
   private void open(IProject project) {
-    IFile chain = project.getFile("model/chain.xmi");
-    IFile file = chain.exists() ? chain : project.getFile("eventchain.yaml");
+    IFile chain = project.getFile(ProjectLayout.MODEL);
+    IFile file = chain.exists() ? chain : project.getFile(ProjectLayout.CONFIGURATION);
     try {
       if (file.exists()) {
         IDE.openEditor(workbench.getActiveWorkbenchWindow().getActivePage(), file);

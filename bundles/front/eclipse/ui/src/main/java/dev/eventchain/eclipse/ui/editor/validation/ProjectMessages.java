@@ -5,6 +5,7 @@ import dev.eventchain.eclipse.EventchainFolders;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.RosDistribution;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -20,7 +21,7 @@ import org.eclipse.core.runtime.IPath;
  */
 public final class ProjectMessages implements Supplier<Optional<MessageCatalog>> {
 
-  private static final IPath FOLDER = IPath.fromPortableString("software-base/msg");
+  private static final IPath FOLDER = IPath.fromPortableString(ProjectLayout.MESSAGES);
 
   private final Supplier<IFile> chain;
   private volatile Optional<MessageCatalog> known = Optional.empty();
