@@ -89,28 +89,29 @@ final class EvaluateCommand extends ProjectCommand {
       return Outcome.of(Coverage.NONE, List.of(), List.of());
     }
     Project project = Project.open(folder);
-    try {
-      EvaluationOutcome result =
-          LanguageModelEvaluation.run(
-              project, options(project), new RunLines(console.err(), console.terminal()));
-      if (format() == DiagnosticFormat.TEXT) {
-        console.out().print(result.table());
-        result.files().forEach(file -> console.out().println("Report: " + file));
-      }
-      return Outcome.of(result.failure(), result.diagnostics());
-    } catch (IllegalArgumentException e) {
-      throw wrongUsage(e.getMessage());
+    EvaluationOutcome result =
+        LanguageModelEvaluation.run(
+            project, options(project), new RunLines(console.err(), console.terminal()));
+    if (format() == DiagnosticFormat.TEXT) {
+      console.out().print(result.table());
+      result.files().forEach(file -> console.out().println("Report: " + file));
     }
+    return Outcome.of(result.failure(), result.diagnostics());
   }
 
   private EvaluationOptions options(Project project) {
-    return new EvaluationOptions(
-        outputOf(project),
-        models,
-        runs,
-        parallel,
-        Optional.ofNullable(llm),
-        suppressions(project),
-        timeLimit());
+    try {
+      return new EvaluationOptions(
+              outputOf(project),
+              models,
+              runs,
+              parallel,
+              Optional.ofNullable(llm),
+              suppressions(project),
+              timeLimit())
+          .in(project);
+    } catch (IllegalArgumentException e) {
+      throw wrongUsage(e.getMessage());
+    }
   }
 }

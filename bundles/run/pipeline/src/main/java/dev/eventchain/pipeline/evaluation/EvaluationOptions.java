@@ -59,6 +59,40 @@ public record EvaluationOptions(
     }
   }
 
+  /**
+   * Returns these options with the models that a project or the source of answers names.
+   *
+   * @throws IllegalArgumentException with a message if they do not fit the project
+   */
+  public EvaluationOptions in(Project project) {
+    String source = source(project);
+    Optional<AnswerSets> sets = AnswerSets.of(source);
+    if (sets.isPresent()) {
+      return ofSessions(sets.get());
+    }
+    boolean isModel =
+        project.configuration().services().names().contains(source.replaceFirst("(?s)/.*", ""))
+            && source.contains("/");
+    require(
+        !isModel || models.isEmpty() || llm.isEmpty(),
+        "--llm " + source + " names a model, and so does --models");
+    List<String> named =
+        !models.isEmpty()
+            ? models
+            : isModel ? List.of(source) : project.configuration().languageModels();
+    require(!named.isEmpty(), "no language model is configured: --models a,b");
+    Optional<String> answers = isModel ? Optional.of("live") : llm;
+    return new EvaluationOptions(output, named, runs, parallel, answers, suppressions, timeLimit);
+  }
+
+  /** Returns the options for recorded sessions: each is a run, whatever number was given. */
+  private EvaluationOptions ofSessions(AnswerSets sets) {
+    require(models.size() <= 1, "the sessions of a folder are those of one model");
+    List<String> named = models.isEmpty() ? List.of(sets.name()) : models;
+    return new EvaluationOptions(
+        output, named, sets.folders().size(), parallel, llm, suppressions, timeLimit);
+  }
+
   /** Returns the source of answers. */
   String source(Project project) {
     return llm.orElse(project.configuration().llm());

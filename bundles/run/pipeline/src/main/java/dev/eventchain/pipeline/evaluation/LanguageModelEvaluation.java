@@ -12,6 +12,7 @@ import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.ScenarioSelection;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.Sample;
+import dev.eventchain.project.ProjectLayout;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -70,11 +71,11 @@ public final class LanguageModelEvaluation {
    * Evaluates language models. Reuses finished runs with the same inputs; continues unfinished runs
    * with the answers they already have.
    *
-   * @throws IllegalArgumentException if the options do not fit the project
+   * @param options as {@link EvaluationOptions#in} returns them
    * @throws DiagnosticException for failures caused by the project or this machine
    */
-  public static EvaluationOutcome run(Project project, EvaluationOptions given, Listener listener) {
-    EvaluationOptions options = of(project, given);
+  public static EvaluationOutcome run(
+      Project project, EvaluationOptions options, Listener listener) {
     try (EvaluationFolder folder = EvaluationFolder.open(options.output())) {
       LanguageModelEvaluation evaluation =
           new LanguageModelEvaluation(project, options, listener, folder);
@@ -85,53 +86,6 @@ public final class LanguageModelEvaluation {
   /** Returns the JSON Schema of {@code evaluation.json}. */
   public static String schema() {
     return EvaluationJson.schema();
-  }
-
-  /** Returns the options with the model's name, if the source of answers is a single model. */
-  private static EvaluationOptions of(Project project, EvaluationOptions given) {
-    String source = given.source(project);
-    Optional<AnswerSets> sets = AnswerSets.of(source);
-    if (sets.isPresent()) {
-      return ofSessions(given, sets.get());
-    }
-    boolean isModel =
-        project.configuration().services().names().contains(source.replaceFirst("(?s)/.*", ""))
-            && source.contains("/");
-    if (isModel && !given.models().isEmpty() && given.llm().isPresent()) {
-      throw new IllegalArgumentException(
-          "--llm " + source + " names a model, and so does --models");
-    }
-    boolean named = !given.models().isEmpty();
-    List<String> models =
-        named
-            ? given.models()
-            : isModel ? List.of(source) : project.configuration().languageModels();
-    if (models.isEmpty()) {
-      throw new IllegalArgumentException("no language model is configured: --models a,b");
-    }
-    return new EvaluationOptions(
-        given.output(),
-        models,
-        given.runs(),
-        given.parallel(),
-        isModel ? Optional.of("live") : given.llm(),
-        given.suppressions(),
-        given.timeLimit());
-  }
-
-  /** Returns the options for recorded sessions: each is a run, whatever number was given. */
-  private static EvaluationOptions ofSessions(EvaluationOptions given, AnswerSets sets) {
-    if (given.models().size() > 1) {
-      throw new IllegalArgumentException("the sessions of a folder are those of one model");
-    }
-    return new EvaluationOptions(
-        given.output(),
-        given.models().isEmpty() ? List.of(sets.name()) : given.models(),
-        sets.folders().size(),
-        given.parallel(),
-        given.llm(),
-        given.suppressions(),
-        given.timeLimit());
   }
 
   /** Executes the runs in any order, and returns them in the order of the models. */
@@ -206,7 +160,7 @@ public final class LanguageModelEvaluation {
 
   private EvaluationRun.Done performNow(String model, int number, String name) {
     folder.begin(name);
-    Path recordings = folder.path(name).resolve("recordings");
+    Path recordings = folder.path(name).resolve(ProjectLayout.RECORDINGS);
     Sample sample = new Sample(model, number - 1, project.recordings(), recordings, spending);
     Optional<AnswerSession> session =
         AnswerSets.of(options.source(project))
