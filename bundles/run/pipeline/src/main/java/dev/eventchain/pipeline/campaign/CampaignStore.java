@@ -5,7 +5,6 @@ import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.stage.RunContext;
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -133,11 +132,7 @@ final class CampaignStore implements AutoCloseable {
 
   /** Returns the cases in a file; empty if it is another or a broken file. */
   static Optional<Cases> read(byte[] bytes) {
-    try {
-      return Optional.of(ResultJson.read(bytes, Cases.class));
-    } catch (IOException | RuntimeException e) {
-      return Optional.empty(); // it only costs the time to simulate them again
-    }
+    return ResultJson.ifValid(bytes, Cases.class);
   }
 
   Path path(String name) {

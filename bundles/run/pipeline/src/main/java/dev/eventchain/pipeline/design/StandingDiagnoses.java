@@ -61,11 +61,10 @@ record StandingDiagnoses(
   private static Optional<StandingDiagnoses> read(RunContext run) {
     try {
       byte[] json = Files.readAllBytes(run.file(FILE));
-      return Optional.of(ResultJson.read(json, StandingDiagnoses.class))
+      return ResultJson.ifValid(json, StandingDiagnoses.class)
           .filter(found -> found.key.equals(key(run)));
     } catch (IOException e) {
-      // Nothing was found yet, or by another version of this program: it is only asked again.
-      return Optional.empty();
+      return Optional.empty(); // Nothing was found yet.
     }
   }
 

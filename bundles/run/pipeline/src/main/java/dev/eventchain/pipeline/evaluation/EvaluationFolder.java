@@ -9,7 +9,6 @@ import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
-import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
@@ -68,17 +67,11 @@ final class EvaluationFolder implements AutoCloseable {
 
   /** Returns the result of a finished run, if it was made from the same inputs. */
   Optional<EvaluatedRun> finished(String run, String inputs) {
-    Optional<byte[]> bytes = output.read(run + "/" + RESULT);
-    try {
-      return bytes.isEmpty()
-          ? Optional.empty()
-          : Optional.of(ResultJson.read(bytes.get(), Finished.class))
-              .filter(finished -> finished.inputs().equals(inputs))
-              .map(Finished::run);
-    } catch (IOException | RuntimeException e) {
-      // An unreadable result only costs the repetition of the run.
-      return Optional.empty();
-    }
+    return output
+        .read(run + "/" + RESULT)
+        .flatMap(bytes -> ResultJson.ifValid(bytes, Finished.class))
+        .filter(finished -> finished.inputs().equals(inputs))
+        .map(Finished::run);
   }
 
   /** Deletes the result of a run that begins. */

@@ -3,7 +3,6 @@ package dev.eventchain.pipeline.mutation;
 import dev.eventchain.documents.JsonLayout;
 import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.stage.RunContext;
-import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
@@ -31,16 +30,11 @@ record MutantsFile(String chain, String inputs, List<MutantResult> mutants) {
   static List<MutantResult> recall(RunContext run, String inputs) {
     Optional<byte[]> bytes =
         run.output().isEdited(NAME) ? Optional.empty() : run.output().read(NAME);
-    try {
-      return bytes.isEmpty()
-          ? List.of()
-          : Optional.of(ResultJson.read(bytes.get(), MutantsFile.class))
-              .filter(file -> file.inputs().equals(inputs))
-              .map(MutantsFile::proved)
-              .orElse(List.of());
-    } catch (IOException e) {
-      return List.of(); // of another version, which only costs the time to try them again
-    }
+    return bytes
+        .flatMap(it -> ResultJson.ifValid(it, MutantsFile.class))
+        .filter(file -> file.inputs().equals(inputs))
+        .map(MutantsFile::proved)
+        .orElse(List.of());
   }
 
   /** Returns the results without those of which nothing is known, so that they are tried again. */

@@ -5,10 +5,13 @@ import com.fasterxml.jackson.annotation.JsonSetter;
 import com.fasterxml.jackson.annotation.Nulls;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.util.DefaultIndenter;
+import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import com.fasterxml.jackson.databind.DeserializationContext;
 import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonDeserializer;
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.SerializationFeature;
 import com.fasterxml.jackson.databind.introspect.Annotated;
 import com.fasterxml.jackson.databind.introspect.AnnotatedMember;
@@ -17,6 +20,8 @@ import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.module.SimpleModule;
 import dev.eventchain.pipeline.run.Stage;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -55,6 +60,19 @@ public final class ResultJson {
     }
   }
 
+  /** Returns the JSON of a value for people to read. */
+  public static byte[] indented(Object value) {
+    DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
+    DefaultPrettyPrinter printer =
+        new DefaultPrettyPrinter().withObjectIndenter(indenter).withArrayIndenter(indenter);
+    try {
+      String text = new ObjectMapper().writer(printer).writeValueAsString(tree(value)) + "\n";
+      return text.getBytes(StandardCharsets.UTF_8);
+    } catch (JsonProcessingException e) {
+      throw new IllegalStateException("a result is plain data", e);
+    }
+  }
+
   /** Returns the JSON of a value as a tree. */
   public static JsonNode tree(Object value) {
     return MAPPER.valueToTree(value);
@@ -66,7 +84,19 @@ public final class ResultJson {
    * @throws IOException if the bytes are not exactly such a value
    */
   public static <T> T read(byte[] json, Class<T> type) throws IOException {
-    return MAPPER.readValue(json, type);
+    return present(MAPPER.readValue(json, type));
+  }
+
+  /**
+   * Reads a value without which work is done again; empty if the bytes are not exactly such a
+   * value, but a broken one or that of another version of this program.
+   */
+  public static <T> Optional<T> ifValid(byte[] json, Class<T> type) {
+    try {
+      return Optional.of(read(json, type));
+    } catch (IOException e) {
+      return Optional.empty();
+    }
   }
 
   /**
@@ -77,7 +107,15 @@ public final class ResultJson {
   public static <T> T read(byte[] json, Class<T> type, Stage stage) throws IOException {
     SimpleModule reports =
         new SimpleModule().addDeserializer(StageReport.class, new ReportReader(stage));
-    return MAPPER.rebuild().addModule(reports).build().readValue(json, type);
+    return present(MAPPER.rebuild().addModule(reports).build().readValue(json, type));
+  }
+
+  /** Refuses {@code null}, which Jackson takes for a value of any type. */
+  private static <T> T present(T value) throws IOException {
+    if (value == null) {
+      throw new IOException("It is null.");
+    }
+    return value;
   }
 
   /** Reads the report of a stage, whose type follows from the stage. */

@@ -34,7 +34,7 @@ public final class StageMemory {
       return bytes.length == 0
           ? Optional.empty()
           : Optional.of(ResultJson.read(bytes, StageRecord.class, stage));
-    } catch (IOException | RuntimeException e) {
+    } catch (IOException e) {
       return Optional.empty();
     }
   }

@@ -171,6 +171,15 @@ class ResultJsonTest {
     assertThrows(IOException.class, () -> ResultJson.read(misspelt, VerdictFile.class));
   }
 
+  /** Jackson takes it for a value of any type, of which nobody could ask anything. */
+  @Test
+  void refusesNull() {
+    byte[] nothing = "null".getBytes(StandardCharsets.UTF_8);
+    assertThrows(IOException.class, () -> ResultJson.read(nothing, VerdictFile.class));
+    assertEquals(Optional.empty(), ResultJson.ifValid(nothing, VerdictFile.class));
+    assertFalse(isReadable(Stage.GENERATE, "null"));
+  }
+
   private record Place(String parent, ObjectNode object, String key) {}
 
   /** Calls a change for each key of a fresh copy of a sample's report. */
