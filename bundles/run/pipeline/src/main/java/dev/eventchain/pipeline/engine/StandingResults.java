@@ -5,7 +5,7 @@ import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.report.ReportPage;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.simulate.SimulateStage;
-import dev.eventchain.pipeline.simulate.SimulationReport;
+import dev.eventchain.pipeline.simulate.VerdictJson;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.pipeline.stage.StageMemory;
@@ -62,7 +62,7 @@ public final class StandingResults {
       withdrawn = true;
     }
     String chain = run.project().configuration().name();
-    run.writeResult(SimulateStage.VERDICT, SimulationReport.noVerdict(chain, Optional.of(stage)));
+    run.writeResult(SimulateStage.VERDICT, VerdictJson.without(chain, Optional.of(stage)));
     OTHERS.forEach(run::remove);
   }
 
@@ -87,7 +87,7 @@ public final class StandingResults {
     byte[] standing = output.read(SimulateStage.VERDICT).orElseThrow();
     output.write(
         SimulateStage.VERDICT,
-        SimulationReport.noVerdict(SimulationReport.chainOf(standing), Optional.empty()),
+        VerdictJson.without(VerdictJson.chainOf(standing), Optional.empty()),
         OutputFolder.OnEdit.OVERWRITE);
     OTHERS.forEach(output::remove);
   }

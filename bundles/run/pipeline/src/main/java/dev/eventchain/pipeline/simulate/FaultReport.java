@@ -12,7 +12,6 @@ import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
 
 /** The results of faults for the report and {@code verdict.json}. */
 final class FaultReport {
@@ -43,7 +42,9 @@ final class FaultReport {
         text(fault),
         vehicle(fault.vehicle()),
         vehicle(fault.without()),
-        new Deviation(rounded(fault.deviation().distance()), rounded(fault.deviation().time())),
+        new Deviation(
+            Rounding.rounded(fault.deviation().distance()),
+            Rounding.rounded(fault.deviation().time())),
         criteria(fault.own()),
         criteria(fault.expected()),
         fault.detections().stream().map(FaultReport::detection).toList(),
@@ -57,18 +58,18 @@ final class FaultReport {
         each.id(),
         each.element(),
         each.words(),
-        rounded(each.time()));
+        Rounding.rounded(each.time()));
   }
 
   private static SimulatedFault.Vehicle vehicle(Vehicle vehicle) {
     return new SimulatedFault.Vehicle(
         did(vehicle),
-        rounded(vehicle.impactSpeed()),
+        Rounding.rounded(vehicle.impactSpeed()),
         Optional.of(vehicle.impact()).filter(impact -> !impact.isEmpty()),
-        rounded(vehicle.stopped()),
-        rounded(vehicle.minimalGap()),
-        rounded(vehicle.speed()),
-        rounded(vehicle.end()));
+        Rounding.rounded(vehicle.stopped()),
+        Rounding.rounded(vehicle.minimalGap()),
+        Rounding.rounded(vehicle.speed()),
+        Rounding.rounded(vehicle.end()));
   }
 
   private static List<Criterion> criteria(List<CriterionResult> criteria) {
@@ -86,14 +87,6 @@ final class FaultReport {
                     Optional.empty(),
                     Optional.empty()))
         .toList();
-  }
-
-  private static OptionalDouble rounded(OptionalDouble value) {
-    return value.stream().map(FaultReport::rounded).findFirst();
-  }
-
-  private static double rounded(double value) {
-    return Math.round(value * 1e4) / 1e4;
   }
 
   /** Returns a short description of a vehicle's behaviour. */

@@ -16,6 +16,7 @@ import dev.eventchain.pipeline.generate.GeneratedPackage;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.results.BoundedLatency;
 import dev.eventchain.pipeline.results.RequirementOutcome;
+import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.results.Simulated;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.Fingerprint;
@@ -147,7 +148,7 @@ public final class SimulateStage implements StageWork {
       RunContext run, List<Scenario> scenarios, SimulationResult result, List<Diagnostic> found) {
     List<BoundedLatency> latencies = LatencyBounds.of(run, result).report(run, scenarios, found);
     if (!run.options().isPartial()) {
-      run.writeResult(LATENCY_BOUNDS, SimulationReport.pretty(latencies));
+      run.writeResult(LATENCY_BOUNDS, ResultJson.indented(latencies));
       found.addAll(MeasuredTimes.propose(run, result));
     }
     return latencies;
@@ -256,16 +257,14 @@ public final class SimulateStage implements StageWork {
     return node == null ? "?" : node.getName();
   }
 
-  /**
-   * Returns the verdict based on all findings of the run, so that it is not better than the run.
-   */
+  /** Returns the verdict from all findings of the run, so that it is not better than the run. */
   private static byte[] verdict(
       RunContext run,
       EventChain chain,
       SimulationResult result,
       List<Diagnostic> found,
       List<RequirementOutcome> outcomes) {
-    return SimulationReport.verdict(
+    return VerdictJson.of(
         chain,
         result,
         outcomes,

@@ -1,46 +1,25 @@
 package dev.eventchain.pipeline.simulate;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.core.util.DefaultIndenter;
-import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
-import com.fasterxml.jackson.databind.ObjectMapper;
-import dev.eventchain.diagnostics.CommonTrait;
-import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.Severity;
-import dev.eventchain.diagnostics.Suppressions;
-import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.pipeline.results.BoundedLatency;
 import dev.eventchain.pipeline.results.Criterion;
 import dev.eventchain.pipeline.results.LoadedProcessor;
 import dev.eventchain.pipeline.results.RequirementOutcome;
-import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.results.Simulated;
 import dev.eventchain.pipeline.results.SimulatedScenario;
 import dev.eventchain.pipeline.results.Statistics;
 import dev.eventchain.pipeline.results.Validation;
-import dev.eventchain.pipeline.results.VerdictFile;
-import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.simulation.SimulationResult;
 import dev.eventchain.simulation.verdict.Happened;
 import dev.eventchain.simulation.verdict.Measurements;
 import dev.eventchain.simulation.verdict.MessageFlow;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.OptionalLong;
 
-/** A simulation's result for the report and {@code verdict.json}. */
-public final class SimulationReport {
-
-  /** Four decimals are enough for display, and keep the page small. */
-  private static final double FINEST = 1e4;
-
-  private static final double CENTIMETRES = 1e2;
+/** The simulation's part of the report. */
+final class SimulationReport {
 
   private SimulationReport() {}
 
@@ -85,7 +64,7 @@ public final class SimulationReport {
   }
 
   /** Returns the driver of nodes that were started elsewhere; otherwise it does not matter. */
-  private static Optional<String> attached(SimulationResult.Host host) {
+  static Optional<String> attached(SimulationResult.Host host) {
     return host.attached() ? Optional.of(host.driver()) : Optional.empty();
   }
 
@@ -124,88 +103,6 @@ public final class SimulationReport {
     return new Simulated.Topic(topic.name(), topic.published(), topic.dropped(), topic.lost());
   }
 
-  /**
-   * Returns the content of {@code verdict.json}: the same bytes for the same nodes and scenarios.
-   *
-   * @param outcomes the outcome of each requirement
-   * @param strength why the strength of requirements was not measured, or the size of its sample;
-   *     empty if all faults were driven
-   * @param found all findings about scenarios and measurements, suppressed ones apart; each
-   *     scenario that did not pass has one
-   */
-  static byte[] verdict(
-      EventChain chain,
-      SimulationResult result,
-      List<RequirementOutcome> outcomes,
-      Optional<String> strength,
-      Suppressions.Parted found) {
-    List<Diagnostic> errors =
-        found.remaining().stream().filter(each -> each.severity() == Severity.ERROR).toList();
-    int suppressed = found.suppressed().size();
-    boolean accepted = result.passed() || suppressed > 0;
-    List<String> violated =
-        errors.stream()
-            .filter(each -> !each.kind().has(CommonTrait.UNTESTED))
-            .map(Diagnostic::rule)
-            .filter(rule -> !rule.isEmpty())
-            .distinct()
-            .toList();
-    return pretty(
-        new VerdictFile(
-            chain.getName(),
-            accepted && errors.isEmpty(),
-            Optional.empty(),
-            attached(result.host()),
-            suppressed > 0 ? OptionalLong.of(suppressed) : OptionalLong.empty(),
-            violated,
-            strength,
-            Optional.of(outcomes),
-            result.verdicts().stream().map(SimulationReport::outcome).toList(),
-            FaultReport.of(result)));
-  }
-
-  private static VerdictFile.Scenario outcome(ScenarioVerdict verdict) {
-    return new VerdictFile.Scenario(
-        verdict.scenario(),
-        verdict.tested(),
-        verdict.passed(),
-        verdict.requirements(),
-        criteria(verdict));
-  }
-
-  /**
-   * Returns the content of {@code verdict.json} without a verdict, because a run is in progress or
-   * was stopped.
-   *
-   * @param stage the stage that is running or was stopped; empty if the run could not begin
-   */
-  public static byte[] noVerdict(String chain, Optional<Stage> stage) {
-    return pretty(VerdictFile.without(chain, stage.map(Stage::id)));
-  }
-
-  /** Returns the name of the verdict's chain; empty if it cannot be read. */
-  public static String chainOf(byte[] verdict) {
-    try {
-      return ResultJson.read(verdict, VerdictFile.class).chain();
-    } catch (IOException e) {
-      return "";
-    }
-  }
-
-  /** Returns a result as JSON for people to read. */
-  static byte[] pretty(Object result) {
-    DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
-    DefaultPrettyPrinter printer =
-        new DefaultPrettyPrinter().withObjectIndenter(indenter).withArrayIndenter(indenter);
-    try {
-      String text =
-          new ObjectMapper().writer(printer).writeValueAsString(ResultJson.tree(result)) + "\n";
-      return text.getBytes(StandardCharsets.UTF_8);
-    } catch (JsonProcessingException e) {
-      throw new IllegalStateException("a result is plain data", e);
-    }
-  }
-
   private static SimulatedScenario scenario(ScenarioVerdict verdict) {
     return new SimulatedScenario(
         verdict.scenario(),
@@ -233,11 +130,11 @@ public final class SimulationReport {
         figure.name(),
         figure.unit(),
         figure.statistic().name(),
-        rounded(figure.value()),
-        rounded(figure.time()));
+        Rounding.rounded(figure.value()),
+        Rounding.rounded(figure.time()));
   }
 
-  private static List<Criterion> criteria(ScenarioVerdict verdict) {
+  static List<Criterion> criteria(ScenarioVerdict verdict) {
     return verdict.criteria().stream().map(each -> criterion(verdict, each)).toList();
   }
 
@@ -263,10 +160,10 @@ public final class SimulationReport {
   static Criterion.Margin margin(ScenarioVerdict.Margin margin) {
     return new Criterion.Margin(
         Double.isFinite(margin.value())
-            ? OptionalDouble.of(rounded(margin.value()))
+            ? OptionalDouble.of(Rounding.rounded(margin.value()))
             : OptionalDouble.empty(),
         margin.unit(),
-        rounded(margin.time()));
+        Rounding.rounded(margin.time()));
   }
 
   private static String untested(ScenarioVerdict verdict) {
@@ -301,7 +198,7 @@ public final class SimulationReport {
 
   private static SimulatedScenario.Series series(ScenarioVerdict.Series series) {
     return new SimulatedScenario.Series(
-        column(series.time(), FINEST),
+        Rounding.rounded(series.time()),
         series.curves().stream()
             .map(
                 curve ->
@@ -309,7 +206,7 @@ public final class SimulationReport {
                         curve.name(),
                         curve.unit(),
                         Optional.of(curve.absence()).filter(absence -> !absence.isEmpty()),
-                        column(curve.values(), FINEST)))
+                        Rounding.rounded(curve.values())))
             .toList());
   }
 
@@ -324,8 +221,8 @@ public final class SimulationReport {
                 line ->
                     new SimulatedScenario.Line(
                         line.broken(),
-                        column(line.x(), CENTIMETRES),
-                        column(line.y(), CENTIMETRES)))
+                        Rounding.toCentimetres(line.x()),
+                        Rounding.toCentimetres(line.y())))
             .toList(),
         mover(scene.ego()),
         scene.others().stream().map(SimulationReport::mover).toList(),
@@ -333,7 +230,9 @@ public final class SimulationReport {
             .map(
                 scan ->
                     new SimulatedScenario.Scan(
-                        scan.time(), column(scan.x(), CENTIMETRES), column(scan.y(), CENTIMETRES)))
+                        scan.time(),
+                        Rounding.toCentimetres(scan.x()),
+                        Rounding.toCentimetres(scan.y())))
             .toList());
   }
 
@@ -342,22 +241,9 @@ public final class SimulationReport {
         mover.name(),
         mover.length(),
         mover.width(),
-        column(mover.x(), CENTIMETRES),
-        column(mover.y(), CENTIMETRES),
-        column(mover.heading(), FINEST));
-  }
-
-  /** Returns values, rounded to {@code 1 / parts}; null for those that are not finite. */
-  private static List<Double> column(List<Double> values, double parts) {
-    List<Double> column = new ArrayList<>();
-    for (double value : values) {
-      column.add(Double.isFinite(value) ? (Double) (Math.round(value * parts) / parts) : null);
-    }
-    return column;
-  }
-
-  private static double rounded(double value) {
-    return Math.round(value * FINEST) / FINEST;
+        Rounding.toCentimetres(mover.x()),
+        Rounding.toCentimetres(mover.y()),
+        Rounding.rounded(mover.heading()));
   }
 
   private static Optional<Statistics> statistics(Optional<Measurements.Statistics> statistics) {
