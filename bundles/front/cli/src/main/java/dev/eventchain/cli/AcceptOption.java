@@ -1,6 +1,8 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.pipeline.campaign.OpenScenarioCampaigns;
+import dev.eventchain.pipeline.campaign.plan.Purpose;
+import dev.eventchain.pipeline.project.Project;
 import java.nio.file.Path;
 import java.util.List;
 import picocli.CommandLine.Option;
@@ -21,15 +23,14 @@ final class AcceptOption {
   /**
    * Returns the campaign file: the given one, or the one that is written about it.
    *
-   * @param output the folder of results
-   * @throws IllegalArgumentException if the option is given for a campaign file
+   * @param command the command with this option
    */
-  Path campaign(Path file, Path output, boolean isSearched) {
+  Path campaign(ProjectCommand command, Project project, Path file, Purpose purpose) {
     if (OpenScenarioCampaigns.isOne(file)) {
-      return OpenScenarioCampaigns.write(file, accept, output, isSearched);
+      return OpenScenarioCampaigns.write(file, accept, command.outputOf(project), purpose);
     }
     if (!accept.isEmpty()) {
-      throw new IllegalArgumentException("--accept needs a file in OpenSCENARIO XML (.xosc)");
+      throw command.wrongUsage("--accept needs a file in OpenSCENARIO XML (.xosc)");
     }
     return file;
   }

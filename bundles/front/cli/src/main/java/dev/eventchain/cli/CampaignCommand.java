@@ -9,6 +9,7 @@ import dev.eventchain.pipeline.campaign.CampaignOutcome;
 import dev.eventchain.pipeline.campaign.Campaigns;
 import dev.eventchain.pipeline.campaign.OpenScenarioCampaigns;
 import dev.eventchain.pipeline.campaign.Shard;
+import dev.eventchain.pipeline.campaign.plan.Purpose;
 import dev.eventchain.pipeline.project.Project;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -130,7 +131,7 @@ final class CampaignCommand extends ProjectCommand {
             project,
             upToGeneration(project, llm),
             new CampaignOptions(
-                campaignFile(project),
+                accept.campaign(this, project, file, Purpose.CAMPAIGN),
                 Optional.ofNullable(only),
                 dryRun,
                 shard(),
@@ -143,14 +144,6 @@ final class CampaignCommand extends ProjectCommand {
       console.out().print(result.text());
     }
     return result.outcome();
-  }
-
-  private Path campaignFile(Project project) {
-    try {
-      return accept.campaign(file, outputOf(project), false);
-    } catch (IllegalArgumentException e) {
-      throw wrongUsage(e.getMessage());
-    }
   }
 
   private void requireOne() {

@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.campaign.CampaignOutcome;
 import dev.eventchain.pipeline.campaign.Searches;
+import dev.eventchain.pipeline.campaign.plan.Purpose;
 import dev.eventchain.pipeline.project.Project;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -68,7 +69,7 @@ final class SearchCommand extends ProjectCommand {
         Searches.run(
             project,
             upToGeneration(project, llm),
-            campaignFile(project),
+            accept.campaign(this, project, file, Purpose.SEARCH),
             Optional.ofNullable(only),
             keep,
             new ProgressLines(console.err(), console.terminal()));
@@ -76,13 +77,5 @@ final class SearchCommand extends ProjectCommand {
       console.out().print(result.text());
     }
     return result.outcome();
-  }
-
-  private Path campaignFile(Project project) {
-    try {
-      return accept.campaign(file, outputOf(project), true);
-    } catch (IllegalArgumentException e) {
-      throw wrongUsage(e.getMessage());
-    }
   }
 }

@@ -10,6 +10,7 @@ import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignRules;
 import dev.eventchain.pipeline.campaign.plan.PlayedScenario;
+import dev.eventchain.pipeline.campaign.plan.Purpose;
 import dev.eventchain.pipeline.engine.PipelineRun;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;
@@ -155,12 +156,12 @@ final class CampaignScene {
    * Checks what can be checked before a case is simulated.
    *
    * @param scenes those of all campaigns of a file, of which there is at least one
-   * @param isSearched whether their cases are those to which a search comes
+   * @param purpose which of their cases are checked
    * @throws DiagnosticException (INPUT) with every problem
    */
-  static void requireSound(List<CampaignScene> scenes, boolean isSearched) {
+  static void requireSound(List<CampaignScene> scenes, Purpose purpose) {
     List<Diagnostic> problems =
-        scenes.stream().flatMap(scene -> scene.template.check(isSearched).stream()).toList();
+        scenes.stream().flatMap(scene -> scene.template.check(purpose).stream()).toList();
     if (!problems.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
     }

@@ -11,6 +11,7 @@ import dev.eventchain.model.Signal;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
+import dev.eventchain.pipeline.campaign.plan.Purpose;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.project.ProjectFolder;
@@ -109,6 +110,7 @@ record CampaignWorld(
     } catch (DiagnosticException e) {
       return e.diagnostics();
     }
-    return new ScenarioTemplate(this, plan, file).check(!plan.isListed());
+    Purpose purpose = plan.isListed() ? Purpose.CAMPAIGN : Purpose.SEARCH;
+    return new ScenarioTemplate(this, plan, file).check(purpose);
   }
 }

@@ -10,6 +10,7 @@ import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
 import dev.eventchain.pipeline.campaign.plan.CaseList;
+import dev.eventchain.pipeline.campaign.plan.Purpose;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.RunOptions;
@@ -71,7 +72,7 @@ public final class Campaigns {
 
   /** Simulates one campaign after the other, once all are known to be sound. */
   private static CampaignOutcome run(List<CampaignScene> scenes, CampaignOptions options) {
-    CampaignScene.requireSound(scenes, false);
+    CampaignScene.requireSound(scenes, Purpose.CAMPAIGN);
     List<CampaignOutcome> each =
         scenes.stream().map(scene -> new Campaigns(scene, options).run()).toList();
     List<CampaignPlan> plans = scenes.stream().map(CampaignScene::plan).toList();

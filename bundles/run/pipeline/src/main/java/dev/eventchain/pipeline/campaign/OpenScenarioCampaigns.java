@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.documents.YamlLayout;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.campaign.plan.PlayedScenario;
+import dev.eventchain.pipeline.campaign.plan.Purpose;
 import dev.eventchain.simulation.scenario.VariedScenario;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -42,14 +43,13 @@ public final class OpenScenarioCampaigns {
    *
    * @param accept what is required: {@code KEY} or {@code KEY=NUMBER} each
    * @param output the folder of results
-   * @param isSearched whether a search goes between the bounds of what varies
    * @return the campaign file
    * @throws DiagnosticException with all problems of the file; if nothing in it varies, or nothing
    *     that numbers can say; if nothing is required
    */
-  public static Path write(Path file, List<String> accept, Path output, boolean isSearched) {
+  public static Path write(Path file, List<String> accept, Path output, Purpose purpose) {
     OpenScenarioCampaigns campaigns = new OpenScenarioCampaigns(file);
-    PlayedScenario.refusal(file, campaigns.varied, isSearched)
+    PlayedScenario.refusal(file, campaigns.varied, purpose)
         .ifPresent(
             finding -> {
               throw new DiagnosticException(DiagnosticException.Reason.INPUT, List.of(finding));
@@ -64,7 +64,7 @@ public final class OpenScenarioCampaigns {
       if (!campaigns.varied.rows().isEmpty()) {
         write(written, campaigns.table(), campaigns.rows());
       }
-      write(written, campaigns.name + ".yaml", YamlLayout.of(campaigns.campaign(isSearched)));
+      write(written, campaigns.name + ".yaml", YamlLayout.of(campaigns.campaign(purpose)));
     }
     return folder.resolve(campaigns.name + ".yaml");
   }
@@ -88,7 +88,7 @@ public final class OpenScenarioCampaigns {
     return name + ".csv";
   }
 
-  private ObjectNode campaign(boolean isSearched) {
+  private ObjectNode campaign(Purpose purpose) {
     ObjectNode campaign = JsonNodeFactory.instance.objectNode();
     campaign.put("scenario", scenarioFile());
     ObjectNode factors = campaign.putObject("factors");
@@ -99,7 +99,7 @@ public final class OpenScenarioCampaigns {
     boolean ranges = varied.parameters().stream().anyMatch(VariedScenario.Parameter::isRange);
     if (!varied.rows().isEmpty()) {
       campaign.putObject("sampling").put("rows", true);
-    } else if (ranges && !isSearched) {
+    } else if (ranges && purpose == Purpose.CAMPAIGN) {
       campaign.putObject("sampling").put("halton", PlayedScenario.DRAWN);
     }
     return campaign;

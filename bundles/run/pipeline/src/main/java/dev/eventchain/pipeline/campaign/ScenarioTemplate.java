@@ -17,6 +17,7 @@ import dev.eventchain.pipeline.campaign.plan.CampaignRules;
 import dev.eventchain.pipeline.campaign.plan.CaseList;
 import dev.eventchain.pipeline.campaign.plan.Factor;
 import dev.eventchain.pipeline.campaign.plan.NumberPath;
+import dev.eventchain.pipeline.campaign.plan.Purpose;
 import dev.eventchain.pipeline.campaign.plan.Sampling;
 import dev.eventchain.simulation.CaseSimulation;
 import dev.eventchain.simulation.bench.Bench;
@@ -112,10 +113,8 @@ final class ScenarioTemplate {
   /**
    * Returns a finding for each path that leads nowhere, or where another one leads, and for the
    * first criteria that no case can have.
-   *
-   * @param isSearched whether the cases are those to which a search comes
    */
-  List<Diagnostic> check(boolean isSearched) {
+  List<Diagnostic> check(Purpose purpose) {
     List<Diagnostic> found = new ArrayList<>();
     ObjectNode copy = scenario.deepCopy();
     Optional<ObjectNode> benchCopy = bench.map(ObjectNode::deepCopy);
@@ -131,7 +130,7 @@ final class ScenarioTemplate {
       }
     }
     if (found.isEmpty()) {
-      found.addAll(ofCriteria(isSearched));
+      found.addAll(ofCriteria(purpose));
     }
     if (!found.isEmpty()) {
       return found;
@@ -140,13 +139,13 @@ final class ScenarioTemplate {
   }
 
   /** Returns what is wrong with the criteria of cases, and with those on which points depend. */
-  private List<Diagnostic> ofCriteria(boolean isSearched) {
+  private List<Diagnostic> ofCriteria(Purpose purpose) {
     if (plan.criteria().isEmpty() && plan.points().isEmpty()) {
       return List.of();
     }
     try {
       List<CampaignCase> all =
-          isSearched ? new SearchSpace(plan).tried() : new CaseList(plan).cases();
+          purpose == Purpose.SEARCH ? new SearchSpace(plan).tried() : new CaseList(plan).cases();
       List<Diagnostic> found = criteria.check(all, this::ofCriteria);
       return found.isEmpty() && plan.points().isPresent()
           ? new CriteriaOfPoints(plan, plan.points().get(), this::texts).check(criteria.kinds(all))

@@ -11,6 +11,7 @@ import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
 import dev.eventchain.pipeline.campaign.plan.CampaignRules;
+import dev.eventchain.pipeline.campaign.plan.Purpose;
 import dev.eventchain.pipeline.campaign.plan.SearchSettings;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;
@@ -83,7 +84,7 @@ public final class Searches {
 
   private CampaignOutcome run() {
     long start = System.nanoTime();
-    CampaignScene.requireSound(List.of(scene), true);
+    CampaignScene.requireSound(List.of(scene), Purpose.SEARCH);
     requireCriterion();
     SearchSpace space = new SearchSpace(plan);
     CampaignStore.Cases empty = scene.cases(Optional.empty(), Shard.ALL);

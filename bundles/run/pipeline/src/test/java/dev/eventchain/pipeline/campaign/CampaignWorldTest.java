@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
+import dev.eventchain.pipeline.campaign.plan.Purpose;
 import dev.eventchain.simulation.bench.Bench;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -139,9 +140,10 @@ class CampaignWorldTest {
         search: {runs: 10}
         """;
     ScenarioTemplate sound = searched(band.formatted("no_brake_at_ttc_s: 3.0"));
-    assertEquals(List.of(), sound.check(true));
+    assertEquals(List.of(), sound.check(Purpose.SEARCH));
     assertEquals(2, sound.criteriaOfSearch().size());
-    List<Diagnostic> found = searched(band.formatted("maximal_impact_speed_kmh: 5")).check(true);
+    List<Diagnostic> found =
+        searched(band.formatted("maximal_impact_speed_kmh: 5")).check(Purpose.SEARCH);
     assertTrue(words(found).toString().contains("'maximal_impact_speed_kmh' is 5 here"));
     assertEquals(
         List.of(),
@@ -160,6 +162,6 @@ class CampaignWorldTest {
                     + "}\ncomputed: {speed: {path: ego.speed_kmh, formula: "
                     + sum
                     + "}}\ncriteria: [{accept: {minimal_gap_m: 1}}]\n")
-            .check(true));
+            .check(Purpose.SEARCH));
   }
 }

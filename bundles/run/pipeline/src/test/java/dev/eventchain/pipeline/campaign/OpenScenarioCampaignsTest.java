@@ -11,6 +11,7 @@ import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
 import dev.eventchain.pipeline.campaign.plan.CaseList;
+import dev.eventchain.pipeline.campaign.plan.Purpose;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Files;
@@ -29,9 +30,8 @@ class OpenScenarioCampaignsTest {
 
   @TempDir Path output;
 
-  private Path write(String name, boolean isSearched) {
-    return OpenScenarioCampaigns.write(
-        FOLDER.resolve(name), List.of("no_impact"), output, isSearched);
+  private Path write(String name, Purpose purpose) {
+    return OpenScenarioCampaigns.write(FOLDER.resolve(name), List.of("no_impact"), output, purpose);
   }
 
   private static List<List<BigDecimal>> cases(CampaignPlan plan) {
@@ -51,7 +51,7 @@ class OpenScenarioCampaignsTest {
    */
   @Test
   void numbersVaryBetweenTheirConstraints() throws IOException {
-    Path file = write("bounded.xosc", false);
+    Path file = write("bounded.xosc", Purpose.CAMPAIGN);
     assertEquals(
         """
         scenario: bounded-scenario.yaml
@@ -74,14 +74,14 @@ class OpenScenarioCampaignsTest {
 
   @Test
   void aSearchGoesBetweenTheBounds() throws IOException {
-    Path file = write("bounded.xosc", true);
+    Path file = write("bounded.xosc", Purpose.SEARCH);
     assertTrue(!Files.readString(file).contains("sampling"));
     assertEquals(2, CampaignReader.readForSearch(file).get(0).factors().size());
   }
 
   @Test
   void combinationsAreAGrid() throws IOException {
-    Path file = write("grid.xosc", false);
+    Path file = write("grid.xosc", Purpose.CAMPAIGN);
     List<List<BigDecimal>> cases = cases(plan(file));
     assertEquals(6, cases.size());
     assertEquals(numbers("14.5", "-1"), cases.get(0));
@@ -92,21 +92,22 @@ class OpenScenarioCampaignsTest {
 
   @Test
   void setsOfValuesStayTogether() {
-    List<List<BigDecimal>> cases = cases(plan(write("sets.xosc", false)));
+    List<List<BigDecimal>> cases = cases(plan(write("sets.xosc", Purpose.CAMPAIGN)));
     assertEquals(List.of(numbers("12", "1"), numbers("12.5", "0")), cases);
     assertEquals(
         "campaign.factor: The cases of this file are not all combinations of their values, between"
             + " which a search could go.",
-        refusal("sets.xosc", true));
+        refusal("sets.xosc", Purpose.SEARCH));
   }
 
   @Test
   void somethingHasToVary() {
-    assertTrue(refusal("single.xosc", false).startsWith("campaign.empty: Nothing varies"));
+    assertTrue(
+        refusal("single.xosc", Purpose.CAMPAIGN).startsWith("campaign.empty: Nothing varies"));
     assertEquals(
         "campaign.factor: 'word' differs between the cases, and its values are no numbers.",
-        refusal("words.xosc", false));
-    assertTrue(refusal("missing.xosc", false).startsWith("file.missing"));
+        refusal("words.xosc", Purpose.CAMPAIGN));
+    assertTrue(refusal("missing.xosc", Purpose.CAMPAIGN).startsWith("file.missing"));
   }
 
   @Test
@@ -116,15 +117,15 @@ class OpenScenarioCampaignsTest {
                 DiagnosticException.class,
                 () ->
                     OpenScenarioCampaigns.write(
-                        FOLDER.resolve("grid.xosc"), List.of(), output, false))
+                        FOLDER.resolve("grid.xosc"), List.of(), output, Purpose.CAMPAIGN))
             .diagnostics()
             .get(0);
     assertEquals("scenario.key.missing", finding.id());
   }
 
-  private String refusal(String name, boolean isSearched) {
+  private String refusal(String name, Purpose purpose) {
     Diagnostic finding =
-        assertThrows(DiagnosticException.class, () -> write(name, isSearched)).diagnostics().get(0);
+        assertThrows(DiagnosticException.class, () -> write(name, purpose)).diagnostics().get(0);
     return finding.id() + ": " + finding.message();
   }
 
@@ -143,7 +144,7 @@ class OpenScenarioCampaignsTest {
   @ValueSource(strings = {"bounded.xosc", "grid.xosc", "sets.xosc"})
   void aCampaignFileNamesAFile(String name) throws IOException {
     CampaignPlan plan = plan(name, "accept: [no_impact]\n");
-    CampaignPlan expected = plan(write(name, false));
+    CampaignPlan expected = plan(write(name, Purpose.CAMPAIGN));
     assertEquals(cases(expected), cases(plan));
     assertEquals(expected.names(), plan.names());
     assertEquals(expected.paths().toList(), plan.paths().toList());

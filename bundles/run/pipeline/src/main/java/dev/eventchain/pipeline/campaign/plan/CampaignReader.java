@@ -29,13 +29,13 @@ public final class CampaignReader {
   private static final String WHERE = "where";
 
   private final Path file;
-  private final boolean isSearched;
+  private final Purpose purpose;
   private final SourceText text;
   private final CriteriaByTags criteria = new CriteriaByTags();
 
-  private CampaignReader(Path file, boolean isSearched) {
+  private CampaignReader(Path file, Purpose purpose) {
     this.file = file;
-    this.isSearched = isSearched;
+    this.purpose = purpose;
     this.text = SourceText.read(file);
   }
 
@@ -46,7 +46,7 @@ public final class CampaignReader {
    * @throws DiagnosticException (INPUT) with every problem of the file
    */
   public static List<CampaignPlan> read(Path file) {
-    return new CampaignReader(file, false).read();
+    return new CampaignReader(file, Purpose.CAMPAIGN).read();
   }
 
   /**
@@ -55,7 +55,7 @@ public final class CampaignReader {
    * @throws DiagnosticException (INPUT) with every problem of the file
    */
   public static List<CampaignPlan> readForSearch(Path file) {
-    return new CampaignReader(file, true).read();
+    return new CampaignReader(file, Purpose.SEARCH).read();
   }
 
   private List<CampaignPlan> read() {
@@ -141,7 +141,7 @@ public final class CampaignReader {
   private List<Factor> factors(ObjectReader section, Optional<PlayedScenario> played) {
     if (played.isPresent() && !section.has(FACTORS)) {
       PlayedScenario file = played.get();
-      Optional<Diagnostic> refusal = PlayedScenario.refusal(file.file(), file.varied(), isSearched);
+      Optional<Diagnostic> refusal = PlayedScenario.refusal(file.file(), file.varied(), purpose);
       refusal.ifPresent(section::find);
       return refusal.isPresent() ? List.of() : file.factors(section.at("scenario"));
     }
@@ -154,7 +154,7 @@ public final class CampaignReader {
     Sampling unstated =
         section.has(FACTORS)
             ? Sampling.USUAL
-            : played.map(file -> file.sampling(isSearched)).orElse(Sampling.USUAL);
+            : played.map(file -> file.sampling(purpose)).orElse(Sampling.USUAL);
     Sampling sampling = section.object("sampling").map(this::sampling).orElse(unstated);
     requireFit(section, factors, sampling);
     return sampling;
@@ -162,7 +162,7 @@ public final class CampaignReader {
 
   /** Requires of the factors that their values can be combined as asked for. */
   private void requireFit(ObjectReader section, List<Factor> factors, Sampling sampling) {
-    if (!sampling.kind().isDrawn() && !isSearched) {
+    if (!sampling.kind().isDrawn() && purpose == Purpose.CAMPAIGN) {
       factors.stream()
           .filter(factor -> factor.levels().isContinuous())
           .forEach(factor -> section.find(undrawn(factor)));

@@ -78,12 +78,8 @@ public record PlayedScenario(Path file, VariedScenario varied, List<String> acce
     }
   }
 
-  /**
-   * Returns why what varies in a file cannot be factors.
-   *
-   * @param isSearched whether a search goes between the bounds of what varies
-   */
-  public static Optional<Diagnostic> refusal(Path file, VariedScenario varied, boolean isSearched) {
+  /** Returns why what varies in a file cannot be factors. */
+  public static Optional<Diagnostic> refusal(Path file, VariedScenario varied, Purpose purpose) {
     if (varied.parameters().isEmpty()) {
       return refused(
           file,
@@ -104,7 +100,7 @@ public record PlayedScenario(Path file, VariedScenario varied, List<String> acce
                 + " --accept ...`.");
       }
     }
-    return isSearched ? refusalOfSearch(file, varied) : Optional.empty();
+    return purpose == Purpose.SEARCH ? refusalOfSearch(file, varied) : Optional.empty();
   }
 
   private static Optional<Diagnostic> refusalOfSearch(Path file, VariedScenario varied) {
@@ -161,12 +157,14 @@ public record PlayedScenario(Path file, VariedScenario varied, List<String> acce
   }
 
   /** Returns how the values of {@link #factors} are combined where the campaign does not say. */
-  Sampling sampling(boolean isSearched) {
+  Sampling sampling(Purpose purpose) {
     if (!varied.rows().isEmpty()) {
       return new Sampling(Sampling.Kind.ROWS, 0);
     }
     boolean ranges = varied.parameters().stream().anyMatch(VariedScenario.Parameter::isRange);
-    return ranges && !isSearched ? new Sampling(Sampling.Kind.HALTON, DRAWN) : Sampling.USUAL;
+    return ranges && purpose == Purpose.CAMPAIGN
+        ? new Sampling(Sampling.Kind.HALTON, DRAWN)
+        : Sampling.USUAL;
   }
 
   /** Returns a factor; one without a path that is called as a parameter has the value of that. */
