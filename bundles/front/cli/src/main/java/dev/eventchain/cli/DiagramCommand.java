@@ -96,13 +96,7 @@ final class DiagramCommand extends ProjectCommand {
 
   private Outcome makeModel(Project project, Path results) {
     return execute(
-        project,
-        results,
-        Stage.DESIGN,
-        Stage.MODEL,
-        false,
-        new LlmOptions(),
-        new ScenarioOptions());
+        project, results, Stages.upTo(Stage.MODEL), new LlmOptions(), new ScenarioOptions());
   }
 
   private Set<Kind> kindsOr(Kind... otherwise) {

@@ -119,9 +119,7 @@ final class GenerateCommand extends ProjectCommand {
     }
     return execute(
         Project.open(inputs.get(0)),
-        Stage.GENERATE,
-        Stage.GENERATE,
-        true,
+        Stages.only(Stage.GENERATE),
         new LlmOptions(),
         new ScenarioOptions());
   }

@@ -64,13 +64,7 @@ final class MutateCommand extends ProjectCommand {
         MutationTesting.run(
             project,
             runOptions(
-                project,
-                outputOf(project),
-                Stage.DESIGN,
-                Stage.REPORT,
-                false,
-                llm,
-                new ScenarioOptions()),
+                project, outputOf(project), Stages.upTo(Stage.REPORT), llm, new ScenarioOptions()),
             options,
             new ProgressLines(console.err(), console.terminal()));
     if (format() == DiagnosticFormat.TEXT) {

@@ -176,26 +176,14 @@ abstract class ProjectCommand implements Callable<Integer> {
   }
 
   /** Runs stages of a project. */
-  final Outcome execute(
-      Project project,
-      Stage first,
-      Stage last,
-      boolean again,
-      LlmOptions llm,
-      ScenarioOptions scenarios) {
-    return execute(project, outputOf(project), first, last, again, llm, scenarios);
+  final Outcome execute(Project project, Stages stages, LlmOptions llm, ScenarioOptions scenarios) {
+    return execute(project, outputOf(project), stages, llm, scenarios);
   }
 
   /** As above, with an output folder other than that of the command. */
   final Outcome execute(
-      Project project,
-      Path results,
-      Stage first,
-      Stage last,
-      boolean again,
-      LlmOptions llm,
-      ScenarioOptions scenarios) {
-    RunOptions options = runOptions(project, results, first, last, again, llm, scenarios);
+      Project project, Path results, Stages stages, LlmOptions llm, ScenarioOptions scenarios) {
+    RunOptions options = runOptions(project, results, stages, llm, scenarios);
     return Outcome.of(
         Pipeline.run(project, options, new ProgressLines(console.err(), console.terminal())));
   }
@@ -203,29 +191,17 @@ abstract class ProjectCommand implements Callable<Integer> {
   /** Returns the options of a run up to the generation of nodes, into the command's output. */
   final RunOptions upToGeneration(Project project, LlmOptions llm) {
     return runOptions(
-        project,
-        outputOf(project),
-        Stage.DESIGN,
-        Stage.GENERATE,
-        false,
-        llm,
-        new ScenarioOptions());
+        project, outputOf(project), Stages.upTo(Stage.GENERATE), llm, new ScenarioOptions());
   }
 
   /** Returns the options of a run. */
   final RunOptions runOptions(
-      Project project,
-      Path results,
-      Stage first,
-      Stage last,
-      boolean again,
-      LlmOptions llm,
-      ScenarioOptions scenarios) {
+      Project project, Path results, Stages stages, LlmOptions llm, ScenarioOptions scenarios) {
     return new RunOptions(
         results,
-        first,
-        last,
-        again,
+        stages.first(),
+        stages.last(),
+        stages.again(),
         Optional.ofNullable(llm.llm),
         llm.record,
         overwrite,
@@ -249,18 +225,12 @@ abstract class ProjectCommand implements Callable<Integer> {
   }
 
   /** As above, from a project's folder, for a run that may reach a verdict. */
-  final Outcome execute(
-      Path folder,
-      Stage first,
-      Stage last,
-      boolean again,
-      LlmOptions llm,
-      ScenarioOptions scenarios) {
+  final Outcome execute(Path folder, Stages stages, LlmOptions llm, ScenarioOptions scenarios) {
     try {
-      return execute(Project.open(folder), first, last, again, llm, scenarios);
+      return execute(Project.open(folder), stages, llm, scenarios);
     } catch (DiagnosticException e) {
       // The project or its suppressions cannot be read, so the subject of a verdict is unknown.
-      if (last.compareTo(Stage.SIMULATE) >= 0) {
+      if (stages.last().compareTo(Stage.SIMULATE) >= 0) {
         Pipeline.withdrawVerdict(
             output == null ? new ProjectFolder(folder).defaultOutput() : output);
       }

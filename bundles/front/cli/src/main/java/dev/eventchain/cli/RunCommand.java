@@ -64,6 +64,6 @@ final class RunCommand extends ProjectCommand {
     if (scenarios.attach && !simulates) {
       throw wrongUsage("--attach applies to a simulation, but the stage simulate is not run");
     }
-    return execute(folder, from, to, again, llm, scenarios);
+    return execute(folder, new Stages(from, to, again), llm, scenarios);
   }
 }

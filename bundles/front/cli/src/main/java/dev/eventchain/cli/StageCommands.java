@@ -35,7 +35,7 @@ final class StageCommands {
 
     @Override
     Outcome work() {
-      return execute(folder, stage, stage, true, llm, new ScenarioOptions());
+      return execute(folder, Stages.only(stage), llm, new ScenarioOptions());
     }
   }
 
@@ -115,7 +115,7 @@ final class StageCommands {
     @Override
     Outcome work() {
       return suite == null
-          ? execute(folder, Stage.SIMULATE, Stage.SIMULATE, true, new LlmOptions(), scenarios)
+          ? execute(folder, Stages.only(Stage.SIMULATE), new LlmOptions(), scenarios)
           : suite();
     }
 

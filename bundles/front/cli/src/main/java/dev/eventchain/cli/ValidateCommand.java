@@ -147,6 +147,6 @@ final class ValidateCommand extends ProjectCommand {
     Stage first = ready ? Stage.VALIDATE : Stage.DESIGN;
     ScenarioOptions scenarios = new ScenarioOptions();
     scenarios.faults = faults;
-    return execute(project, first, Stage.VALIDATE, ready, llm, scenarios);
+    return execute(project, new Stages(first, Stage.VALIDATE, ready), llm, scenarios);
   }
 }
