@@ -134,19 +134,15 @@ final class GenerateCommand extends ProjectCommand {
     Suppressions suppressions = suppressions();
     WrittenFiles files =
         AnyModel.generate(
-            given.metamodels,
-            given.references.folders(),
+            new AnyModel.Models(inputs, given.metamodels, given.references.folders()),
             new AnyModel.Template(template, with.sources, with.services, properties),
-            inputs,
             new AnyModel.Target(
                 printsResult() ? Optional.empty() : Optional.of(output()),
                 overwrite(),
                 trace,
                 Optional.empty(),
                 refused),
-            lenient,
-            suppressions,
-            timeLimit());
+            new AnyModel.Check(lenient, suppressions, timeLimit()));
     print(files.printed());
     return Outcome.of(files, suppressions);
   }

@@ -84,22 +84,18 @@ public final class GenerateMojo extends ModelMojo {
     Suppressions suppressions = suppressions();
     WrittenFiles files =
         AnyModel.generate(
-            metamodels(),
-            references(),
+            new AnyModel.Models(models(), metamodels(), references()),
             new AnyModel.Template(
                 Places.shown(template),
                 Places.shown(sources),
                 Places.shown(services),
                 Places.shown(properties)),
-            models(),
             new AnyModel.Target(
                 Optional.of(Places.shown(outputDirectory)),
                 overwrite(),
                 trace,
                 Optional.of(name())),
-            lenient,
-            suppressions,
-            timeLimit());
+            new AnyModel.Check(lenient, suppressions, timeLimit()));
     if (!files.printed().isEmpty()) {
       files.printed().lines().forEach(getLog()::info);
     }

@@ -43,6 +43,31 @@ import org.eclipse.emf.ecore.EPackage;
 public final class AnyModel {
 
   /**
+   * Models, and what they are read with.
+   *
+   * @param files the models; the template runs on their elements, and also sees those that they
+   *     reference in other files
+   * @param references where references may lead besides the folders of the files
+   */
+  public record Models(List<Path> files, List<Path> metamodels, ReferenceFolders references) {
+
+    /** Copies the lists. */
+    public Models {
+      files = List.copyOf(files);
+      metamodels = List.copyOf(metamodels);
+    }
+  }
+
+  /**
+   * The check of models before text is generated from them.
+   *
+   * @param lenient true to report errors after which Acceleo continues as warnings
+   * @param suppressions the suppressed findings about the models
+   * @param timeLimit the processor time that the patterns of a data type may take
+   */
+  public record Check(boolean lenient, Suppressions suppressions, Duration timeLimit) {}
+
+  /**
    * A template outside of projects, with its dependencies.
    *
    * @param main the main module, or the name of a shipped template about chains: {@code nodl}
@@ -123,43 +148,33 @@ public final class AnyModel {
   /**
    * Generates text from models.
    *
-   * @param references where references may lead besides the folders of the files
    * @param template with its modules, services and properties
-   * @param models models whose elements the template runs on; it also sees elements that they
-   *     reference in other files
    * @param target the output
-   * @param lenient true to report errors after which Acceleo continues as warnings
-   * @param suppressions the suppressed findings about the models
-   * @param timeLimit the processor time that the patterns of a data type may take
    * @return the findings; nothing is written if one of them is an error other than an undefined
-   *     value, for example if a model breaks a rule of its metamodel and this is not lenient
+   *     value, for example if a model breaks a rule of its metamodel and the check is not lenient
    * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
    */
   public static WrittenFiles generate(
-      List<Path> metamodels,
-      ReferenceFolders references,
-      Template template,
-      List<Path> models,
-      Target target,
-      boolean lenient,
-      Suppressions suppressions,
-      Duration timeLimit) {
-    ModelValidation any = ModelValidation.read(metamodels, references, models, timeLimit);
+      Models models, Template template, Target target, Check check) {
+    ModelValidation any =
+        ModelValidation.read(
+            models.metamodels(), models.references(), models.files(), check.timeLimit());
     Map<String, Map<String, String>> properties = PropertyFiles.read(template.properties());
     try (JavaServices classes = JavaServices.of(template.services())) {
       TemplateModule module =
-          new ProfilesBeside(references)
+          new ProfilesBeside(models.references())
               .compile(
                   template,
                   withMessages(any.packages()),
                   packages -> module(template, packages, classes.loader()));
       WrittenFiles files = new WrittenFiles(target.folder());
-      files.found(lenient ? milder(any.ecore().diagnostics()) : any.ecore().diagnostics());
-      if (!Diagnostic.anyError(suppressions.part(files.diagnostics()).remaining())) {
+      List<Diagnostic> found = any.ecore().diagnostics();
+      files.found(check.lenient() ? milder(found) : found);
+      if (!Diagnostic.anyError(check.suppressions().part(files.diagnostics()).remaining())) {
         GenerationContext context =
             GenerationContext.of(any::locate)
                 .withPropertyFiles(properties)
-                .with(traits(target, lenient));
+                .with(traits(target, check.lenient()));
         if (target.folder().isEmpty()) {
           files.found(generate(any, module, context, files).diagnostics());
         } else {
@@ -177,7 +192,7 @@ public final class AnyModel {
    *
    * @param metamodels the metamodels that the templates name; event chains, UML, and profiles of
    *     UML in the folders of the templates need not be named
-   * @param references as in {@link #generate}
+   * @param references as of {@link Models}
    * @param templates each with its modules and services
    * @return the findings, each once
    * @throws DiagnosticException INPUT if a metamodel cannot be read, or a template is not there

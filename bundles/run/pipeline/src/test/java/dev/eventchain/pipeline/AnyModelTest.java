@@ -100,14 +100,13 @@ class AnyModelTest {
 
   private WrittenFiles write(Path template, List<Path> services, String... models) {
     return AnyModel.generate(
-        List.of(folder.resolve("shop.ecore")),
-        ReferenceFolders.NONE,
+        new AnyModel.Models(
+            List.of(models).stream().map(folder::resolve).toList(),
+            List.of(folder.resolve("shop.ecore")),
+            ReferenceFolders.NONE),
         new AnyModel.Template(template, List.of(), services, List.of()),
-        List.of(models).stream().map(folder::resolve).toList(),
         new AnyModel.Target(Optional.of(folder.resolve("out")), false, false, Optional.empty()),
-        false,
-        Suppressions.NONE,
-        Duration.ofSeconds(30));
+        new AnyModel.Check(false, Suppressions.NONE, Duration.ofSeconds(30)));
   }
 
   @Test
@@ -144,19 +143,18 @@ class AnyModelTest {
     Path template = Files.writeString(folder.resolve("main.mtl"), TEMPLATE.replace("BODY", body));
     WrittenFiles files =
         AnyModel.generate(
-            List.of(folder.resolve("shop.ecore")),
-            ReferenceFolders.NONE,
+            new AnyModel.Models(
+                List.of(folder.resolve("bakery.xmi")),
+                List.of(folder.resolve("shop.ecore")),
+                ReferenceFolders.NONE),
             new AnyModel.Template(template, List.of(), List.of(), List.of()),
-            List.of(folder.resolve("bakery.xmi")),
             new AnyModel.Target(
                 Optional.of(folder.resolve("out")),
                 true,
                 false,
                 Optional.empty(),
                 List.of("eventchain.yaml", "recordings", ".*")),
-            false,
-            Suppressions.NONE,
-            Duration.ofSeconds(30));
+            new AnyModel.Check(false, Suppressions.NONE, Duration.ofSeconds(30)));
     assertEquals(
         written == 0 ? List.of("output.path.refused") : List.of(),
         files.diagnostics().stream().map(Diagnostic::id).toList());

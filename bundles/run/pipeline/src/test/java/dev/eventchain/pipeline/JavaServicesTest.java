@@ -114,14 +114,13 @@ class JavaServicesTest {
   private List<Diagnostic> generate(String body) throws IOException {
     Path template = Files.writeString(folder.resolve("main.mtl"), TEMPLATE.replace("BODY", body));
     return AnyModel.generate(
-            List.of(folder.resolve("shop.ecore")),
-            ReferenceFolders.NONE,
+            new AnyModel.Models(
+                List.of(folder.resolve("model.xmi")),
+                List.of(folder.resolve("shop.ecore")),
+                ReferenceFolders.NONE),
             new AnyModel.Template(template, List.of(), List.of(classes), List.of()),
-            List.of(folder.resolve("model.xmi")),
             new AnyModel.Target(Optional.of(folder.resolve("out")), false, false, Optional.empty()),
-            false,
-            Suppressions.NONE,
-            Duration.ofSeconds(30))
+            new AnyModel.Check(false, Suppressions.NONE, Duration.ofSeconds(30)))
         .diagnostics();
   }
 
