@@ -42,6 +42,7 @@ public final class SiteBuilder {
           Map.entry("diagrams", "Diagrams"),
           Map.entry("build-server", "Build servers"),
           Map.entry("evidence", "Evidence"),
+          Map.entry("traces", "Traces of ROS 2"),
           Map.entry("coding-agents", "Coding agents"),
           Map.entry("eclipse", "Eclipse"),
           Map.entry("vscode", "VS Code"),

@@ -48,6 +48,7 @@ public final class Main {
           CampaignCommand.class,
           SearchCommand.class,
           MutateCommand.class,
+          MeasureCommand.class,
           EvaluateCommand.class,
           InitCommand.class,
           BenchCommand.class,

@@ -30,12 +30,39 @@ public final class MeasuredModel {
 
   public static EventChain of(
       EventChain chain, Measurements measurements, List<ScenarioVerdict> verdicts) {
-    EventChain copy = EcoreUtil.copy(chain);
     MeasuredModel model = new MeasuredModel(measurements);
-    copy.getSoftware().forEach(software -> software.setMeasured(null));
-    measurements.nodes().forEach(node -> model.measure(copy, node));
-    copy.getMeasured().clear();
+    EventChain copy = model.copyOf(chain);
     verdicts.forEach(verdict -> copy.getMeasured().add(model.measurement(copy, verdict)));
+    return copy;
+  }
+
+  /**
+   * Returns a copy of a chain with what was measured in a recorded trace.
+   *
+   * @param name the name of the trace, in the place of a scenario's
+   * @param latencies one for each latency constraint of the chain, in its order
+   */
+  public static EventChain ofTrace(
+      EventChain chain,
+      Measurements measurements,
+      String name,
+      List<Optional<ScenarioVerdict.Latency>> latencies,
+      boolean passed) {
+    MeasuredModel model = new MeasuredModel(measurements);
+    EventChain copy = model.copyOf(chain);
+    ChainMeasurement measurement = model.measurement(copy, name);
+    addLatencies(copy, measurement, latencies);
+    measurement.setPassed(passed);
+    copy.getMeasured().add(measurement);
+    return copy;
+  }
+
+  /** Returns a copy with the measurements of components, and no others. */
+  private EventChain copyOf(EventChain chain) {
+    EventChain copy = EcoreUtil.copy(chain);
+    copy.getSoftware().forEach(software -> software.setMeasured(null));
+    measurements.nodes().forEach(node -> measure(copy, node));
+    copy.getMeasured().clear();
     return copy;
   }
 
@@ -49,21 +76,32 @@ public final class MeasuredModel {
     find(chain, node.name()).ifPresent(software -> software.setMeasured(measurement));
   }
 
-  private ChainMeasurement measurement(EventChain chain, ScenarioVerdict verdict) {
+  private ChainMeasurement measurement(EventChain chain, String scenario) {
     ChainMeasurement measurement = FACTORY.createChainMeasurement();
     measurement.setRunId(measurements.runId());
-    measurement.setScenario(verdict.scenario());
+    measurement.setScenario(scenario);
     find(chain, measurements.firstNode()).ifPresent(measurement::setFirst);
     find(chain, measurements.lastNode()).ifPresent(measurement::setLast);
-    statistics(verdict.latency()).ifPresent(measurement::setLatency);
-    for (int i = 0; i < verdict.latencies().size(); i++) {
+    return measurement;
+  }
+
+  private static void addLatencies(
+      EventChain chain,
+      ChainMeasurement measurement,
+      List<Optional<ScenarioVerdict.Latency>> latencies) {
+    for (int i = 0; i < latencies.size(); i++) {
       LatencyConstraint constraint = chain.getLatencyConstraints().get(i);
-      verdict
-          .latencies()
+      latencies
           .get(i)
           .map(latency -> latency(chain, constraint, latency))
           .ifPresent(measurement.getLatencies()::add);
     }
+  }
+
+  private ChainMeasurement measurement(EventChain chain, ScenarioVerdict verdict) {
+    ChainMeasurement measurement = measurement(chain, verdict.scenario());
+    statistics(verdict.latency()).ifPresent(measurement::setLatency);
+    addLatencies(chain, measurement, verdict.latencies());
     verdict.figures().forEach(figure -> measurement.getMeasurements().add(figure(figure)));
     verdict.criteria().forEach(each -> margin(each).ifPresent(measurement.getMeasurements()::add));
     measurement.getMeasurements().addAll(MeasuredFlow.of(verdict.flow()));

@@ -7,6 +7,7 @@ import dev.eventchain.documents.JsonLayout;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.engine.StandingVerdict;
+import dev.eventchain.pipeline.files.TextTable;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.results.RequirementOutcome;
 import dev.eventchain.pipeline.results.RequirementOutcome.Outcome;

@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.UnifiedDiff;
 import dev.eventchain.jsonmodels.JsonDocument;
+import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.RunOptions.Driver;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.SimulationResult;
@@ -31,10 +32,10 @@ import java.util.regex.Pattern;
  * with a change of {@code components.json} that states them. Nothing is changed here: a time that
  * was measured on this machine is no bound, and only who knows the vehicle's can decide.
  */
-final class MeasuredTimes {
+public final class MeasuredTimes {
 
   /** The file of the proposed change, among the results. */
-  static final String DIFF = "measured-times.diff";
+  public static final String DIFF = "measured-times.diff";
 
   private static final String KEY = ChainNames.WORST_CASE_EXECUTION_TIME;
   private static final Pattern NUMBER = Pattern.compile("-?[0-9][0-9.eE+-]*");
@@ -56,16 +57,13 @@ final class MeasuredTimes {
    *
    * @param name the name of the file in the project, for the diff
    * @param source the description of the existing components
-   * @param nodes what a run in real time measured
+   * @param longest the longest measured times, in ms, by component
    */
-  MeasuredTimes(String name, SourceText source, List<Measurements.Node> nodes) {
+  MeasuredTimes(String name, SourceText source, Map<String, Double> longest) {
     this.name = name;
     this.source = source;
     this.document = JsonDocument.parse(source);
-    for (Measurements.Node node : nodes) {
-      node.hostExecutionTime()
-          .ifPresent(time -> longest.put(node.name(), BigDecimal.valueOf(time.maximum())));
-    }
+    longest.forEach((node, time) -> this.longest.put(node, BigDecimal.valueOf(time)));
     for (int i = 0; i < document.root().size(); i++) {
       compare(Document.below("", i), document.root().get(i));
     }
@@ -77,16 +75,34 @@ final class MeasuredTimes {
    * @return the findings about times that are longer than stated
    */
   static List<Diagnostic> propose(RunContext run, SimulationResult result) {
-    Path file = run.project().componentsFile();
     run.output().removeAll(DIFF);
-    if (run.options().driver() != Driver.DDS_IN_REAL_TIME || !Files.isRegularFile(file)) {
+    if (run.options().driver() != Driver.DDS_IN_REAL_TIME) {
       return List.of();
     }
-    String name = run.project().folder().relativize(file).toString().replace('\\', '/');
-    MeasuredTimes times =
-        new MeasuredTimes(name, SourceText.read(file), result.measurements().nodes());
-    times.diff().ifPresent(text -> run.writeResult(DIFF, text.getBytes(StandardCharsets.UTF_8)));
-    return times.findings();
+    Map<String, Double> longest = new LinkedHashMap<>();
+    for (Measurements.Node node : result.measurements().nodes()) {
+      node.hostExecutionTime().ifPresent(time -> longest.put(node.name(), time.maximum()));
+    }
+    Optional<MeasuredTimes> times = of(run.project(), longest);
+    times
+        .flatMap(MeasuredTimes::diff)
+        .ifPresent(text -> run.writeResult(DIFF, text.getBytes(StandardCharsets.UTF_8)));
+    return times.map(MeasuredTimes::findings).orElse(List.of());
+  }
+
+  /**
+   * Compares times with what the existing components of a project state.
+   *
+   * @param longest the longest measured times, in ms, by component
+   * @return empty if the project has no description of existing components
+   */
+  public static Optional<MeasuredTimes> of(Project project, Map<String, Double> longest) {
+    Path file = project.componentsFile();
+    if (!Files.isRegularFile(file)) {
+      return Optional.empty();
+    }
+    String name = project.folder().relativize(file).toString().replace('\\', '/');
+    return Optional.of(new MeasuredTimes(name, SourceText.read(file), longest));
   }
 
   private static String up(BigDecimal milliseconds) {
@@ -150,7 +166,7 @@ final class MeasuredTimes {
   }
 
   /** Returns the change in the unified format, as {@code patch -p1} takes it; empty for none. */
-  Optional<String> diff() {
+  public Optional<String> diff() {
     if (edits.isEmpty()) {
       return Optional.empty();
     }

@@ -57,13 +57,12 @@ public final class SimulateStage implements StageWork {
 
   public static final String MEASUREMENTS = "measurements.json";
   public static final String MEASUREMENTS_TABLE = "measurements.csv";
-
-  /** The folder of the curves of each scenario. */
-  private static final String CURVES = "curves";
-
   public static final String LATENCY_BOUNDS = "latency-bounds.json";
   public static final String VERDICT = "verdict.json";
   public static final String MEASURED_MODEL = "chain.measured.xmi";
+
+  /** The folder of the curves of each scenario. */
+  private static final String CURVES = "curves";
 
   /** Results of all scenarios, which must not be replaced by results of some. */
   private static final List<String> RESULTS =

@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.simulation.verdict.Measurements;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
@@ -29,20 +29,14 @@ class MeasuredTimesTest {
       ]
       """;
 
-  private static Measurements.Node node(String name, double longest) {
-    Measurements.Statistics time = new Measurements.Statistics(3, 0.1, 0.2, 0.2, longest, longest);
-    return new Measurements.Node(
-        name, 3, Optional.empty(), Optional.empty(), Optional.empty(), Optional.of(time));
-  }
-
-  private static MeasuredTimes times(String text, Measurements.Node... nodes) {
+  private static MeasuredTimes times(String text, Map<String, Double> longest) {
     return new MeasuredTimes(
-        "base/components.json", SourceText.of("components.json", text), List.of(nodes));
+        "base/components.json", SourceText.of("components.json", text), longest);
   }
 
   @Test
   void aLongerTimeReplacesWhatIsStatedAndAMissingOneIsAdded() {
-    MeasuredTimes times = times(BASE, node("Radar", 1.5001), node("Brake", 0.2), node("Idle", 4.9));
+    MeasuredTimes times = times(BASE, Map.of("Radar", 1.5001, "Brake", 0.2, "Idle", 4.9));
     assertEquals(
         """
         --- a/base/components.json
@@ -75,7 +69,7 @@ class MeasuredTimesTest {
 
   @Test
   void aPropertyIsAddedInTheLineOfItsName() {
-    String diff = times(BASE, node("Absent", 2)).diff().orElseThrow();
+    String diff = times(BASE, Map.of("Absent", 2.0)).diff().orElseThrow();
     assertTrue(
         diff.contains("+  { \"worst_case_execution_time\": 2, \"name\": \"Absent\" }\n"), diff);
   }
@@ -94,11 +88,11 @@ class MeasuredTimesTest {
            }\r
          ]\r
         """,
-        times(windows, node("Brake", 2))
+        times(windows, Map.of("Brake", 2.0))
             .diff()
             .orElseThrow()
             .replaceAll("(?m)^(---|\\+\\+\\+).*\n", ""));
-    String open = times("[{\"name\": \"Brake\"}]", node("Brake", 2)).diff().orElseThrow();
+    String open = times("[{\"name\": \"Brake\"}]", Map.of("Brake", 2.0)).diff().orElseThrow();
     assertTrue(
         open.endsWith(
             """
@@ -112,16 +106,13 @@ class MeasuredTimesTest {
 
   @Test
   void timesWithinWhatIsStatedProposeNothing() {
-    MeasuredTimes times = times(BASE, node("Radar", 1.5), node("Idle", 4.999), node("Unknown", 9));
+    MeasuredTimes times = times(BASE, Map.of("Radar", 1.5, "Idle", 4.999, "Unknown", 9.0));
     assertEquals(Optional.empty(), times.diff());
     assertEquals(List.of(), times.findings());
   }
 
   @Test
   void whatIsNotMeasuredProposesNothing() {
-    Measurements.Node silent =
-        new Measurements.Node(
-            "Brake", 0, Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty());
-    assertEquals(Optional.empty(), times(BASE, silent).diff());
+    assertEquals(Optional.empty(), times(BASE, Map.of()).diff());
   }
 }

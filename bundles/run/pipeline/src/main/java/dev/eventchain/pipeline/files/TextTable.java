@@ -1,14 +1,14 @@
-package dev.eventchain.pipeline.requirements;
+package dev.eventchain.pipeline.files;
 
 import java.util.List;
 
 /** A table in plain text, whose columns are as wide as their longest cell. */
-final class TextTable {
+public final class TextTable {
 
   private TextTable() {}
 
   /** Returns the lines of a table; all rows have as many cells. */
-  static String of(List<List<String>> rows) {
+  public static String of(List<List<String>> rows) {
     int[] widths = new int[rows.get(0).size()];
     for (List<String> row : rows) {
       for (int i = 0; i < widths.length; i++) {
