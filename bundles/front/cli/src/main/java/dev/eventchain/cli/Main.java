@@ -42,6 +42,7 @@ public final class Main {
           ValidateCommand.class,
           GenerateCommand.class,
           CompileCommand.class,
+          FormatCommand.class,
           StageCommands.Simulate.class,
           RequirementsCommand.class,
           AcceptCommand.class,

@@ -151,7 +151,7 @@ abstract class ProjectCommand implements Callable<Integer> {
   }
 
   /** Returns the suppressions of a project. */
-  final Suppressions suppressions(Project project) {
+  final Suppressions suppressions(ProjectFolder project) {
     return reporting.suppressions(project.suppressions(), console.today());
   }
 

@@ -8,7 +8,10 @@ import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import java.util.UUID;
 
-/** Writes files completely or not at all, and leaves files with the same content untouched. */
+/**
+ * Writes files completely or not at all, and leaves files with the same content untouched. Who may
+ * read, write and execute an earlier file stays as it was.
+ */
 public final class AtomicFile {
 
   private AtomicFile() {}
@@ -36,6 +39,9 @@ public final class AtomicFile {
     Path temporary = file.resolveSibling("." + file.getFileName() + "." + UUID.randomUUID());
     try {
       Files.write(temporary, content);
+      if (Files.exists(file) && Files.getFileStore(file).supportsFileAttributeView("posix")) {
+        Files.setPosixFilePermissions(temporary, Files.getPosixFilePermissions(file));
+      }
       Files.move(
           temporary, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
     } finally {

@@ -1,5 +1,9 @@
 package dev.eventchain.documents;
 
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
+import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -44,6 +48,24 @@ public final class YamlFormatter {
     return parts
         .flatMap(each -> new YamlFormatter(lines, each, step).run())
         .filter(formatted -> saysTheSame(text, formatted));
+  }
+
+  /**
+   * Returns the syntax error of a text, which is why it is not formatted; empty if it is YAML.
+   *
+   * @param rule that of the error
+   */
+  public static Optional<Diagnostic> syntaxError(SourceText source, Rule rule) {
+    if (values(source.text()).isPresent()) {
+      return Optional.empty();
+    }
+    try {
+      Document.parseWithAnyText(
+          source, DocumentFormat.YAML, DocumentRules.all(rule), problem -> {});
+      return Optional.empty(); // readers disagree about where its lines end
+    } catch (DiagnosticException e) {
+      return Optional.of(e.diagnostics().get(0));
+    }
   }
 
   /** Returns whether two texts in YAML have the same values, anchors and styles. */

@@ -1,13 +1,12 @@
 package dev.eventchain.lsp.language;
 
-import dev.eventchain.constraints.editing.RuleFormatter;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.YamlFormatter;
 import dev.eventchain.editing.TextLines;
 import dev.eventchain.editing.Workspace;
 import dev.eventchain.lsp.text.Edits;
 import dev.eventchain.lsp.text.Positions;
-import dev.eventchain.m2t.editing.TemplateFormatter;
+import dev.eventchain.pipeline.format.TextFormat;
 import dev.eventchain.project.ProjectFolder;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -50,15 +49,10 @@ public final class Formatting {
   }
 
   private static Optional<String> formatted(Path file, String text, FormattingOptions options) {
-    String name = file.getFileName().toString();
     int size = Math.max(1, Math.min(options.getTabSize(), 16));
-    if (name.endsWith(".ocl")) {
-      return RuleFormatter.format(text, options.isInsertSpaces() ? " ".repeat(size) : "\t");
-    } else if (name.endsWith(".mtl")) {
-      return TemplateFormatter.format(text);
-    }
-    boolean isYaml = name.matches(".*\\.ya?ml") && ProjectFolder.around(file).isPresent();
-    return isYaml ? YamlFormatter.format(text, size) : Optional.empty();
+    return TextFormat.of(file)
+        .filter(it -> it != TextFormat.YAML || ProjectFolder.around(file).isPresent())
+        .flatMap(it -> it.format(text, size, options.isInsertSpaces()));
   }
 
   private List<TextEdit> changes(Path file, String before, String after, IntPredicate wanted) {
@@ -79,7 +73,7 @@ public final class Formatting {
       start += line.length();
     }
     boolean isWhole = result.toString().equals(after);
-    boolean isYaml = !file.toString().endsWith(".ocl") && !file.toString().endsWith(".mtl");
+    boolean isYaml = TextFormat.of(file).equals(Optional.of(TextFormat.YAML));
     // Lines of YAML that are moved without those around them may belong to something else.
     return isWhole || !isYaml || YamlFormatter.saysTheSame(before, result.toString())
         ? changes

@@ -2,6 +2,7 @@ package dev.eventchain.constraints.editing;
 
 import dev.eventchain.constraints.document.RuleDocument;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.ocl.ExpressionSyntax;
 import dev.eventchain.ocl.text.Spacing;
@@ -11,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /**
  * Formatter of Complete OCL documents. Changes white space inside lines only: what stands on a line
@@ -42,21 +44,31 @@ public final class RuleFormatter {
    * @return empty if the text has a syntax error, and is better left as it is
    */
   public static Optional<String> format(String text, String step) {
-    return isSound(text) ? new RuleFormatter(text, step).run() : Optional.empty();
+    return problems(SourceText.of("", text)).findFirst().isEmpty()
+        ? new RuleFormatter(text, step).run()
+        : Optional.empty();
   }
 
-  private static boolean isSound(String text) {
+  /** Returns the first syntax error of a document, which is why it is not formatted. */
+  public static Optional<Diagnostic> syntaxError(SourceText source) {
+    return problems(source).filter(each -> each.severity() == Severity.ERROR).findFirst();
+  }
+
+  private static Stream<Diagnostic> problems(SourceText source) {
     List<Diagnostic> problems = new ArrayList<>();
-    RuleDocument document = RuleDocument.read(SourceText.of("", text), problems);
+    RuleDocument document = RuleDocument.read(source, problems);
     ExpressionSyntax syntax = new ExpressionSyntax();
-    return problems.isEmpty()
-        && document.clauses().stream()
-            .allMatch(
+    Stream<Diagnostic> ofClauses =
+        document.clauses().stream()
+            .flatMap(
                 each ->
-                    each.definition()
-                        ? syntax.isDefinition(each.text())
-                        : syntax.isExpression(each.text()))
-        && document.members().stream().allMatch(each -> syntax.isExpression(each.text()));
+                    (each.definition()
+                            ? syntax.errorOfDefinition(each.text())
+                            : syntax.errorOfExpression(each.text()))
+                        .stream());
+    Stream<Diagnostic> ofMembers =
+        document.members().stream().flatMap(each -> syntax.errorOfExpression(each.text()).stream());
+    return Stream.concat(problems.stream(), Stream.concat(ofClauses, ofMembers));
   }
 
   private Optional<String> run() {

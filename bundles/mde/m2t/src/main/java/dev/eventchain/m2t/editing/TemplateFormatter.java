@@ -1,6 +1,7 @@
 package dev.eventchain.m2t.editing;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.syntax.TagBlock;
 import dev.eventchain.m2t.syntax.Token;
@@ -43,6 +44,13 @@ public final class TemplateFormatter {
     return described(source, tokens).equals(described(after, TagBlock.tokens(after, problems)))
         ? Optional.of(formatted)
         : Optional.empty();
+  }
+
+  /** Returns the first error of the tags of a text, which is why it is not formatted. */
+  public static Optional<Diagnostic> syntaxError(SourceText source) {
+    List<Diagnostic> problems = new ArrayList<>();
+    TagBlock.tokens(source, problems);
+    return problems.stream().filter(each -> each.severity() == Severity.ERROR).findFirst();
   }
 
   private String run(List<Token> tokens) {

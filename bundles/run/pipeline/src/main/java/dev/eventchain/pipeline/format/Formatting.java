@@ -1,0 +1,151 @@
+package dev.eventchain.pipeline.format;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.AtomicFile;
+import dev.eventchain.project.ProjectFolder;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Formatting of constraints, templates and YAML, which never changes what they say, as editors have
+ * it from the language server. A file that cannot be read is left as it is, with a finding.
+ */
+public final class Formatting {
+
+  private static final String BYTE_ORDER_MARK = "\uFEFF";
+
+  private final int columns;
+  private final boolean writes;
+  private final List<Diagnostic> found = new ArrayList<>();
+  private final List<Path> changed = new ArrayList<>();
+
+  private Formatting(int columns, boolean writes) {
+    this.columns = columns;
+    this.writes = writes;
+  }
+
+  /**
+   * The result of formatting.
+   *
+   * @param files all files that were looked at, as they are named
+   * @param changed those that were written
+   */
+  public record Result(List<Path> files, List<Path> changed, List<Diagnostic> found) {}
+
+  /**
+   * Formats files.
+   *
+   * @param named files, and folders of which all are meant that people write
+   * @param columns the width of one level of indentation, at least 1
+   * @param writes false if a file that would change is only a finding
+   * @throws DiagnosticException INPUT if there is no file or folder of a name
+   */
+  public static Result of(List<Path> named, int columns, boolean writes) {
+    Formatting formatting = new Formatting(columns, writes);
+    List<Path> files = FormattedFiles.of(named, formatting.found);
+    files.forEach(formatting::format);
+    return new Result(files, formatting.changed, formatting.found);
+  }
+
+  /** Returns the project that all files and folders belong to, if they belong to one. */
+  public static Optional<ProjectFolder> project(List<Path> named) {
+    List<Optional<Path>> folders =
+        named.stream()
+            .map(FormattedFiles::project)
+            .map(it -> it.map(each -> each.folder().toAbsolutePath().normalize()))
+            .distinct()
+            .toList();
+    return folders.size() == 1 ? FormattedFiles.project(named.get(0)) : Optional.empty();
+  }
+
+  private void format(Path file) {
+    TextFormat format = TextFormat.of(file).orElseThrow();
+    SourceText source;
+    try {
+      source = SourceText.read(file);
+    } catch (DiagnosticException e) {
+      found.addAll(e.diagnostics());
+      return;
+    }
+    Optional<String> formatted = format.format(source.text(), columns, true);
+    if (formatted.isEmpty()) {
+      found.add(unformatted(format, file, source));
+    } else if (!formatted.get().equals(source.text())) {
+      if (writes) {
+        write(file, source.text(), formatted.get());
+      } else {
+        found.add(differing(file, source, formatted.get()));
+      }
+    }
+  }
+
+  private static Diagnostic unformatted(TextFormat format, Path file, SourceText source) {
+    return format
+        .syntaxError(source)
+        .map(
+            error ->
+                Diagnostic.of(
+                        FormatRules.SYNTAX,
+                        "The file is left as it is, since it cannot be read: " + error.message(),
+                        error.location())
+                    .withHint(error.hint()))
+        .orElseGet(
+            () ->
+                Diagnostic.of(
+                        FormatRules.SKIPPED,
+                        "The file is left as it is, since it has something that is not formatted.",
+                        SourceLocation.of(file))
+                    .withHint("'eventchain explain format.skipped' lists what that may be."));
+  }
+
+  private Diagnostic differing(Path file, SourceText source, String formatted) {
+    String text = source.text();
+    int shorter = Math.min(text.length(), formatted.length());
+    int same = 0;
+    while (same < shorter && text.charAt(same) == formatted.charAt(same)) {
+      same++;
+    }
+    SourceLocation place = source.at(same);
+    return Diagnostic.of(
+            FormatRules.DIFFERS, "The file is not formatted, from this line on.", place)
+        .withHint("Run 'eventchain format " + file + "'.");
+  }
+
+  /** Writes a file as a whole, if it is still as it was read. */
+  private void write(Path file, String before, String after) {
+    try {
+      Path real = file.toRealPath();
+      String mark = isMarked(real) ? BYTE_ORDER_MARK : "";
+      byte[] read = (mark + before).getBytes(StandardCharsets.UTF_8);
+      if (!Files.isWritable(real)) {
+        throw new IOException("it is read-only");
+      } else if (!Arrays.equals(Files.readAllBytes(real), read)) {
+        throw new IOException("it has changed meanwhile");
+      }
+      AtomicFile.write(real, mark + after);
+      changed.add(file);
+    } catch (IOException e) {
+      found.add(
+          Diagnostic.of(
+              FormatRules.UNWRITABLE,
+              "The formatted file cannot be written: " + SourceText.reason(e) + ".",
+              SourceLocation.of(file)));
+    }
+  }
+
+  private static boolean isMarked(Path file) throws IOException {
+    byte[] mark = BYTE_ORDER_MARK.getBytes(StandardCharsets.UTF_8);
+    byte[] bytes = Files.readAllBytes(file);
+    return bytes.length >= mark.length
+        && Arrays.equals(mark, 0, mark.length, bytes, 0, mark.length);
+  }
+}
