@@ -128,6 +128,11 @@ class McpTest {
       String expected = new Program().run("validate", project, "--format", "json").expect(1).out();
       assertEquals(
           JSON.readTree(expected.replace(folder + "/", "")), said.at("/structuredContent/report"));
+      session.call(2, "suites", "{}");
+      JsonNode suites = session.answer(2);
+      String listed = new Program().run("suites", "--format=json").expect(0).out();
+      assertEquals(JSON.readTree(listed).path("suites"), suites.at("/structuredContent/suites"));
+      assertEquals(listed, suites.at("/content/0/text").asText());
       String text = new Program().run("validate", project).expect(1).out();
       assertTrue(
           said.at("/content/0/text").asText().endsWith(text.replace(folder + "/", "")),
@@ -225,7 +230,7 @@ class McpTest {
     assertEquals(
         """
         protocol 2025-11-25
-        tools 13 prompts 5
+        tools 15 prompts 6
         verdict FAILED progress True
         failed short-sight no impact
         signals True

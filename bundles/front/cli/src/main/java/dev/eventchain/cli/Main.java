@@ -44,6 +44,7 @@ public final class Main {
           CompileCommand.class,
           FormatCommand.class,
           StageCommands.Simulate.class,
+          SuitesCommand.class,
           RequirementsCommand.class,
           AcceptCommand.class,
           CampaignCommand.class,

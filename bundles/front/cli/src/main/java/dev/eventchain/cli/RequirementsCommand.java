@@ -30,7 +30,7 @@ import picocli.CommandLine.Parameters;
     })
 final class RequirementsCommand implements Callable<Integer> {
 
-  /** The formats of the list. */
+  /** The formats of a list that is none of findings. */
   enum Format {
     TEXT,
     JSON;

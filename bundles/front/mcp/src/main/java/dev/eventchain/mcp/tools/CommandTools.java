@@ -9,7 +9,9 @@ import dev.eventchain.mcp.tools.Tool.Result;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /** The tools that are commands. */
 final class CommandTools {
@@ -44,6 +46,7 @@ final class CommandTools {
         explain(),
         generate(),
         simulate(),
+        suites(),
         run(),
         campaign(),
         search(),
@@ -179,7 +182,7 @@ final class CommandTools {
                 "suite",
                 ArgumentType.TEXT,
                 "Instead of the project's scenarios, a suite by its name, or a campaign file about"
-                    + " scenarios of its own. A wrong name is answered by all names."),
+                    + " scenarios of its own. The tool 'suites' lists them."),
             Parameter.oneOf(
                 "driver",
                 "How nodes run: all in one process (default), or each in its own, over DDS.",
@@ -191,6 +194,19 @@ final class CommandTools {
           arguments.text("driver").ifPresent(driver -> command.add("--driver=" + driver));
           return commands.report(command, call);
         });
+  }
+
+  private Tool suites() {
+    Map<String, Object> output = new LinkedHashMap<>(Commands.plainOutput());
+    output.put("suites", Map.of("type", "array"));
+    return new Tool(
+        "suites",
+        "List suites",
+        "Lists the suites for 'simulate': the protocol that each is after, and its cases.",
+        Effect.READS,
+        List.of(),
+        output,
+        (arguments, call) -> commands.list(List.of("suites"), call));
   }
 
   /** Returns a suite as an argument: its name, or a file inside that no link leads out of. */

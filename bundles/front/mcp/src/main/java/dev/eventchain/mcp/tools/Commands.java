@@ -1,5 +1,6 @@
 package dev.eventchain.mcp.tools;
 
+import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.type.TypeReference;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -85,6 +86,22 @@ final class Commands {
   Result print(List<String> arguments, Call call) {
     Ended ended = program.run(arguments, boundary.root(), call.running(), call.progress());
     return new Result(textOf(ended), ending(ended), !ended.worked());
+  }
+
+  /** Runs a command that prints a list, whose JSON is the structure. */
+  Result list(List<String> arguments, Call call) {
+    List<String> command = new ArrayList<>(arguments);
+    command.add("--format=json");
+    Ended ended = program.run(command, boundary.root(), call.running(), call.progress());
+    Map<String, Object> structured = ending(ended);
+    if (ended.worked()) {
+      try {
+        structured.putAll(JSON.readValue(ended.out(), new TypeReference<Map<String, Object>>() {}));
+      } catch (JsonProcessingException e) {
+        throw new UncheckedIOException(e);
+      }
+    }
+    return new Result(textOf(ended), structured, !ended.worked());
   }
 
   /** Returns what a command prints, without progress. */

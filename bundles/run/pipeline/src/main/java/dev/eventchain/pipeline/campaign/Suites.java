@@ -3,8 +3,12 @@ package dev.eventchain.pipeline.campaign;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.ResourceText;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.output.OutputFolder;
+import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
+import dev.eventchain.pipeline.campaign.plan.CampaignReader;
 import dev.eventchain.pipeline.campaign.plan.CampaignRules;
 import java.io.IOException;
 import java.io.InputStream;
@@ -26,16 +30,38 @@ public final class Suites {
 
   private static final String RESOURCES = "/dev/eventchain/pipeline/suites/";
 
-  /** The scenarios of each suite, by its name, which is also that of its campaign file. */
-  private static final Map<String, List<String>> KNOWN =
+  /**
+   * A suite that comes with the program.
+   *
+   * @param source the protocol that it is after
+   * @param scenarios the names of its scenario files
+   */
+  private record Known(String source, List<String> scenarios) {
+
+    Known(String source, String... scenarios) {
+      this(source, List.of(scenarios));
+    }
+  }
+
+  /** The suites by their names, which are also those of their campaign files. */
+  private static final Map<String, Known> KNOWN =
       new TreeMap<>(
           Map.of(
               "euro-ncap-2023-c2c",
-              List.of("ccrb", "ccrm", "ccrs", "next-lane"),
+              new Known(
+                  "Euro NCAP, Test Protocol AEB Car-to-Car systems 4.3.1 (2023): CCRs, CCRm, CCRb",
+                  "ccrb",
+                  "ccrm",
+                  "ccrs",
+                  "next-lane"),
               "euro-ncap-2026-ccr",
-              List.of("ccrb", "next-lane"),
+              new Known(
+                  "Euro NCAP, Crash Avoidance - Frontal Collisions (2026), by summaries: CCRb",
+                  "ccrb",
+                  "next-lane"),
               "un-r152",
-              List.of(
+              new Known(
+                  "UN Regulation No. 152 (M1): car to car",
                   "bend-ahead",
                   "between-two-cars",
                   "cut-out",
@@ -45,15 +71,36 @@ public final class Suites {
                   "stationary-target",
                   "steel-plate"),
               "un-r152-pedestrian",
-              List.of("beside", "crossing"),
+              new Known(
+                  "UN Regulation No. 152 (M1) with Supplement 1: car to pedestrian",
+                  "beside",
+                  "crossing"),
               "un-r157-alks",
-              List.of("cut-in", "cut-out", "deceleration", "next-lane", "pedestrian")));
+              new Known(
+                  "UN Regulation No. 157 (ALKS, 2021, up to 60 km/h): avoiding collisions",
+                  "cut-in",
+                  "cut-out",
+                  "deceleration",
+                  "next-lane",
+                  "pedestrian")));
 
   private Suites() {}
 
   /** Returns the names of those that come with the program. */
   public static List<String> names() {
     return List.copyOf(KNOWN.keySet());
+  }
+
+  /** Returns the protocol that a suite is after, which comes with the program. */
+  static String source(String suite) {
+    return KNOWN.get(suite).source();
+  }
+
+  /** Returns the campaigns of a suite that comes with the program. */
+  static List<CampaignPlan> campaigns(String suite) {
+    String file = suite + ".yaml";
+    String text = ResourceText.of(Suites.class, RESOURCES + suite + "/" + file);
+    return CampaignReader.read(Path.of(file), SourceText.of(file, text));
   }
 
   /**
@@ -83,7 +130,7 @@ public final class Suites {
     Path folder = output.resolve(FOLDER).resolve(suite);
     try (OutputFolder written = OutputFolder.open(folder)) {
       write(written, suite, suite);
-      KNOWN.get(suite).forEach(scenario -> write(written, suite, scenario));
+      KNOWN.get(suite).scenarios().forEach(scenario -> write(written, suite, scenario));
     }
     return folder.resolve(suite + ".yaml");
   }

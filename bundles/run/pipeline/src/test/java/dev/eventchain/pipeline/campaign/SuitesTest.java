@@ -49,6 +49,26 @@ class SuitesTest {
     }
   }
 
+  @Test
+  void theListHasAllCasesOfEachSuite() {
+    SuiteList list = SuiteList.known();
+    assertEquals(Suites.names(), list.suites().stream().map(SuiteList.Suite::name).toList());
+    for (SuiteList.Suite suite : list.suites()) {
+      List<CampaignPlan> plans = CampaignReader.read(Suites.file(suite.name(), folder));
+      assertEquals(
+          plans.stream().mapToInt(plan -> new CaseList(plan).cases().size()).sum(), suite.cases());
+      assertEquals(
+          plans.stream().map(plan -> plan.part().orElseThrow()).toList(),
+          suite.campaigns().stream().map(SuiteList.Part::name).toList());
+      assertFalse(suite.source().isBlank());
+      assertTrue(
+          list.text().contains(suite.cases() + " cases  " + suite.source() + "\n"), list::text);
+    }
+    SuiteList.Part first = list.suites().get(3).campaigns().get(0);
+    assertEquals(new SuiteList.Part("crossing", "crossing.yaml", 9), first);
+    assertTrue(list.json().contains("\"campaigns\": ["), list.json());
+  }
+
   /** A function that always brakes would pass without them. */
   @Test
   void eachSuiteHasCasesInWhichNothingShallBrake() {

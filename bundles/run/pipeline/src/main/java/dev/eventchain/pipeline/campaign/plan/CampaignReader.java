@@ -33,10 +33,10 @@ public final class CampaignReader {
   private final SourceText text;
   private final CriteriaByTags criteria = new CriteriaByTags();
 
-  private CampaignReader(Path file, Purpose purpose) {
+  private CampaignReader(Path file, SourceText text, Purpose purpose) {
     this.file = file;
     this.purpose = purpose;
-    this.text = SourceText.read(file);
+    this.text = text;
   }
 
   /**
@@ -46,7 +46,16 @@ public final class CampaignReader {
    * @throws DiagnosticException (INPUT) with every problem of the file
    */
   public static List<CampaignPlan> read(Path file) {
-    return new CampaignReader(file, Purpose.CAMPAIGN).read();
+    return read(file, SourceText.read(file));
+  }
+
+  /**
+   * As above, from a text.
+   *
+   * @param file the file that it is in, or would be in
+   */
+  public static List<CampaignPlan> read(Path file, SourceText text) {
+    return new CampaignReader(file, text, Purpose.CAMPAIGN).read();
   }
 
   /**
@@ -55,7 +64,7 @@ public final class CampaignReader {
    * @throws DiagnosticException (INPUT) with every problem of the file
    */
   public static List<CampaignPlan> readForSearch(Path file) {
-    return new CampaignReader(file, Purpose.SEARCH).read();
+    return new CampaignReader(file, SourceText.read(file), Purpose.SEARCH).read();
   }
 
   private List<CampaignPlan> read() {
