@@ -3,6 +3,7 @@ package dev.eventchain.lsp;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.constraints.OclValidator;
 import dev.eventchain.fixtures.EditorClient;
 import dev.eventchain.fixtures.Projects;
 import dev.eventchain.fixtures.Repository;
@@ -14,6 +15,7 @@ import dev.eventchain.lsp.text.OpenText;
 import dev.eventchain.lsp.text.OpenTexts;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
@@ -21,6 +23,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.eclipse.lsp4j.Position;
 import org.eclipse.lsp4j.PublishDiagnosticsParams;
 import org.eclipse.lsp4j.Range;
@@ -32,6 +35,11 @@ import org.junit.jupiter.api.io.TempDir;
 class ChecksTest {
 
   private static final String WRONG = "context Nothing inv A: true";
+  private static final String ENDLESS =
+      """
+      context EventChain inv Endless:
+        Sequence{1..100000}->forAll(a | Sequence{1..100000}->forAll(b | a + b > 0))
+      """;
   private static final Range ALL = new Range(new Position(0, 0), new Position(99, 0));
 
   @TempDir private Path folder;
@@ -160,5 +168,35 @@ class ChecksTest {
       checks.await();
       assertTrue(shown(campaign) > 0, shown.toString());
     }
+  }
+
+  /**
+   * A check says nothing about texts that have changed since, and would keep those from being
+   * checked: this one would go on for days.
+   */
+  @Test
+  void aCheckEndsWhenATextChangesThatItHasRead() throws Exception {
+    goesOn.countDown();
+    Path project =
+        Projects.copy(Repository.ROOT.resolve("examples/radar-aeb"), folder.resolve("radar-aeb"));
+    Path rules = project.resolve("constraints.ocl");
+    texts.open(new OpenText(EditorClient.uri(rules), rules, 1, ENDLESS));
+    try (Checks checks = new Checks(texts, findings, each -> {})) {
+      checks.open(List.of(project), new Settings(List.of(), Duration.ofDays(100)));
+      while (!isEvaluating()) {
+        Thread.onSpinWait();
+      }
+      texts.open(new OpenText(EditorClient.uri(rules), rules, 2, WRONG));
+      checks.changed(rules);
+      checks.await();
+      assertEquals(1, shown(rules), shown.toString());
+    }
+  }
+
+  private static boolean isEvaluating() {
+    return Thread.getAllStackTraces().entrySet().stream()
+        .filter(each -> each.getKey().getName().equals("checks"))
+        .flatMap(each -> Stream.of(each.getValue()))
+        .anyMatch(frame -> frame.getClassName().equals(OclValidator.class.getName()));
   }
 }

@@ -2,6 +2,7 @@ package dev.eventchain.diagnostics;
 
 import java.nio.file.Path;
 import java.util.Collections;
+import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.Supplier;
@@ -16,7 +17,7 @@ public final class FileReads {
   private static final InheritableThreadLocal<FileReads> CURRENT = new InheritableThreadLocal<>();
 
   /** Files that the whole work reads, whatever parts of it record or leave out. */
-  private static final InheritableThreadLocal<SortedSet<Path>> ALL = new InheritableThreadLocal<>();
+  private static final InheritableThreadLocal<Set<Path>> ALL = new InheritableThreadLocal<>();
 
   private final SortedSet<Path> files = Collections.synchronizedSortedSet(new TreeSet<>());
 
@@ -35,7 +36,7 @@ public final class FileReads {
     if (current != null) {
       current.files.add(file.toAbsolutePath().normalize());
     }
-    SortedSet<Path> all = ALL.get();
+    Set<Path> all = ALL.get();
     if (all != null) {
       all.add(file.toAbsolutePath().normalize());
     }
@@ -59,10 +60,19 @@ public final class FileReads {
    */
   public static <T> Recorded<T> recordAll(Supplier<T> work) {
     SortedSet<Path> all = Collections.synchronizedSortedSet(new TreeSet<>());
-    ALL.set(all);
+    T value = recordAll(all, work);
+    return new Recorded<>(value, Collections.unmodifiableSortedSet(new TreeSet<>(all)));
+  }
+
+  /**
+   * As above, for who wants to know meanwhile what has been read.
+   *
+   * @param files receives the files, absolute and normalized; thread-safe
+   */
+  public static <T> T recordAll(Set<Path> files, Supplier<T> work) {
+    ALL.set(files);
     try {
-      T value = work.get();
-      return new Recorded<>(value, Collections.unmodifiableSortedSet(new TreeSet<>(all)));
+      return work.get();
     } finally {
       ALL.remove();
     }

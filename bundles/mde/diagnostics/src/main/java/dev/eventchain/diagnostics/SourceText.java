@@ -69,8 +69,10 @@ public final class SourceText {
    * @throws DiagnosticException for a missing file ({@code file.missing}), one that cannot be read
    *     ({@code file.unreadable}), or one that is not UTF-8 text ({@code file.encoding}), as none
    *     with a NUL character is
+   * @throws Cancellation.CancelledException if the result of the work is not wanted any more
    */
   public static SourceText read(Path file) {
+    Cancellation.check();
     String name = SourceLocation.nameOf(file);
     Optional<String> unsaved = UnsavedTexts.of(file);
     if (unsaved.isPresent()) {

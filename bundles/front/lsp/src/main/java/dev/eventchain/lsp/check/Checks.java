@@ -2,6 +2,7 @@ package dev.eventchain.lsp.check;
 
 import dev.eventchain.check.FileChecks;
 import dev.eventchain.check.Validation;
+import dev.eventchain.diagnostics.Cancellation;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.FileReads;
 import dev.eventchain.diagnostics.UnsavedTexts;
@@ -19,15 +20,18 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
  * The checks of a workspace, one after the other in the background. A unit is checked again when a
  * file changes that it has read, on disk or in the editor, once nothing has been typed for a
- * moment; units with open files come first. Nothing is checked, looked for or shown under the lock,
- * so that nobody waits for that. Thread-safe.
+ * moment; units with open files come first. A check ends early when its unit has to be checked
+ * again anyway. Nothing is checked, looked for or shown under the lock, so that nobody waits for
+ * that. Thread-safe.
  */
 public final class Checks implements AutoCloseable {
 
@@ -62,7 +66,16 @@ public final class Checks implements AutoCloseable {
   private long reports;
   private boolean isListed = true;
   private boolean isBusy;
-  private boolean isClosed;
+  private volatile boolean isClosed;
+
+  /** The unit that is being checked; null if none is. */
+  private CheckUnit present;
+
+  /** The files that its check has read so far. */
+  private Set<Path> presentReads = Set.of();
+
+  /** True once the present check says nothing any more, since its unit waits for the next one. */
+  private volatile boolean isSuperseded;
 
   /** The time of {@link System#nanoTime} until which somebody may still be typing. */
   private long quiet = System.nanoTime();
@@ -145,8 +158,13 @@ public final class Checks implements AutoCloseable {
         (unit, read) -> {
           if (isAbout(unit, read, changed, gone)) {
             waiting.add(unit);
+            isSuperseded |= unit.equals(present);
           }
         });
+    if (present != null && isAbout(present, presentReads, changed, gone)) {
+      waiting.add(present);
+      isSuperseded = true;
+    }
     notifyAll();
   }
 
@@ -281,6 +299,9 @@ public final class Checks implements AutoCloseable {
       return Optional.empty();
     }
     chosen.ifPresent(waiting::remove);
+    present = chosen.orElse(null);
+    presentReads = ConcurrentHashMap.newKeySet();
+    isSuperseded = false;
     changedMeanwhile.clear();
     goneMeanwhile.clear();
     return chosen;
@@ -294,23 +315,27 @@ public final class Checks implements AutoCloseable {
   }
 
   private void check(CheckUnit unit) {
-    FileReads.Recorded<Validation> checked =
-        UnsavedTexts.during(
-            texts.overlay(),
-            () ->
-                FileReads.recordAll(
-                    () ->
-                        FileChecks.attempt(
-                            unit.subject(), () -> new Validation(Coverage.NONE, unit.check()))));
-    if (isPresent(unit, checked.files())) {
-      findings.replace(unit, checked.value().diagnostics());
+    Set<Path> read = presentReads();
+    Supplier<Validation> check =
+        () -> FileChecks.attempt(unit.subject(), () -> new Validation(Coverage.NONE, unit.check()));
+    Validation checked =
+        Cancellation.during(
+            () -> isSuperseded || isClosed,
+            () -> UnsavedTexts.during(texts.overlay(), () -> FileReads.recordAll(read, check)));
+    if (isPresent(unit, Set.copyOf(read))) {
+      findings.replace(unit, checked.diagnostics());
     }
+  }
+
+  private synchronized Set<Path> presentReads() {
+    return presentReads;
   }
 
   /** Notes what the check of a unit has read, and returns whether none of it has changed since. */
   private synchronized boolean isPresent(CheckUnit unit, Set<Path> read) {
-    if (!reads.containsKey(unit)) {
-      return false; // its file is gone meanwhile
+    present = null;
+    if (isSuperseded || isClosed || !reads.containsKey(unit)) {
+      return false; // it waits for the next check, or its file is gone meanwhile
     }
     reads.put(unit, read);
     if (isAbout(unit, read, changedMeanwhile, goneMeanwhile)) {
@@ -320,7 +345,7 @@ public final class Checks implements AutoCloseable {
     return true;
   }
 
-  /** Ends the checks; one that is being made is not waited for. */
+  /** Ends the checks; one that is being made ends early, and is not waited for. */
   @Override
   public synchronized void close() {
     isClosed = true;

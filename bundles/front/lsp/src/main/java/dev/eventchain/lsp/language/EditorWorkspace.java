@@ -1,6 +1,7 @@
 package dev.eventchain.lsp.language;
 
 import dev.eventchain.check.Metamodels;
+import dev.eventchain.diagnostics.Cancellation;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.diagnostics.UnsavedTexts;
@@ -82,6 +83,7 @@ public final class EditorWorkspace implements Workspace {
   }
 
   private Optional<SourceText> text(Path file, long reports, boolean trusted) {
+    Cancellation.check();
     Optional<OpenText> open = texts.of(file);
     Known before = known.get(file);
     boolean sameOnDisk = trusted && before != null && before.reports() == reports;

@@ -1,5 +1,6 @@
 package dev.eventchain.lsp.language;
 
+import dev.eventchain.diagnostics.Cancellation;
 import dev.eventchain.editing.Analysis;
 import dev.eventchain.editing.LanguageService;
 import dev.eventchain.editing.TextPosition;
@@ -54,13 +55,13 @@ public final class Languages implements AutoCloseable {
     return ask(uri, nothing, analysis -> question.apply(analysis, position));
   }
 
-  /** Answers in the background, unless the editor no longer wants to know. */
+  /** Answers in the background, unless or until the editor no longer wants to know. */
   public <T> CompletableFuture<T> later(Supplier<T> answer) {
     return CompletableFutures.computeAsync(
         thread,
         cancelled -> {
           cancelled.checkCanceled();
-          return answer.get();
+          return Cancellation.during(cancelled::isCanceled, answer);
         });
   }
 

@@ -1,5 +1,6 @@
 package dev.eventchain.ocl.evaluation;
 
+import dev.eventchain.diagnostics.Cancellation;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.time.Duration;
@@ -8,7 +9,8 @@ import java.util.concurrent.atomic.AtomicLong;
 /**
  * A budget of processor time for evaluations, shared by several threads; it does not depend on the
  * load of the machine. Endless waits end by wall time: a minute for each second, and ten at least,
- * since a process of low priority may get less than a sixtieth of a processor. Thread-safe.
+ * since a process of low priority may get less than a sixtieth of a processor. It is spent, too,
+ * once the work that it was made in is cancelled. Thread-safe.
  */
 public final class TimeBudget {
 
@@ -62,6 +64,7 @@ public final class TimeBudget {
   private final long nanos;
   private final TimeBudget whole;
   private final Clock clock;
+  private final Cancellation cancellation = Cancellation.current();
   private final AtomicLong used = new AtomicLong();
   private final AtomicLong started = new AtomicLong(NOT_STARTED);
 
@@ -130,7 +133,9 @@ public final class TimeBudget {
   }
 
   private String lack() {
-    if (used.get() >= nanos) {
+    if (cancellation.isRequested()) {
+      return "it is not wanted any more";
+    } else if (used.get() >= nanos) {
       return purpose + " more than " + text(nanos) + " of processor time";
     }
     long waited = clock.wall() - started.get();
