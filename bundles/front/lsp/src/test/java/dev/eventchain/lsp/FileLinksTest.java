@@ -19,6 +19,13 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Links of texts to the files that they name. */
 class FileLinksTest {
 
+  private static final String ECORE =
+      """
+      <ecore:EPackage xmlns:ecore="http://www.eclipse.org/emf/2002/Ecore" name="shop" nsURI="http://shop/1.0?a&amp;b">
+        <eSubpackages name="kinds" nsURI = 'http://shop/kinds'/>
+      </ecore:EPackage>
+      """;
+
   @TempDir private Path folder;
 
   private Path workspace;
@@ -42,7 +49,7 @@ class FileLinksTest {
             "secret.csv")) {
       Path path = folder.resolve(file);
       Files.createDirectories(path.getParent());
-      Files.writeString(path, "");
+      Files.writeString(path, file.endsWith(".ecore") ? ECORE : "");
     }
     Files.createSymbolicLink(workspace.resolve("p/link.csv"), folder.resolve("secret.csv"));
   }
@@ -78,6 +85,15 @@ class FileLinksTest {
         "texts/python/a.mtl  | [import python::names /]                       | texts/python/names.mtl",
         "texts/a.mtl         | [module a('http://x') extends base /]          | texts/base.mtl",
         "texts/a.mtl         | [import nothing /]                             | ''",
+        "rules/a.ocl         | import s : 'http://shop/1.0?a&b'               | rules/shop.ecore",
+        "rules/a.mtl         | [module a('http://shop/1.0?a&b')]              | rules/shop.ecore",
+        "rules/a.mtl         | [module a('http://x', 'http://shop/kinds')/]   | rules/shop.ecore",
+        "p/a.mtl             | [module a('http://shop/kinds')/]               | rules/shop.ecore",
+        "rules/a.mtl         | [a('http://shop/kinds')/]                      | ''",
+        "rules/a.xmi         | <s:A xmlns:s=\"http://shop/1.0?a&amp;b\"/>      | rules/shop.ecore",
+        "rules/a.xmi         | <s:A xmlns:s='http://other/'/>                 | ''",
+        "rules/a.xmi         | <a xsi:schemaLocation=\"http://x shop.ecore#//k\"/> | rules/shop.ecore",
+        "rules/a.xmi         | <a xsi:schemaLocation=\"x ../../secret.ecore\"/> | ''",
         "p/eventchain.yaml   | catalogue: {file: a.vspec, overlays: [b.vspec]} | p/a.vspec",
         "p/eventchain.yaml   | template: 'out.mtl' # not a.vspec               | p/out.mtl",
         "p/eventchain.yaml   | template: base.mtl                             | ''",
@@ -99,6 +115,18 @@ class FileLinksTest {
     assertEquals(1, link.getRange().getStart().getLine());
     assertEquals(8, link.getRange().getStart().getCharacter());
     assertEquals(21, link.getRange().getEnd().getCharacter());
+  }
+
+  @Test
+  void coverEachUri() throws IOException {
+    List<DocumentLink> links =
+        links(
+            workspace.resolve("rules/a.xmi"),
+            "<k:A xmlns:k=\"http://shop/kinds\"\n xsi:schemaLocation=\"http://shop/kinds shop.ecore\"/>");
+    assertEquals(3, links.size());
+    assertEquals(14, links.get(0).getRange().getStart().getCharacter());
+    assertEquals(31, links.get(0).getRange().getEnd().getCharacter());
+    assertEquals(39, links.get(2).getRange().getStart().getCharacter());
   }
 
   /** The mark at the start of a text, which the editor has kept, is a column of its first line. */

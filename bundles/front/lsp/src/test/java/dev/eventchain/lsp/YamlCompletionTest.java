@@ -181,6 +181,39 @@ class YamlCompletionTest {
     assertEquals(List.of(), labels(SCENARIO, marked.replace("\\n", "\n")));
   }
 
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "factors:\\n  speed:\\n    path: ^              | ego.speed_kmh | path: ego.speed_kmh^",
+        "factors:\\n  gap:\\n    path: ac^              | actors[0].gap_m | path: actors[0].gap_m^",
+        "factors:\\n  gap:\\n    path: actors[sto^pped].x # a | actors[0].gap_m | path: actors[0].gap_m^ # a",
+        "factors:\\n  gap: {path: ^, values: [1]}  | actors[0].gap_m | {path: \"actors[0].gap_m\"^, values: [1]}",
+        "factors:\\n  gap: {path: \"act^\", from: 1} | actors[0].gap_m | {path: \"actors[0].gap_m^\", from: 1}",
+        "factors:\\n  gap:\\n    paths:\\n      - ^    | ego.speed_kmh | - ego.speed_kmh^",
+        "computed:\\n  gap:\\n    path: ^               | ego.speed_kmh | path: ego.speed_kmh^",
+        "factors:\\n  phase:\\n    path: ph^           | phases_ms.Radar_Tracking | path: phases_ms.Radar_Tracking^",
+      })
+  void pathsOfFactorsLeadToNumbersOfTheScenario(String marked, String label, String expected) {
+    for (String scenario : List.of("stopped-vehicle-50", "../scenarios/stopped-vehicle-50.yaml")) {
+      String campaign = "scenario: " + scenario + "\n" + marked.replace("\\n", "\n") + "\n";
+      String taken = taken("campaigns/c.yaml", campaign, label);
+      assertTrue(taken.contains(expected.replace("\\n", "\n")), taken);
+    }
+  }
+
+  @Test
+  void pathsOfFactorsAreThoseOfTheirOwnCampaign() {
+    String campaigns =
+        "campaigns:\n  a:\n    scenario: none\n    factors:\n      x:\n        path: %s\n"
+            + "  b:\n    scenario: stopped-vehicle-50\n    factors:\n      x:\n        path: %s\n";
+    assertEquals(List.of(), labels("campaigns/c.yaml", campaigns.formatted("^", "")));
+    List<String> labels = labels("campaigns/c.yaml", campaigns.formatted("", "^"));
+    assertTrue(labels.contains("ego.speed_kmh"), labels.toString());
+    assertTrue(labels.stream().anyMatch(each -> each.startsWith("bench:")), labels.toString());
+    assertFalse(labels.contains("name"), labels.toString());
+  }
+
   @Test
   void findingsThatCannotBeSuppressedAreNotProposed() {
     List<String> labels = labels("eventchain-suppressions.yaml", "- id: ^");

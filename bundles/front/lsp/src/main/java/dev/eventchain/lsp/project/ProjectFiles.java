@@ -13,12 +13,15 @@ import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.pipeline.campaign.FactorPaths;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.ProjectLayout;
 import dev.eventchain.project.SoftwareBase;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -84,17 +87,68 @@ final class ProjectFiles {
   /** Returns the scenarios, with their titles. */
   Map<String, String> scenarios() {
     Map<String, String> found = new TreeMap<>();
+    scenarioTexts()
+        .forEach(
+            (name, text) -> {
+              Matcher title = TITLE.matcher(text.text());
+              found.put(name, title.find() ? title.group(1) : "");
+            });
+    return found;
+  }
+
+  private Map<String, SourceText> scenarioTexts() {
+    Map<String, SourceText> found = new TreeMap<>();
     for (Path file : files()) {
       if (file.startsWith(folder.folder().resolve(ProjectLayout.SCENARIOS))) {
-        String text = workspace.text(file).map(SourceText::text).orElse("");
-        Matcher name = NAME.matcher(text);
-        Matcher title = TITLE.matcher(text);
-        if (name.find()) {
-          found.put(name.group(1), title.find() ? title.group(1) : "");
-        }
+        workspace
+            .text(file)
+            .ifPresent(
+                text -> {
+                  Matcher name = NAME.matcher(text.text());
+                  if (name.find()) {
+                    found.put(name.group(1), text);
+                  }
+                });
       }
     }
     return found;
+  }
+
+  /**
+   * Returns the paths of the numbers that factors of a campaign may vary, with what they are now.
+   *
+   * @param file that of the campaign
+   * @param scenario the name of its scenario, or the path of one from there
+   */
+  Map<String, String> factorPaths(Path file, String scenario) {
+    Optional<SourceText> played =
+        scenario.matches(".*\\.ya?ml") ? beside(file, scenario) : Optional.empty();
+    Map<String, String> found = new LinkedHashMap<>();
+    played
+        .or(() -> Optional.ofNullable(scenarioTexts().get(scenario)))
+        .ifPresent(text -> found.putAll(FactorPaths.ofScenario(text)));
+    if (!found.isEmpty()) {
+      components().keySet().forEach(each -> found.putIfAbsent("phases_ms." + each, ""));
+      bench().ifPresent(text -> found.putAll(FactorPaths.ofBench(text)));
+    }
+    return found;
+  }
+
+  private Optional<SourceText> bench() {
+    Path file = folder.folder().resolve(ProjectLayout.BENCH);
+    return Files.isRegularFile(file) ? workspace.text(file) : Optional.empty();
+  }
+
+  /** Returns the text of a file of the project that another one names. */
+  private Optional<SourceText> beside(Path file, String name) {
+    try {
+      Path named = file.resolveSibling(name).normalize();
+      return named.startsWith(folder.folder()) && Files.isRegularFile(named)
+          ? workspace.text(named)
+          : Optional.empty();
+    } catch (InvalidPathException e) {
+      return Optional.empty(); // no path on this system
+    }
   }
 
   private Optional<SoftwareBase> base() {

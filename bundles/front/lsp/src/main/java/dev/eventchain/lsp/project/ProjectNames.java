@@ -3,6 +3,7 @@ package dev.eventchain.lsp.project;
 import dev.eventchain.diagnostics.RulePage;
 import dev.eventchain.lsp.project.ProjectSchemas.Kind;
 import dev.eventchain.model.WrittenRequirement;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,9 +15,16 @@ final class ProjectNames {
   private static final Set<String> COMPONENT = Set.of("kill", "stop", "node");
 
   private final ProjectFiles project;
+  private final Path file;
 
-  ProjectNames(ProjectFiles project) {
+  ProjectNames(ProjectFiles project, Path file) {
     this.project = project;
+    this.file = file;
+  }
+
+  /** Returns the numbers that a campaign in the file may vary, by their paths. */
+  Map<String, String> factorPaths(String scenario) {
+    return project.factorPaths(file, scenario);
   }
 
   /** Returns the names that may be keys at a place, each with what is known about it. */

@@ -143,7 +143,9 @@ final class ProjectText implements Analysis {
   private Optional<YamlCompletion> yaml() {
     return project
         .kind(file, text)
-        .map(kind -> new YamlCompletion(kind, schemas.of(kind), new ProjectNames(project), text));
+        .map(
+            kind ->
+                new YamlCompletion(kind, schemas.of(kind), new ProjectNames(project, file), text));
   }
 
   /** Proposes requirements where the words of a line ask for some. */

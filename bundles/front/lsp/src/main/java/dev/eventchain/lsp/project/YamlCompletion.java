@@ -109,6 +109,35 @@ final class YamlCompletion {
     names
         .values(kind, place)
         .forEach((name, about) -> found.add(value(name, ElementKind.REFERENCE, about, place)));
+    if (kind == Kind.CAMPAIGN) {
+      FactorPlace.of(place)
+          .map(it -> it.scenario(new YamlText(text)))
+          .map(names::factorPaths)
+          .ifPresent(paths -> paths.forEach((path, now) -> found.add(path(path, now, place))));
+    }
+  }
+
+  /** Returns a path, which replaces all that is written, and needs quotes in brackets. */
+  private Completion path(String path, String now, YamlPlace place) {
+    int start = place.start();
+    boolean isQuoted = start > 0 && "\"'".indexOf(text.charAt(start - 1)) >= 0;
+    String ends = isQuoted ? "\"'\r\n" : place.isFlow() ? ",}\r\n" : "\r\n";
+    int end = start;
+    while (end < text.length()
+        && ends.indexOf(text.charAt(end)) < 0
+        && !text.startsWith(" #", end)) {
+      end++;
+    }
+    boolean needsQuotes = place.isFlow() && !isQuoted && path.indexOf('[') >= 0;
+    boolean isJoined = start > 0 && text.charAt(start - 1) == ':';
+    return new Completion(
+        path,
+        ElementKind.REFERENCE,
+        now,
+        "",
+        (isJoined ? " " : "") + (needsQuotes ? '"' + path + '"' : path),
+        false,
+        lines.range(start, start + text.substring(start, end).stripTrailing().length()));
   }
 
   private Completion value(

@@ -40,6 +40,23 @@ final class YamlText {
     return Optional.of(alone(levels, line, begin, at));
   }
 
+  /**
+   * Returns the scalar that a path leads to, if it stands behind its key on a line of its own;
+   * empty if there is none.
+   */
+  String scalar(List<String> path) {
+    YamlLevels levels = new YamlLevels();
+    for (String line : text.lines().toList()) {
+      levels.read(line);
+      Matcher key = YamlLevels.KEY.matcher(line).region(YamlLevels.indent(line), line.length());
+      if (levels.path().equals(path) && key.lookingAt()) {
+        String value = line.substring(key.end()).replaceFirst("\\s#.*", "").strip();
+        return YamlLevels.plain(value);
+      }
+    }
+    return "";
+  }
+
   private YamlPlace inBrackets(YamlLevels levels, String line, int begin) {
     Level top = levels.top();
     List<String> path = levels.path();

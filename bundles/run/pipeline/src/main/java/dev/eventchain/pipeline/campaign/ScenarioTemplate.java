@@ -40,7 +40,9 @@ import java.util.stream.IntStream;
  */
 final class ScenarioTemplate {
 
-  private static final String BENCH = "bench:";
+  /** What begins the paths of numbers of the bench. */
+  static final String BENCH = "bench:";
+
   private static final String PHASE = "phases_ms.";
   private static final String PLAYED = "openscenario";
   private static final String PLAYED_FILE = "file";
