@@ -14,7 +14,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
-import java.util.regex.Pattern;
 
 /** Checks that all endpoints use the same unit for a field. */
 final class UnitContracts {
@@ -43,9 +42,6 @@ final class UnitContracts {
     /** Both are the same unit, of which one is misspelt. */
     OF_SPELLING
   }
-
-  /** A quotient as people say it: "kmph", "m per s". */
-  private static final Pattern PER = Pattern.compile("(?<=\\p{L})(\\s+per\\s+|per|p)(?=\\p{L})");
 
   private final Findings findings;
 
@@ -166,9 +162,9 @@ final class UnitContracts {
     if (other.isEmpty() || Unit.parse(here).isPresent()) {
       return Change.NONE;
     }
-    String divided = PER.matcher(here).replaceAll("/");
     boolean isSame =
-        Unit.parse(divided)
+        Unit.respelled(here)
+            .flatMap(Unit::parse)
             .filter(unit -> unit.relationTo(other.get()) == Unit.Relation.SAME)
             .isPresent();
     return isSame ? Change.OF_SPELLING : Change.WITH_CODE;

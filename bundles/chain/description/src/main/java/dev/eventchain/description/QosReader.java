@@ -2,6 +2,8 @@ package dev.eventchain.description;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.ModelChange;
+import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.messages.QosSettings;
@@ -11,10 +13,13 @@ import dev.eventchain.model.eventchain.History;
 import dev.eventchain.model.eventchain.Liveliness;
 import dev.eventchain.model.eventchain.QosProfile;
 import dev.eventchain.model.eventchain.Reliability;
+import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Stream;
+import org.eclipse.emf.common.util.Enumerator;
 
 /**
  * Reader of quality of service: the name of a ROS 2 profile, a depth, a reliability, or an object
@@ -26,6 +31,9 @@ public final class QosReader {
 
   /** Names for the profile {@code default} with that reliability. */
   static final List<String> RELIABILITIES = List.of("reliable", "best_effort");
+
+  private static final List<String> NAMES =
+      Stream.concat(QosSettings.names().stream(), RELIABILITIES.stream()).toList();
 
   private QosReader() {}
 
@@ -68,7 +76,8 @@ public final class QosReader {
               .withHint(
                   "Use "
                       + String.join(", ", QosSettings.names())
-                      + ", reliable, best_effort, a depth, or an object with the policies."));
+                      + ", reliable, best_effort, a depth, or an object with the policies.")
+              .withChanges(nearest(port, ChainNames.QOS_PROFILE, written, NAMES)));
       return Optional.empty();
     }
     return Optional.of(qos);
@@ -79,14 +88,21 @@ public final class QosReader {
     qos.setName(object.text(ChainNames.PROFILE).orElse(DEFAULT));
     if (QosSettings.named(qos.getName()).isEmpty()) {
       object.find(
-          DescriptionRules.QOS_UNKNOWN,
-          "There is no quality-of-service profile called '" + qos.getName() + "'.",
-          object.at(ChainNames.PROFILE));
+          Diagnostic.of(
+                  DescriptionRules.QOS_UNKNOWN,
+                  "There is no quality-of-service profile called '" + qos.getName() + "'.",
+                  object.at(ChainNames.PROFILE))
+              .withChanges(
+                  nearest(object, ChainNames.PROFILE, qos.getName(), QosSettings.names())));
     }
-    policy(object, ChainNames.RELIABILITY, Reliability::getByName).ifPresent(qos::setReliability);
-    policy(object, ChainNames.DURABILITY, Durability::getByName).ifPresent(qos::setDurability);
-    policy(object, ChainNames.HISTORY, History::getByName).ifPresent(qos::setHistory);
-    policy(object, ChainNames.LIVELINESS, Liveliness::getByName).ifPresent(qos::setLiveliness);
+    policy(object, ChainNames.RELIABILITY, Reliability::getByName, Reliability.VALUES)
+        .ifPresent(qos::setReliability);
+    policy(object, ChainNames.DURABILITY, Durability::getByName, Durability.VALUES)
+        .ifPresent(qos::setDurability);
+    policy(object, ChainNames.HISTORY, History::getByName, History.VALUES)
+        .ifPresent(qos::setHistory);
+    policy(object, ChainNames.LIVELINESS, Liveliness::getByName, Liveliness.VALUES)
+        .ifPresent(qos::setLiveliness);
     object
         .wholeNumber(ChainNames.DEPTH, NumberRange.of(0, Integer.MAX_VALUE))
         .ifPresent(depth -> qos.setDepth((int) depth));
@@ -99,15 +115,35 @@ public final class QosReader {
   }
 
   private static <E> Optional<E> policy(
-      ObjectReader object, String name, Function<String, E> literal) {
+      ObjectReader object,
+      String name,
+      Function<String, E> literal,
+      List<? extends Enumerator> all) {
     Optional<String> value = object.text(name);
     Optional<E> found = value.map(v -> literal.apply(v.strip().toUpperCase(Locale.ROOT)));
     if (value.isPresent() && found.isEmpty()) {
+      List<String> names = all.stream().map(Enumerator::getName).toList();
       object.find(
-          DescriptionRules.QOS_UNKNOWN,
-          "There is no " + name + " '" + value.get() + "'.",
-          object.at(name));
+          Diagnostic.of(
+                  DescriptionRules.QOS_UNKNOWN,
+                  "There is no " + name + " '" + value.get() + "'.",
+                  object.at(name))
+              .withChanges(nearest(object, name, value.get(), names)));
     }
     return found;
+  }
+
+  /**
+   * Returns the change of a text to the known one that it may be meant to be. It is no part of the
+   * hint, which language models read in their answers' corrections.
+   */
+  private static List<ModelChange> nearest(
+      ObjectReader object, String key, String written, Collection<String> known) {
+    return NearestName.of(written, known).stream()
+        .map(
+            name ->
+                new ModelChange(
+                    "Change to '" + name + "'", object.at(key), "", key, written, name, true))
+        .toList();
   }
 }

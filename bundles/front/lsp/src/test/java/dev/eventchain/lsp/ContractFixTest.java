@@ -4,14 +4,25 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.check.ChainModel;
+import dev.eventchain.description.EventChainWriter;
+import dev.eventchain.editing.TextLines;
 import dev.eventchain.fixtures.EditorClient;
 import dev.eventchain.fixtures.Projects;
 import dev.eventchain.fixtures.Repository;
+import dev.eventchain.lsp.text.Positions;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectSettings;
+import dev.eventchain.xmi.XmiStore;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.UnaryOperator;
 import org.eclipse.lsp4j.CodeAction;
 import org.eclipse.lsp4j.CodeActionContext;
@@ -22,6 +33,8 @@ import org.eclipse.lsp4j.TextEdit;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Changes that make the two sides of a topic agree, in the file that has to change. */
 class ContractFixTest {
@@ -59,7 +72,11 @@ class ContractFixTest {
   }
 
   private Diagnostic await(EditorClient client, String id) {
-    return client.await(model, each -> each.stream().anyMatch(it -> is(it, id))).stream()
+    return await(client, model, id);
+  }
+
+  private static Diagnostic await(EditorClient client, Path file, String id) {
+    return client.await(file, each -> each.stream().anyMatch(it -> is(it, id))).stream()
         .filter(it -> is(it, id))
         .findFirst()
         .orElseThrow();
@@ -167,5 +184,109 @@ class ContractFixTest {
         assertTrue(edit.getNewText().contains(which == 0 ? "BEST_EFFORT" : "RELIABLE"));
       }
     }
+  }
+
+  /** Makes the project one whose chain was described, and returns the description. */
+  private Path derive() throws IOException {
+    ProjectFolder opened = new ProjectFolder(project);
+    Path description = project.resolve("out/chain.json");
+    ChainModel edited =
+        ChainModel.read(opened, opened.defaultOutput(), model, Duration.ofSeconds(30));
+    Files.createDirectories(description.getParent());
+    Files.writeString(description, EventChainWriter.write(edited.chain()));
+    EventChain made =
+        ChainModel.ofDescription(
+                description,
+                ProjectSettings.read(opened),
+                opened.readRequirements(),
+                opened.readSoftwareBase())
+            .root();
+    Files.write(project.resolve("out/chain.xmi"), XmiStore.toBytes(made));
+    Files.delete(model);
+    return description;
+  }
+
+  private static String applied(CodeAction action, Path file) throws IOException {
+    TextEdit edit = action.getEdit().getChanges().get(EditorClient.uri(file)).get(0);
+    TextLines lines = new TextLines(Files.readString(file));
+    int start = lines.offset(Positions.of(edit.getRange().getStart()));
+    int end = lines.offset(Positions.of(edit.getRange().getEnd()));
+    String text = Files.readString(file);
+    return text.substring(0, start) + edit.getNewText() + text.substring(end);
+  }
+
+  /** Returns the fixes of a finding by their titles, each with the text that it leads to. */
+  private Map<String, String> texts(Path file, String id) throws IOException {
+    Map<String, String> texts = new LinkedHashMap<>();
+    try (TestSession session = new TestSession(project)) {
+      Diagnostic found = await(session.client, file, id);
+      for (CodeAction each : fixes(session.client, file, found)) {
+        texts.put(each.getTitle(), applied(each, file));
+      }
+    }
+    return texts;
+  }
+
+  @Test
+  void aUnitInADescriptionIsChangedThere() throws Exception {
+    change(text -> text.replace("unit=\"km/h\"", "unit=\"kmph\""));
+    Path description = derive();
+    String text = Files.readString(description);
+    assertEquals(
+        Map.of("Change the unit to 'km/h'", text.replace("\"kmph\"", "\"km/h\"")),
+        texts(description, UNIT));
+  }
+
+  @Test
+  void aProfileInADescriptionGetsThePolicy() throws Exception {
+    change(text -> text.replaceFirst("<qos name=\"sensor_data\"/>", "<qos name=\"default\" />"));
+    Path description = derive();
+    String text = Files.readString(description);
+    Map<String, String> fixes = texts(description, QOS);
+    String title = "Request reliability BEST_EFFORT in 'Radar_Tracking'";
+    assertEquals(Set.of(title), fixes.keySet());
+    assertEquals(
+        text.replaceFirst(
+            "\"default\"", "{\"profile\": \"default\", \"reliability\": \"BEST_EFFORT\"}"),
+        fixes.get(title));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "\"sensor_data\" | \"sensor_dta\"                    | sensor_data",
+        "\"sensor_data\" | {\"profile\": \"sensor_dta\"}     | sensor_data",
+        "\"sensor_data\" | {\"reliability\": \"BEST_EFORT\"} | BEST_EFFORT",
+      })
+  void aMisspeltProfileIsReplacedByTheNearestOne(String old, String wrong, String right)
+      throws Exception {
+    String misspelt = wrong.replaceFirst(".*\"([a-zA-Z_]+)\"}?", "$1");
+    for (String name : List.of("signals.json", "components.json")) {
+      Path file = project.resolve("software-base").resolve(name);
+      String text = Files.readString(file);
+      Files.writeString(file, text.replaceFirst(old, wrong));
+      assertEquals(
+          Map.of("Change to '" + right + "'", Files.readString(file).replace(misspelt, right)),
+          texts(file, "modeler.qos.unknown"));
+      Files.writeString(file, text);
+    }
+  }
+
+  @Test
+  void unitsOfTheBenchAreWrittenAsTheyAreKnown() throws Exception {
+    Path bench = project.resolve("bench.yaml");
+    String text = Files.readString(bench);
+    String field = "range: min(gap, radar.reach)";
+    Files.writeString(bench, text.replace("{unit: m, value: 150}", "{unit: kmph, value: 150}"));
+    Map<String, String> fixes = texts(bench, "bench.unit");
+    assertEquals(Set.of("Change to 'km/h'"), fixes.keySet());
+    assertTrue(fixes.get("Change to 'km/h'").contains("{unit: km/h, value: 150}"));
+    Files.writeString(
+        bench, text.replace(field, "range: {value: 'min(gap, radar.reach)', unit: \"km\"} # far"));
+    String title = "Change the unit to 'm', as in signals.json";
+    fixes = texts(bench, "bench.unit");
+    assertEquals(Set.of(title), fixes.keySet());
+    assertTrue(fixes.get(title).contains("unit: \"m\"} # far"), fixes.get(title));
   }
 }

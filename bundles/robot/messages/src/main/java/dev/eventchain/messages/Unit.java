@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.regex.Pattern;
 
 /**
  * A unit of measurement in the notation of vehicle signals: {@code m/s}, {@code km/h}, {@code
@@ -15,6 +16,9 @@ import java.util.concurrent.ConcurrentHashMap;
 public final class Unit {
 
   private static final double ALMOST = 1e-9;
+
+  /** A quotient as people say it: "kmph", "m per s". */
+  private static final Pattern PER = Pattern.compile("(?<=\\p{L})(\\s+per\\s+|per|p)(?=\\p{L})");
 
   /** A project has few units, and a simulation asks for them with each message. */
   private static final int MOST_PARSED = 500;
@@ -64,6 +68,17 @@ public final class Unit {
       }
     }
     return parsed;
+  }
+
+  /**
+   * Returns an unknown unit in the spelling that is known, such as {@code km/h} for {@code kmph};
+   * empty if the unit is known, or is none in any spelling.
+   */
+  public static Optional<String> respelled(String text) {
+    String divided = PER.matcher(text.strip()).replaceAll("/");
+    return parse(text).isPresent()
+        ? Optional.empty()
+        : Optional.of(divided).filter(it -> parse(it).isPresent());
   }
 
   /** Returns the relation of this unit to another one. */

@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.ModelChange;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.diagnostics.TextFix;
 import dev.eventchain.editing.FileEdit;
 import dev.eventchain.editing.TextLines;
 import dev.eventchain.editing.Workspace;
@@ -14,7 +15,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Changes of models that findings propose, as edits of their texts. */
+/** Changes of models and of JSON and YAML that findings propose, as edits of their texts. */
 record ModelChanges(Workspace files) {
 
   private static final Pattern START_TAG =
@@ -42,17 +43,27 @@ record ModelChanges(Workspace files) {
 
   private Optional<At> text(Path file, SourceLocation place) {
     Optional<SourceText> text = place.line() < 1 ? Optional.empty() : files.text(file);
-    return text.filter(it -> !file.toString().endsWith(".json"))
-        .map(it -> new At(file, it.text(), it.offset(place.line(), Math.max(1, place.column()))));
+    return text.map(
+        it -> new At(file, it.text(), it.offset(place.line(), Math.max(1, place.column()))));
   }
 
-  /** A place in the start tag of an element. */
+  /** A place in the start tag of an element, or at a value of JSON or YAML. */
   private record At(Path file, String text, int offset) {
 
     Optional<FileEdit> changed(ModelChange change) {
+      String name = file.toString();
+      if (name.endsWith(".json")) {
+        return DocumentChanges.json(text, offset, change).flatMap(this::edit);
+      } else if (name.matches(".*\\.ya?ml")) {
+        return DocumentChanges.yaml(text, offset, change).flatMap(this::edit);
+      }
       return change.child().isEmpty()
           ? replaced(change.attribute(), change.from(), change.to())
           : withChild(change.child(), change.attribute(), change.to());
+    }
+
+    private Optional<FileEdit> edit(TextFix fix) {
+      return edit(fix.start(), fix.end(), fix.by());
     }
 
     private Optional<FileEdit> edit(int start, int end, String by) {

@@ -3,6 +3,7 @@ package dev.eventchain.simulation.bench;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.ModelChange;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
@@ -262,7 +263,17 @@ final class BenchFields {
                   "'%s' of %s is in %s here, but in %s in signals.json."
                       .formatted(path, topic, written.get(), known.get()),
                   section.at(UNIT))
-              .withHint("Leave one of them out, or write the same unit."));
+              .withHint("Leave one of them out, or write the same unit.")
+              .withChanges(
+                  List.of(
+                      new ModelChange(
+                          "Change the unit to '%s', as in signals.json".formatted(known.get()),
+                          section.at(UNIT),
+                          "",
+                          UNIT,
+                          written.get(),
+                          known.get(),
+                          false))));
     }
     return written.or(() -> known).filter(text -> Unit.parse(text).isPresent());
   }

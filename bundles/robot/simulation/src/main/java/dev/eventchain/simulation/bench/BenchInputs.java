@@ -175,7 +175,9 @@ final class BenchInputs implements Signal.Source {
   static Optional<Unit> unit(ObjectReader section, String text) {
     Optional<Unit> unit = Unit.parse(text);
     if (unit.isEmpty()) {
-      section.find(BenchRules.BENCH_UNIT, "There is no unit '" + text + "'.", section.at(UNIT));
+      section.find(
+          Diagnostic.of(BenchRules.BENCH_UNIT, "There is no unit '" + text + "'.", section.at(UNIT))
+              .withHint(Unit.respelled(text).map(it -> "Did you mean `" + it + "`?").orElse("")));
     }
     return unit;
   }
