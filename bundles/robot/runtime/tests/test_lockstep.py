@@ -62,6 +62,57 @@ def test_a_node_as_it_is_has_the_names_that_it_is_launched_with(tmp_path: Path) 
         assert (reads, writes) == ([["/number", 0]], [["/car/front/out", 0]])
 
 
+MADE = """
+import sys
+
+from rclpy.node import Node
+from std_msgs.msg import Float32
+
+GAIN = 2.0
+
+
+class Scale(Node):
+    def __init__(self, name, gain=1.0, *, output="out"):
+        super().__init__(name)
+        self.gain = gain
+        self.output = self.create_publisher(Float32, output, 10)
+        self.create_subscription(Float32, "/number", self.on_number, 10)
+
+    def on_number(self, number):
+        self.output.publish(Float32(data=self.gain * number.data))
+
+
+def main():
+    Scale("left", GAIN, output="~/scaled")
+"""
+
+
+@pytest.mark.parametrize(
+    ("source", "launched", "topic", "factor"),
+    [
+        (MADE, {}, "/left/scaled", 2.0),
+        (MADE, {"arguments": {"name": "right", "gain": 5}}, "/out", 5.0),
+        (
+            MADE.replace("GAIN, output", "float(sys.argv[1]), output").replace("self, name", 'self, name="own"'),
+            {},
+            "/out",
+            1.0,
+        ),
+    ],
+)
+def test_a_node_as_it_is_is_made_as_it_is_described_or_as_its_file_makes_it(
+    tmp_path: Path, source: str, launched: dict[str, Any], topic: str, factor: float
+) -> None:
+    (tmp_path / "scale.py").write_text(source)
+    launch = {"name": "", "namespace": "", "remappings": {}, **launched}
+    node = {"module": "scale", "class": "Scale", "name": "Scale", "component": None, "node": launch}
+    configuration = {**chain(), "path": [str(tmp_path)], "nodes": [node]}
+    configuration["world_subscribes"] = [{"topic": topic, "type": "std_msgs/msg/Float32"}]
+    with HostProcess() as host:
+        host.configure(configuration)
+        assert host.step(MILLISECOND, (0, float32(3.0))) == [(0, 0, float32(3.0 * factor))]
+
+
 def test_a_timer_due_at_the_end_of_a_step_sees_the_samples_published_there() -> None:
     with HostProcess() as host:
         host.configure(chain())

@@ -7,6 +7,9 @@ ROS 2 has precedence.
 
 from __future__ import annotations
 
+import ast
+import copy
+import functools
 import gc
 import importlib
 import json
@@ -18,6 +21,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import node_construction
 from component_client import ComponentError, Limits
 
 from eventchain_ros2 import catalog, context, faults, message_objects, output_faults
@@ -29,7 +33,7 @@ from eventchain_ros2.failures import HostError, StepTimeout, describe
 from eventchain_ros2.faults import NEVER
 from eventchain_ros2.messages import Messages
 from eventchain_ros2.node import Node
-from eventchain_ros2.node_sources import RUNTIME, NodeSources
+from eventchain_ros2.node_sources import RUNTIME, NodeSources, text_of
 from eventchain_ros2.processes import Launched
 from eventchain_ros2.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 from eventchain_ros2.simulation import Process, Simulation
@@ -112,8 +116,8 @@ class HostedNodes:
         name = configuration["name"]
         times = (round(configuration.get(key, 0) * 1e6) for key in ("execution_time_ms", "phase_ms"))
         process = self.simulation.add_process(name, *times)
-        launched = configuration.get("node") or {}
-        process.launched = Launched(*(launched[key] for key in ("name", "namespace", "remappings") if launched))
+        as_it_is = configuration.get("node") is not None
+        process.launched = Launched(**(configuration["node"] if as_it_is else {}))
         self.processes.append(process)
         with self.simulation.starting(process):
             module = importlib.import_module(configuration["module"])
@@ -122,7 +126,12 @@ class HostedNodes:
                 raise HostError(
                     "node.class.missing", f"there is no class {configuration['class']}", module.__file__ or ""
                 )
-            node = node_class() if _is_rclpy(node_class) else self._start_plain_node(node_class, process)
+            if not _is_rclpy(node_class):
+                node = self._start_plain_node(node_class, process)
+            elif as_it_is:
+                node = _constructed(node_class, configuration["class"], module.__file__, process.launched)
+            else:
+                node = node_class()
         self._objects.append(node)
 
     def _start_plain_node(self, node_class: Any, process: Process) -> Any:
@@ -179,6 +188,23 @@ class HostedNodes:
 def _is_rclpy(node_class: Any) -> bool:
     """Return whether a node creates its own timers, as with rclpy; a node on plain DDS states its period."""
     return not hasattr(node_class, "period") or (isinstance(node_class, type) and issubclass(node_class, Node))
+
+
+def _constructed(node_class: Any, name: str, file: str | None, launched: Launched) -> Any:
+    """Make a node that is there as it is with the arguments of its description, or those that its file gives it."""
+    if launched.arguments is not None:
+        return node_class(**launched.arguments)
+    made = _construction(text_of(file), name) if file else None
+    return node_class() if made is None else node_class(*copy.deepcopy(made.positional), **copy.deepcopy(made.named))
+
+
+@functools.lru_cache
+def _construction(source: bytes, class_name: str) -> node_construction.Construction | None:
+    """Return how a file makes a node; None if it does not say that, which was found before anything is simulated."""
+    try:
+        return node_construction.read(ast.parse(source), class_name)
+    except (node_construction.UnknownConstructionError, SyntaxError, ValueError):
+        return None
 
 
 class Host(ABC):

@@ -36,6 +36,11 @@ def _compiled(content: bytes, path: str) -> CodeType:
     return code
 
 
+def text_of(path: str) -> bytes:
+    """Return the content of a module's file, or of the one that is read instead."""
+    return Path(_replaced.get(path, path)).read_bytes()
+
+
 class NodeSources:
     """The folders of the user's modules, which change from scenario to scenario, and their place in `sys.path`."""
 

@@ -6,7 +6,7 @@ import struct
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 from zlib import crc32
 
 from eventchain_ros2.faults import NEVER
@@ -165,12 +165,14 @@ class Launched(NamedTuple):
         name: its name; empty for its own.
         namespace: its namespace; empty for its own.
         remappings: full names of topics by the names that the node uses.
+        arguments: what it is made with, by the names of parameters; None for what the file of its class says.
 
     """
 
     name: str = ""
     namespace: str = ""
     remappings: Mapping[str, str] = MappingProxyType({})
+    arguments: Mapping[str, Any] | None = None
 
 
 class Process:

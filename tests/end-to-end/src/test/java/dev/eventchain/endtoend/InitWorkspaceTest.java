@@ -45,6 +45,35 @@ class InitWorkspaceTest {
     new Program().run("init", known, "--from-workspace", workspace).expect(0);
     new Program().run("validate", known).expect(0).says("How often does Warning act?");
     new Program().run("run", known, "--no-strength").expect(1).says("passed  stopped-vehicle");
+    argumentsDecide(known);
+  }
+
+  /** A node is made as its file makes it; what that leaves open is found, and described. */
+  private static void argumentsDecide(Path project) throws IOException {
+    Path nodes = project.resolve("software-base/nodes/braking/nodes.py");
+    String made =
+        Files.readString(nodes)
+            .replace(
+                "__init__(self):\n        super().__init__(\"brake\")",
+                "__init__(self, limit):\n        super().__init__(\"brake\")\n        self.full_brake_ttc = limit");
+    Files.writeString(nodes, made.replace("Brake()", "Brake(float(sys.argv[1]))"));
+    new Program()
+        .run("validate", project)
+        .expect(1)
+        .says("nodes.py:49:22: error: An argument of Brake() is not known before it runs")
+        .says("[component.node.arguments]");
+    Files.writeString(nodes, made.replace("Brake()", "Brake(2 * 0.8)"));
+    new Program().run("run", project, "--no-strength").says("passed  stopped-vehicle");
+    Path components = project.resolve("software-base/components.json");
+    String named = "\"class\": \"Brake\"";
+    Files.writeString(
+        components,
+        Files.readString(components).replace(named, named + ", \"arguments\": {\"limit\": 0.1}"));
+    new Program()
+        .run("run", project, "--no-strength")
+        .expect(1)
+        .says("components.json makes Brake with other arguments than this: 'limit'")
+        .says("FAILED  stopped-vehicle");
   }
 
   /** Scripts of two packages may have one name, and would be one file in the generated package. */

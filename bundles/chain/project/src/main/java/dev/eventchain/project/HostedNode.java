@@ -1,11 +1,13 @@
 package dev.eventchain.project;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.messages.RosNames;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * A node of rclpy that is hosted as it is.
@@ -16,6 +18,8 @@ import java.util.Map;
  * @param name the name that a launch file gives it; empty for its own
  * @param namespace the namespace that a launch file gives it; empty for its own
  * @param remappings full names of topics by the names that it uses
+ * @param arguments what it is made with, an object by the names of parameters; empty for what the
+ *     file of its class says
  */
 public record HostedNode(
     Path root,
@@ -23,7 +27,8 @@ public record HostedNode(
     String className,
     String name,
     String namespace,
-    Map<String, String> remappings) {
+    Map<String, String> remappings,
+    Optional<JsonNode> arguments) {
 
   private static final String IDENTIFIER = "[A-Za-z_][A-Za-z0-9_]*";
 
@@ -40,6 +45,7 @@ public record HostedNode(
     json.object("remappings")
         .ifPresent(
             pairs -> pairs.names().forEach(from -> remappings.put(from, topic(pairs, from))));
+    json.object("arguments").ifPresent(HostedNode::requireNames);
     json.refuseOthers();
     Path root = root(file);
     String path = root.relativize(file).toString().replace('\\', '/');
@@ -50,7 +56,19 @@ public record HostedNode(
         className,
         legal(json, "name", name, "(" + IDENTIFIER + ")?"),
         legal(json, "namespace", namespace, "(/|(/" + IDENTIFIER + ")+)?"),
-        Map.copyOf(remappings));
+        Map.copyOf(remappings),
+        json.value("arguments").filter(JsonNode::isObject));
+  }
+
+  private static void requireNames(ObjectReader arguments) {
+    for (String name : arguments.names()) {
+      if (!name.matches(IDENTIFIER)) {
+        arguments.find(
+            ProjectRules.MODELER_COMPONENT_NODE,
+            "'" + name + "' cannot be the name of an argument.",
+            arguments.at(name));
+      }
+    }
   }
 
   private static String topic(ObjectReader pairs, String from) {

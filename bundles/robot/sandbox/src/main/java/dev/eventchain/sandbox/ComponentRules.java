@@ -21,6 +21,7 @@ public final class ComponentRules {
   public static final Rule IMPORT_FORBIDDEN = Rule.error("component.import.forbidden");
   public static final Rule IMPORT_HELPER = Rule.error("component.import.helper");
   public static final Rule NODE = Rule.error("component.node");
+  public static final Rule NODE_ARGUMENTS = Rule.error("component.node.arguments");
   public static final Rule RANDOM = Rule.error("component.random");
   public static final Rule RAISED = Rule.error("component.raised", Trait.OF_CALL);
   public static final Rule RESULT_KEYS = Rule.error("component.result.keys", Trait.OF_CALL);
@@ -43,6 +44,7 @@ public final class ComponentRules {
           IMPORT_FORBIDDEN,
           IMPORT_HELPER,
           NODE,
+          NODE_ARGUMENTS,
           RANDOM,
           RAISED,
           RESULT_KEYS,

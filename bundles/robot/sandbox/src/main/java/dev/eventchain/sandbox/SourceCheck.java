@@ -22,8 +22,9 @@ import java.util.Optional;
  * <p>Findings, each with the place in the file: {@code component.syntax}, {@code
  * component.class.missing}, {@code component.constructor.signature}, {@code
  * component.execute.signature}, {@code component.result.keys}, {@code component.result.type},
- * {@code component.node}, {@code component.import.helper}, {@code component.clock}, {@code
- * component.random}, {@code component.thread}; {@code component.ended} if the check itself fails.
+ * {@code component.node}, {@code component.node.arguments}, {@code component.import.helper}, {@code
+ * component.clock}, {@code component.random}, {@code component.thread}; {@code component.ended} if
+ * the check itself fails.
  */
 public final class SourceCheck {
 
@@ -41,23 +42,28 @@ public final class SourceCheck {
    * @param signature what its node needs; empty for a module that components import
    * @param node the class of a node that is hosted as it is, or an empty name for a module that
    *     such nodes import; empty for anything else
+   * @param arguments what the node is made with, by the names of parameters; empty for what its
+   *     file says
    */
   public record Source(
-      SourceText text, Optional<ComponentSignature> signature, Optional<String> node) {
+      SourceText text,
+      Optional<ComponentSignature> signature,
+      Optional<String> node,
+      Optional<JsonNode> arguments) {
 
     /** Returns the file of a component, or a module that components import. */
     public static Source of(SourceText text, Optional<ComponentSignature> signature) {
-      return new Source(text, signature, Optional.empty());
+      return new Source(text, signature, Optional.empty(), Optional.empty());
     }
 
     /** Returns the file of a node that is hosted as it is. */
-    public static Source ofNode(SourceText text, String className) {
-      return new Source(text, Optional.empty(), Optional.of(className));
+    public static Source ofNode(SourceText text, String className, Optional<JsonNode> arguments) {
+      return new Source(text, Optional.empty(), Optional.of(className), arguments);
     }
 
     /** Returns a module that nodes import which are hosted as they are. */
     public static Source besideNode(SourceText text) {
-      return ofNode(text, "");
+      return ofNode(text, "", Optional.empty());
     }
   }
 
@@ -108,6 +114,7 @@ public final class SourceCheck {
     for (Source source : sources) {
       ObjectNode entry = list.addObject().put("text", source.text().text());
       source.node().ifPresent(name -> entry.put("node", name));
+      source.arguments().ifPresent(given -> entry.set("arguments", given));
       source
           .signature()
           .ifPresent(

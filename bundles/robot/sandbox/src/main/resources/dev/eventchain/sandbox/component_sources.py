@@ -5,8 +5,8 @@ run to run. Where a name comes from elsewhere (a base class of another file, a d
 
 As a program: standard input is a JSON object with ``sources``, a list of ``text``, and for a component its ``class``,
 ``inputs`` and ``outputs``; for a node that is hosted as it is ``node``, its class, which is empty for a module that
-such nodes import. Standard output is a JSON list with the findings of each, with ``uncertain`` where a node may not
-come.
+such nodes import, and ``arguments``, if its description gives some. Standard output is a JSON list with the findings of
+each, with ``uncertain`` where a node may not come, or runs all the same.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import Any
 
 import component_repeatability
+import node_construction
 import node_rules
 from component_reach import MIDDLEWARE
 from component_results import Output, check_keys
@@ -315,8 +316,9 @@ def _folded(name: str) -> str:
 class NodeSource(Rules):
     """Checks the file of a node that is hosted as it is, or a module that such nodes import."""
 
-    def __init__(self, source: str, class_name: str) -> None:
+    def __init__(self, source: str, class_name: str, arguments: dict[str, Any] | None) -> None:
         super().__init__(source, Component(class_name, [], []))
+        self._arguments = arguments
 
     def found(self) -> list[dict[str, Any]]:
         """Return all findings, in the order of the file, each with whether it is uncertain."""
@@ -324,15 +326,22 @@ class NodeSource(Rules):
             self._tree = ast.parse(self._source)
             uses = node_rules.uses(self._tree, self._component.class_name)
             found = {(self._finding(*use), certain) for use, certain in uses}
+            found.update(self._construction() if self._component.class_name else ())
         except (SyntaxError, ValueError, RecursionError, MemoryError) as problem:
             found = {(self._syntax(problem)._replace(hint=""), True)}
         ordered = sorted(found, key=lambda each: (each[0].line, each[0].column, each[0].id))
         return [{**finding._asdict(), "uncertain": not certain} for finding, certain in ordered]
 
+    def _construction(self) -> Iterator[tuple[Finding, bool]]:
+        for node, message, hint, certain in node_construction.problems(
+            self._tree, self._component.class_name, self._arguments
+        ):
+            yield self._finding(node_construction.RULE, node, message, hint), certain
+
 
 def _checked(source: dict[str, Any]) -> list[dict[str, Any]]:
     if "node" in source:
-        return NodeSource(source["text"], source["node"]).found()
+        return NodeSource(source["text"], source["node"], source.get("arguments")).found()
     described = Component(source["class"], source["inputs"], source["outputs"]) if "class" in source else None
     return [finding._asdict() for finding in SourceRules(source["text"], described).check()]
 

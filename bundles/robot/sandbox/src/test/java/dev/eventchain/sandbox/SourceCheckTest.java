@@ -2,6 +2,8 @@ package dev.eventchain.sandbox;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.SourceText;
@@ -55,20 +57,32 @@ class SourceCheckTest {
     }
   }
 
-  /** Warnings are uses that the node {@code Brake} may never come to. */
+  /**
+   * Warnings are uses that the node {@code Brake} may never come to, and arguments without which it
+   * runs; a file of JSON beside it has what its description gives it.
+   */
   @ParameterizedTest
   @MethodSource("nodes")
-  void nodesAreCheckedForRepeatability(Path file) throws IOException {
+  void nodesAreCheckedForRepeatabilityAndArguments(Path file) throws IOException {
     String name = file.getFileName().toString();
     SourceText text = SourceText.read(file);
     Source source =
-        name.startsWith("module") ? Source.besideNode(text) : Source.ofNode(text, "Brake");
+        name.startsWith("module")
+            ? Source.besideNode(text)
+            : Source.ofNode(text, "Brake", given(file));
     String actual = DiagnosticFormat.TEXT.render(CHECK.check(List.of(source)));
     if (name.startsWith("good")) {
       assertEquals("", actual);
     } else {
       ExpectedFile.check(ExpectedFile.beside(file), actual);
     }
+  }
+
+  private static Optional<JsonNode> given(Path node) throws IOException {
+    Path arguments = node.resolveSibling(node.getFileName().toString().replace(".py", ".json"));
+    return Files.exists(arguments)
+        ? Optional.of(new ObjectMapper().readTree(arguments.toFile()))
+        : Optional.empty();
   }
 
   @Test

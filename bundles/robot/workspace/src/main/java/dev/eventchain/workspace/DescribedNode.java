@@ -45,6 +45,7 @@ record DescribedNode(String component, FoundNode node, List<DescribedEndpoint> e
       ObjectNode remappings = launch.putObject("remappings");
       python.remappings().forEach(remappings::put);
     }
+    python.arguments().ifPresent(given -> launch.set("arguments", given));
   }
 
   private void ports(ArrayNode ports, boolean outputs, Set<String> names) {

@@ -45,10 +45,12 @@ final class SourceReader {
       throws IOException {
     var programs =
         PythonSources.unpack(SourceReader.class.getClassLoader(), "dev/eventchain/workspace");
+    var shared =
+        PythonSources.unpack(PythonSources.class.getClassLoader(), "dev/eventchain/sandbox");
     try (ConfinedProcess process =
         ConfinedProcess.on(environment)
             .script(programs.resolve(PROGRAM))
-            .pythonPath(programs)
+            .pythonPath(programs, shared)
             .workFolder(folder.path())
             .limits(LIMITS)
             .start()) {

@@ -110,7 +110,7 @@ final class StartedNodes {
       int number, Optional<String> name, Optional<String> launched, List<TopicNames.Remap> remaps) {
     JsonNode node = facts.path("nodes").path(number);
     if (asked.add(number)) {
-      node.path("questions").forEach(each -> questions.add(OpenQuestion.of(each)));
+      node.path("questions").forEach(each -> ask(OpenQuestion.of(each)));
     }
     String own = node.path("namespace").asText();
     Optional<String> namespace =
@@ -145,7 +145,12 @@ final class StartedNodes {
         ? Optional.empty()
         : Optional.of(
             new PythonNode(
-                module, node.path("class").asText(), name, namespace, names.remappings()));
+                module,
+                node.path("class").asText(),
+                name,
+                namespace,
+                names.remappings(),
+                Optional.of(node.path("arguments")).filter(JsonNode::isObject)));
   }
 
   private Optional<FoundEndpoint> endpoint(JsonNode json, TopicNames names) {
@@ -221,7 +226,10 @@ final class StartedNodes {
   }
 
   private void ask(String text, String file, int line) {
-    OpenQuestion question = new OpenQuestion(text, file, line);
+    ask(new OpenQuestion(text, file, line));
+  }
+
+  private void ask(OpenQuestion question) {
     if (!questions.contains(question)) {
       questions.add(question);
     }

@@ -20,6 +20,7 @@ _OPERATORS: dict[type[ast.operator], Callable[[float, float], float]] = {
 }
 
 Value = str | int | float | bool | None
+Data = Value | list["Data"] | dict[str, "Data"]
 
 
 class UnknownValueError(Exception):
@@ -39,11 +40,35 @@ class Place(NamedTuple):
     function: Function | None = None
 
 
-class Constants:
-    """Folds expressions in the modules of a workspace."""
+Passed = dict[Function, dict[str, tuple[ast.expr, Place]]]
+"""What the only call of a function gives its parameters, and where that is written."""
 
-    def __init__(self, modules: Modules) -> None:
+
+class Constants:
+    """Folds expressions in the modules of a workspace.
+
+    Args:
+        passed: what is known of parameters.
+
+    """
+
+    def __init__(self, modules: Modules, passed: Passed | None = None) -> None:
         self._modules = modules
+        self._passed = passed or {}
+
+    def with_parameters(self, passed: Passed) -> Constants:
+        """Return these constants with what is known of parameters."""
+        return Constants(self._modules, passed)
+
+    def data(self, node: ast.expr, place: Place) -> Data:
+        """Return the value of an expression, which may be a list or a dictionary of such values, too."""
+        if isinstance(node, ast.List):
+            return [self.data(each, place) for each in node.elts]
+        if isinstance(node, ast.Dict):
+            keys = [self.text(each, place) for each in node.keys if each is not None]
+            if len(keys) == len(node.keys):
+                return {key: self.data(each, place) for key, each in zip(keys, node.values, strict=True)}
+        return self.value(node, place)
 
     def value(self, node: ast.expr, place: Place, depth: int = 0) -> Value:
         """Return the value of an expression; raise UnknownValueError if it is not constant."""
@@ -147,9 +172,12 @@ class Constants:
 
     def _name(self, name: str, place: Place) -> tuple[ast.expr, Place]:
         if place.function is not None:
-            if name in parameters(place.function):
-                raise UnknownValueError(f"'{name}' is a parameter of {place.function.name}()")
             local = bindings(place.function.body, place.function).get(name)
+            if name in parameters(place.function):
+                given = self._passed.get(place.function, {}).get(name)
+                if given is None or local:
+                    raise UnknownValueError(f"'{name}' is a parameter of {place.function.name}()")
+                return given
             if local:
                 return self._only([(each, place.module) for each in local], name, place)
         return self._global(place.module, name, place)
@@ -175,6 +203,31 @@ class Constants:
         if node.attr in ("value", "string_value", "double_value", "integer_value") and isinstance(inner, ast.Call):
             return inner, place
         raise UnknownValueError(f"it is '{_text(node)}'")
+
+
+def passed(function: Function, call: ast.Call | None, place: Place, own: Place) -> dict[str, tuple[ast.expr, Place]]:
+    """Return what a call gives the parameters of a function, and what they are by default; no call gives nothing.
+
+    Args:
+        function: the function.
+        call: its call.
+        place: the scope of the call.
+        own: the scope of the defaults; that of a class for a method, whose first parameter is the object.
+
+    """
+    taken = function.args
+    plain = [each.arg for each in (*taken.posonlyargs, *taken.args)]
+    defaults = list(zip(reversed(plain), reversed(taken.defaults), strict=False))
+    defaults += [(each.arg, value) for each, value in zip(taken.kwonlyargs, taken.kw_defaults, strict=True) if value]
+    found = {name: (value, own) for name, value in defaults}
+    if call is None:
+        return found
+    if any(isinstance(each, ast.Starred) for each in call.args) or any(each.arg is None for each in call.keywords):
+        return {}
+    for name, value in zip(plain[1 if own.classes else 0 :], call.args, strict=False):
+        found[name] = (value, place)
+    found.update({each.arg: (each.value, place) for each in call.keywords if each.arg is not None})
+    return found
 
 
 def parameter_of(node: ast.expr) -> ast.expr | None:

@@ -9,7 +9,8 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from python_nodes import NodeClass
+from constants import Passed, Place, passed
+from made_nodes import Made, NodeClass
 from source_modules import FUNCTIONS, Module, Modules, Question
 
 
@@ -93,7 +94,7 @@ def _joined(folder: str, path: str) -> str:
 
 def nodes_of_program(
     program: Program, file: str, modules: Modules, nodes: list[NodeClass], questions: list[Question]
-) -> list[NodeClass]:
+) -> list[Made]:
     """Return the nodes that a program makes, in its order."""
     module = next((each for each in modules.all if each.file == program.path), None)
     if module is None:
@@ -149,9 +150,7 @@ def _entry(package: str, text: str, file: str, line: int) -> list[Executable]:
     return [Executable(package, parts[0], module.strip(), parts[-1], file, line)]
 
 
-def nodes_of(
-    executable: Executable, modules: Modules, nodes: list[NodeClass], questions: list[Question]
-) -> list[NodeClass]:
+def nodes_of(executable: Executable, modules: Modules, nodes: list[NodeClass], questions: list[Question]) -> list[Made]:
     """Return the nodes that the function of an executable makes, in its order."""
     owner = modules.owner(f"{executable.module}.{executable.function}")
     function = owner[0].functions.get(owner[1]) if owner is not None else None
@@ -169,19 +168,30 @@ def nodes_of(
     return found
 
 
-def _made(module: Module, begin: list[ast.AST], modules: Modules, nodes: list[NodeClass]) -> list[NodeClass]:
+def _made(module: Module, begin: list[ast.AST], modules: Modules, nodes: list[NodeClass]) -> list[Made]:
     """Return the nodes that functions or statements make, themselves or in functions of their module that they call."""
-    found: list[NodeClass] = []
-    pending: list[ast.AST] = list(begin)
-    seen = {each.name for each in begin if isinstance(each, FUNCTIONS)}
+    found: list[Made] = []
+    pending: list[tuple[ast.AST, Place]] = []
+    known: Passed = {}
+    for each in begin:
+        function = each if isinstance(each, FUNCTIONS) else None
+        pending.append((each, Place(module, (), function)))
+        if function is not None:
+            known[function] = passed(function, None, Place(module), Place(module))
     while pending:
-        for node in ast.walk(pending.pop(0)):
+        part, place = pending.pop(0)
+        for node in ast.walk(part):
             if not isinstance(node, ast.Call):
                 continue
             named = modules.class_named(module, node.func)
-            found += [each for each in nodes if named == (each.module, each.definition) and each not in found]
+            made = [Made(each, node, place, known) for each in nodes if named == (each.module, each.definition)]
+            found += [each for each in made if all(each.way != other.way for other in found)]
             inner = module.functions.get(node.func.id) if isinstance(node.func, ast.Name) else None
-            if isinstance(inner, FUNCTIONS) and inner.name not in seen:
-                seen.add(inner.name)
-                pending.append(inner)
+            if isinstance(inner, FUNCTIONS):
+                given = passed(inner, node, place, Place(module))
+                if inner not in known:
+                    pending.append((inner, Place(module, (), inner)))
+                    known[inner] = given
+                elif known[inner] != given:
+                    known[inner] = {}  # called in several ways
     return found

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from typing import NamedTuple, TypeGuard
+from typing import TypeGuard
 
 from constants import Constants, Place, UnknownValueError
+from made_nodes import Arguments, Made, NodeClass, argument, constructor_calls, constructors, parameters
 from message_fields import MessageUse
 from quality_of_service import QualityOfService
-from source_modules import FUNCTIONS, Function, Module, Modules, Question, parameters
+from source_modules import FUNCTIONS, Function, Module, Modules, Question
 
 _NODES = frozenset({"rclpy.node.Node", "rclpy.Node", "rclpy.lifecycle.Node", "rclpy.lifecycle.LifecycleNode"})
 _MAKERS = frozenset({"create_publisher", "create_subscription", "create_timer"})
@@ -29,21 +30,12 @@ _CONDITIONS = (ast.If, ast.For, ast.While, ast.Try, ast.IfExp, ast.ListComp, ast
 Json = dict[str, object]
 
 
-class NodeClass(NamedTuple):
-    """A class of the workspace that is a node, with its bases in the workspace, nearest first."""
-
-    module: Module
-    definition: ast.ClassDef
-    line: tuple[tuple[Module, ast.ClassDef], ...]
-
-
 class PythonNodes:
     """Reads the nodes of a workspace."""
 
     def __init__(self, modules: Modules) -> None:
         self._modules = modules
         self._constants = Constants(modules)
-        self._qos = QualityOfService(self._constants)
         self.questions: list[Question] = []
 
     def classes(self) -> list[NodeClass]:
@@ -72,9 +64,9 @@ class PythonNodes:
                     text = f"Whose is what '{ast.unparse(call.func)}' makes? {owner.name} is no class of a node."
                     self.questions.append(module.question(call, text))
 
-    def read(self, node: NodeClass) -> Json:
+    def read(self, made: Made) -> Json:
         """Return what is known of a node, and questions about what is not."""
-        return _ClassReader(self._constants, self._qos, node).read()
+        return _ClassReader(self._constants.with_parameters(parameters(made)), made).read()
 
     def _line(self, module: Module, cls: ast.ClassDef) -> tuple[tuple[tuple[Module, ast.ClassDef], ...], set[str]]:
         """Return a class and its bases in the workspace, and the names of its other bases."""
@@ -122,10 +114,11 @@ def _is_test(module: Module) -> bool:
 
 
 class _ClassReader:
-    def __init__(self, constants: Constants, qos: QualityOfService, node: NodeClass) -> None:
+    def __init__(self, constants: Constants, made: Made) -> None:
         self._constants = constants
-        self._qos = qos
-        self._node = node
+        self._qos = QualityOfService(constants)
+        self._made = made
+        self._node = node = made.node
         self._questions: list[Question] = []
         methods = [each for _, cls in node.line for each in cls.body if isinstance(each, FUNCTIONS)]
         self._use = MessageUse(methods)
@@ -138,7 +131,7 @@ class _ClassReader:
             for method in cls.body:
                 if isinstance(method, FUNCTIONS):
                     self._method(Place(module, self._node.line, method), method)
-        self._constructor()
+        arguments = Arguments(self._constants, self._made, self._ask).read()
         return {
             "file": self._node.module.file,
             "module": self._node.module.name,
@@ -146,6 +139,7 @@ class _ClassReader:
             "line": self._node.definition.lineno,
             "name": self._name("node_name", 0),
             "namespace": self._name("namespace", None) or "",
+            "arguments": arguments,
             "description": (ast.get_docstring(self._node.definition) or "").partition("\n")[0],
             "endpoints": self._endpoints,
             "timers": self._timers,
@@ -153,43 +147,18 @@ class _ClassReader:
             "questions": [each.json for each in self._questions],
         }
 
-    def _constructor(self) -> None:
-        """Ask about arguments of the constructor, which nobody gives where the node is hosted as it is."""
-        for module, cls in self._node.line:
-            for method in cls.body:
-                if isinstance(method, FUNCTIONS) and method.name == "__init__":
-                    required = _required(method)
-                    if required:
-                        names = " and ".join(f"'{each}'" for each in required)
-                        whose = f"What is {names} of {self._node.definition.name}()?"
-                        text = f"{whose} Nodes as they are get no arguments: give defaults."
-                        self._ask(module, method, text)
-                    return
-
-    # Names
-
     def _name(self, keyword: str, position: int | None) -> str | None:
         """Return an argument of the constructor of rclpy's node, which may come through those of bases."""
-        given: ast.expr | None = None
-        place: Place | None = None
-        for module, cls in reversed(self._node.line):
-            method = next((each for each in cls.body if isinstance(each, FUNCTIONS) and each.name == "__init__"), None)
-            call = next(_constructor_calls(method), None) if method is not None else None
-            if method is None or call is None:
-                continue
-            if place is None:
-                given = _argument(call, keyword, position)
-            elif isinstance(given, ast.Name) and place.function and given.id in parameters(place.function):
-                given = _passed(given.id, place.function, call)
-            else:
-                break
-            if given is None:
-                return None
-            place = Place(module, self._node.line, method)
+        call, place = self._made.call, self._made.place
+        for module, method in constructors(self._node):
+            inner = next(constructor_calls(method), None)
+            if inner is not None:
+                call, place = inner, Place(module, self._node.line, method)
+        given = argument(call, keyword, position) if call is not None else None
         try:
-            return self._constants.text(given, place) if given is not None and place is not None else None
+            return self._constants.text(given, place) if given is not None else None
         except UnknownValueError as problem:
-            if place is not None and given is not None:
+            if given is not None:
                 self._ask(place.module, given, f"What is the node's {keyword.removeprefix('node_')}: {problem}?")
             return None
 
@@ -227,20 +196,20 @@ class _ClassReader:
     def _endpoint(self, call: ast.Call, place: Place, maker: str, is_conditional: bool, target: ast.AST | None) -> None:
         publishes = maker == "create_publisher"
         kind = "publisher" if publishes else "subscription"
-        qos = _argument(call, "qos_profile", 2 if publishes else 3)
-        topic = _argument(call, "topic", 1)
-        callback = None if publishes else _argument(call, "callback", 2)
+        qos = argument(call, "qos_profile", 2 if publishes else 3)
+        topic = argument(call, "topic", 1)
+        callback = None if publishes else argument(call, "callback", 2)
         if publishes:
             fields = self._use.written(target) if target is not None else None
         else:
             fields = self._use.read(callback) if callback is not None else None
-        self._add(call, place, kind, (_argument(call, "msg_type", 0), topic, qos), fields)
+        self._add(call, place, kind, (argument(call, "msg_type", 0), topic, qos), fields)
         if is_conditional:
             self._ask(place.module, call, f"Is this {kind} made? That is decided when the node runs.")
 
     def _filter(self, call: ast.Call, place: Place, is_conditional: bool) -> None:
         qos = next((each.value for each in call.keywords if each.arg == "qos_profile"), None) or ast.Constant(10)
-        parts = (_argument(call, "msg_type", 1), _argument(call, "topic", 2), qos)
+        parts = (argument(call, "msg_type", 1), argument(call, "topic", 2), qos)
         self._add(call, place, "subscription", parts, None)
         if is_conditional:
             self._ask(place.module, call, "Is this subscription made? That is decided when the node runs.")
@@ -285,7 +254,7 @@ class _ClassReader:
 
     def _timer(self, call: ast.Call, place: Place) -> None:
         try:
-            period = self._constants.number(_given(_argument(call, "timer_period_sec", 0)), place)
+            period = self._constants.number(_given(argument(call, "timer_period_sec", 0)), place)
             if period <= 0:
                 raise UnknownValueError(f"it is {period}")
             self._timers.append({"period": period, "file": place.module.file, "line": call.lineno})
@@ -294,12 +263,12 @@ class _ClassReader:
 
     def _parameter(self, call: ast.Call, place: Place) -> None:
         try:
-            name = self._constants.text(_given(_argument(call, "name", 0)), place)
+            name = self._constants.text(_given(argument(call, "name", 0)), place)
         except UnknownValueError as problem:
             self._ask(place.module, call, f"What is the name of this parameter: {problem}?")
             return
         try:
-            value = self._constants.value(_given(_argument(call, "value", 1)), place)
+            value = self._constants.value(_given(argument(call, "value", 1)), place)
         except UnknownValueError:
             value = None
         self._parameters.append({"name": name, "value": value, "file": place.module.file, "line": call.lineno})
@@ -314,42 +283,6 @@ def _given(node: ast.expr | None) -> ast.expr:
     if node is None:
         raise UnknownValueError("it is not given")
     return node
-
-
-def _required(constructor: Function) -> list[str]:
-    """Return the parameters of a constructor that have no default, without the object itself."""
-    taken = constructor.args
-    plain = [*taken.posonlyargs, *taken.args]
-    named = [each for each, default in zip(taken.kwonlyargs, taken.kw_defaults, strict=True) if default is None]
-    return [each.arg for each in (*plain[1 : len(plain) - len(taken.defaults)], *named)]
-
-
-def _argument(call: ast.Call, name: str, position: int | None) -> ast.expr | None:
-    """Return the argument of a call by its name or position; None if it is not given plainly."""
-    for keyword in call.keywords:
-        if keyword.arg == name:
-            return keyword.value
-    if position is None or any(isinstance(each, ast.Starred) for each in call.args[: position + 1]):
-        return None
-    return call.args[position] if position < len(call.args) else None
-
-
-def _constructor_calls(method: Function) -> Iterator[ast.Call]:
-    """Return the calls of ``super().__init__(...)`` and ``Node.__init__(self, ...)``, without ``self``."""
-    for node in ast.walk(method):
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "__init__":
-            arguments = node.args
-            if arguments and isinstance(arguments[0], ast.Name) and arguments[0].id == "self":
-                arguments = arguments[1:]
-            yield ast.Call(func=node.func, args=arguments, keywords=node.keywords)
-
-
-def _passed(name: str, constructor: Function, call: ast.Call) -> ast.expr | None:
-    """Return what a call passes for a parameter of a constructor, or its default."""
-    named = [each.arg for each in (*constructor.args.posonlyargs, *constructor.args.args)][1:]
-    given = _argument(call, name, named.index(name) if name in named else None)
-    defaults = dict(zip(reversed(named), reversed(constructor.args.defaults), strict=False))
-    return given if given is not None else defaults.get(name)
 
 
 def _calls(node: ast.AST, is_conditional: bool) -> Iterator[tuple[ast.Call, bool]]:

@@ -16,9 +16,10 @@ from typing import Any
 
 import cpp_sources
 import executables
-from constants import Constants
+from constants import Constants, Place
 from launch_files import LaunchFile
-from python_nodes import NodeClass, PythonNodes
+from made_nodes import Made, NodeClass
+from python_nodes import PythonNodes
 from source_modules import Module, Modules, Question
 
 Json = dict[str, Any]
@@ -39,11 +40,18 @@ class Workspace:
         nodes = PythonNodes(modules)
         classes = nodes.classes()
         started = self._python(modules, classes)
-        for index, found in enumerate(classes):
-            self._nodes.append(nodes.read(found))
-            if index not in started and not _is_base(found, classes):
+        ways: list[tuple[object, ...]] = []
+        for found in classes:
+            made = [each for _, all_made in started for each in all_made if each.node == found]
+            for each in made or [Made(found, None, Place(found.module), {})]:
+                if each.way not in ways:
+                    ways.append(each.way)
+                    self._nodes.append(nodes.read(each))
+            if not made and not _is_base(found, classes):
                 text = f"What starts the node {found.definition.name}? No executable of this workspace does."
                 self._questions.append(found.module.question(found.definition, text))
+        for executable, all_made in started:
+            self._executables.append({**executable, "nodes": [ways.index(each.way) for each in all_made]})
         nodes.ask_for_others(classes)
         self._cpp()
         launch = {
@@ -67,9 +75,9 @@ class Workspace:
                     text = f"What does this file do? It is not valid Python: {reason}."
                     self._questions.append(Question(file, line, text))
 
-    def _python(self, modules: Modules, classes: list[NodeClass]) -> set[int]:
-        """Read the executables; return the numbers of the nodes that they make."""
-        started: set[int] = set()
+    def _python(self, modules: Modules, classes: list[NodeClass]) -> list[tuple[Json, list[Made]]]:
+        """Return the executables, and the nodes that each makes."""
+        started: list[tuple[Json, list[Made]]] = []
         for package in self._packages:
             scripts: list[executables.Executable] = []
             for file, text in package["setup"].items():
@@ -77,15 +85,11 @@ class Workspace:
                 scripts += read(package["name"], file, text, self._questions)
             for script in scripts:
                 made = executables.nodes_of(script, modules, classes, self._questions)
-                numbers = [classes.index(each) for each in made]
-                started.update(numbers)
-                self._add(script.package, script.name, numbers, script.file, script.line)
+                started.append((_executable(script.package, script.name, script.file, script.line), made))
             for file, text in package["cmake"].items():
                 for program in dict.fromkeys(executables.of_cmake(file, text, modules, self._questions)):
                     made = executables.nodes_of_program(program, file, modules, classes, self._questions)
-                    numbers = [classes.index(each) for each in made]
-                    started.update(numbers)
-                    self._add(package["name"], program.name, numbers, file, program.line)
+                    started.append((_executable(package["name"], program.name, file, program.line), made))
         return started
 
     def _cpp(self) -> None:
@@ -105,10 +109,11 @@ class Workspace:
                         if node not in self._nodes:
                             self._nodes.append(node)
                         numbers.append(self._nodes.index(node))
-                    self._add(package["name"], name, numbers, file, 1)
+                    self._executables.append({**_executable(package["name"], name, file, 1), "nodes": numbers})
 
-    def _add(self, package: str, name: str, nodes: list[int], file: str, line: int) -> None:
-        self._executables.append({"package": package, "name": name, "nodes": nodes, "file": file, "line": line})
+
+def _executable(package: str, name: str, file: str, line: int) -> Json:
+    return {"package": package, "name": name, "file": file, "line": line}
 
 
 def _is_base(node: NodeClass, classes: list[NodeClass]) -> bool:

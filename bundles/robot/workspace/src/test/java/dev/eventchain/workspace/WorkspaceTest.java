@@ -43,6 +43,13 @@ class WorkspaceTest {
         workspace);
   }
 
+  /** Constructors get arguments, some of which are names of nodes and topics. */
+  @Test
+  void nodesAreThoseThatExecutablesMake() throws IOException {
+    Path workspace = RESOURCES.resolve("made");
+    checkFiles(files(workspace, Optional.empty()), workspace);
+  }
+
   /** Without a launch file that is the only one, executables are taken, and it is asked for. */
   @Test
   void severalLaunchFilesAreAskedFor(@TempDir Path folder) throws IOException {
@@ -131,8 +138,7 @@ class WorkspaceTest {
     String questions = files.get("software-base/questions.json");
     assertFalse(questions.contains("only reads"), questions);
     assertTrue(questions.contains("add its package to the workspace"), questions);
-    assertTrue(
-        questions.contains("What is 'limit' of Guard()? Nodes as they are get no"), questions);
+    assertFalse(questions.contains("of Guard()"), questions); // its file makes it
   }
 
   @Test

@@ -109,6 +109,7 @@ public final class NodeConfiguration {
       ObjectNode remappings =
           launch.put("namespace", node.launch().namespace()).putObject("remappings");
       new TreeMap<>(node.launch().remappings()).forEach(remappings::put);
+      node.launch().arguments().ifPresent(given -> launch.set("arguments", given));
     }
     return json;
   }

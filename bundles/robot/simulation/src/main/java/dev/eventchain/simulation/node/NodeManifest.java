@@ -1,5 +1,6 @@
 package dev.eventchain.simulation.node;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Rule;
@@ -57,10 +58,13 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
    * @param name empty for its own
    * @param namespace empty for its own
    * @param remappings full names of topics by the names that the node uses
+   * @param arguments what it is made with, an object by the names of parameters; empty for what the
+   *     file of its class says
    */
-  public record Launch(String name, String namespace, Map<String, String> remappings) {
+  public record Launch(
+      String name, String namespace, Map<String, String> remappings, Optional<JsonNode> arguments) {
 
-    static final Launch NONE = new Launch("", "", Map.of());
+    static final Launch NONE = new Launch("", "", Map.of(), Optional.empty());
 
     /** Copies the map. */
     public Launch {

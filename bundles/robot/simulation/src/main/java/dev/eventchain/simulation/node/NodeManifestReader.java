@@ -103,7 +103,10 @@ final class NodeManifestReader {
     requireKey(json, "namespace");
     NodeManifest.Launch launch =
         new NodeManifest.Launch(
-            json.text("name").orElse(""), json.text("namespace").orElse(""), remappings);
+            json.text("name").orElse(""),
+            json.text("namespace").orElse(""),
+            remappings,
+            json.object("arguments").flatMap(given -> json.value("arguments")));
     json.refuseOthers();
     return launch;
   }

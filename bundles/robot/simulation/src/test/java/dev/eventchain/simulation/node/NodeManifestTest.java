@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
@@ -54,7 +55,11 @@ class NodeManifestTest {
             "theirs.third",
             "Third",
             Optional.empty(),
-            new NodeManifest.Launch("", "/front", Map.of("in", "/input"))),
+            new NodeManifest.Launch(
+                "",
+                "/front",
+                Map.of("in", "/input"),
+                Optional.of(JsonNodeFactory.instance.objectNode().put("side", "left")))),
         manifest.nodes().get(2));
     assertEquals("aeb.second_node", manifest.find("Second").orElseThrow().module());
     assertTrue(manifest.find("second").isEmpty());

@@ -41,6 +41,7 @@ public final class HostedNodes {
     launch.put("name", node.name()).put("namespace", node.namespace());
     ObjectNode remappings = launch.putObject("remappings");
     new TreeMap<>(node.remappings()).forEach(remappings::put);
+    node.arguments().ifPresent(given -> launch.set("arguments", given));
     return json;
   }
 

@@ -105,7 +105,10 @@ public final class ComponentSources {
     for (SoftwareBase.Component component : components) {
       component
           .node()
-          .map(node -> Source.ofNode(SourceText.read(component.file()), node.className()))
+          .map(
+              node ->
+                  Source.ofNode(
+                      SourceText.read(component.file()), node.className(), node.arguments()))
           .ifPresent(sources::add);
     }
     NodeModules.of(components)

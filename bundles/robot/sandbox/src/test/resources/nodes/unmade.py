@@ -1,0 +1,6 @@
+from rclpy.node import Node
+
+
+class Brake(Node):
+    def __init__(self, limit, *, gain, topic="/request"):
+        super().__init__("brake")
