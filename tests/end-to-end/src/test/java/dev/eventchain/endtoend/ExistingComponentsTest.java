@@ -75,6 +75,23 @@ class ExistingComponentsTest {
     validate().expect(1).says("Collision_Warning.py:4:1: error").says("component.node");
     project.run().expect(1).says("component.node");
     project.requireNotPassed();
+    String name = "\"name\": \"Collision_Warning\",";
+    project.replace(
+        "software-base/components.json",
+        name,
+        name + " \"implementation\": \"node\", \"node\": {\"class\": \"Collision_Warning\"},");
+    name = "name=\"Collision_Warning\"";
+    project.replace("model/chain.xmi", name, name + " implementation=\"NODE\"");
+    project.write(
+        "tests/Collision_Warning.yaml",
+        "tests: [{name: near, requirement: RAD-2, inputs: {ttc: 1}, outputs: {warns: true}}]\n");
+    Program.Ended hosted = new Program().run("run", project.path(), "--to", "implement");
+    hosted
+        .expect(1)
+        .says("tests/Collision_Warning.yaml: error: 'Collision_Warning' is a node as it is")
+        .says("[component.tests.unused]");
+    assertFalse(hosted.out().contains("[component.node]"), hosted.out());
+    project.requireNotPassed();
   }
 
   /** A filter by the computer's clock, and its twin that counts calls. */

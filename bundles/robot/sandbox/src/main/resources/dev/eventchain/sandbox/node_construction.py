@@ -43,7 +43,7 @@ class UnknownConstructionError(Exception):
 
 
 class Problem(NamedTuple):
-    """What is wrong with the arguments of a node; uncertain if it runs all the same."""
+    """A fault in the arguments of a node; uncertain if it runs all the same."""
 
     node: ast.AST
     message: str

@@ -41,7 +41,7 @@ class Place(NamedTuple):
 
 
 Passed = dict[Function, dict[str, tuple[ast.expr, Place]]]
-"""What the only call of a function gives its parameters, and where that is written."""
+"""Arguments by the parameters of functions that are called in one way, and where these are written."""
 
 
 class Constants:

@@ -9,6 +9,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.model.Signal;
+import dev.eventchain.model.eventchain.ComponentImplementation;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.project.Project;
@@ -202,9 +203,13 @@ public final class ImplementStage implements StageWork {
       tested += Diagnostic.anyError(failed) ? 0 : tester.count();
     }
 
-    /** Tests existing components for which people wrote tests. */
+    /** Tests existing components for which people wrote tests; those of nodes cannot be run. */
     void testExisting(List<SoftwareNode> existing) {
       for (SoftwareNode node : existing) {
+        if (isNode(node)) {
+          tests.ofNode(node.getName()).ifPresent(found::add);
+          continue;
+        }
         Optional<ComponentTester> tester = tests.written(node.getName());
         if (tester.isPresent()) {
           run.progress().step(Stage.IMPLEMENT, "tests of " + node.getName());
@@ -212,6 +217,13 @@ public final class ImplementStage implements StageWork {
           count(tester.get(), tester.get().run(probe().ofExisting(), file));
         }
       }
+    }
+
+    private boolean isNode(SoftwareNode node) {
+      return run.softwareBase()
+          .find(node.getName())
+          .filter(it -> it.implementation() == ComponentImplementation.NODE)
+          .isPresent();
     }
 
     /**

@@ -165,6 +165,19 @@ public final class TestFiles {
         .toList();
   }
 
+  /** Returns the finding about tests of a node that is there as it is, which are not run. */
+  Optional<Diagnostic> ofNode(String component) {
+    return isWritten(run.project(), component)
+        ? Optional.of(
+            Diagnostic.of(
+                    DesignRules.COMPONENT_TESTS_UNUSED,
+                    "'%s' is a node as it is, which no test can call, so these tests are not run."
+                        .formatted(component),
+                    SourceLocation.of(file(run.project(), component)))
+                .withHint("Delete the file; scenarios test a node, together with the others."))
+        : Optional.empty();
+  }
+
   private static String name(Path file) {
     String name = file.getFileName().toString();
     return name.substring(0, name.length() - SUFFIX.length());
