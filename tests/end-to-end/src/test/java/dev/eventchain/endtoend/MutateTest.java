@@ -270,6 +270,41 @@ class MutateTest {
     }
   }
 
+  /** A scenario that the project itself does not survive tells nothing, and the others do. */
+  @InTurn
+  @Test
+  void aProcessThatEndsWithoutADefectLeavesTheOthersToJudge() throws IOException {
+    String scenario = Files.readString(copy.path().resolve("scenarios/stopped-vehicle-50.yaml"));
+    copy.write(
+        "scenarios/ending.yaml",
+        scenario
+            .replace("name: stopped-vehicle-50", "name: ending")
+            .replace("gap_m: 80", "gap_m: 90"));
+    copy.write(
+        COMPONENT,
+        """
+        import os
+
+        class Collision_Warning:
+            def __init__(self):
+                self.first = None
+
+            def execute(self, ttc):
+                self.first = self.first or (ttc if ttc < 900.0 else None)
+                if "copy-" in __file__ and self.first and self.first > 6.2:
+                    os._exit(3)
+                return {"warns": ttc < 2.6}
+        """);
+    Program.Ended ended = mutate().expect(1);
+    ended.says(
+        "scenarios/ending.yaml:1:1: warning: Without a defect, a process ends, too, so that");
+    ended.says("mutants: in the scenario ending, 3 of 3 times: ");
+    ended.says("error: Nothing is known about this defect, since a process ended, and not each");
+    assertTrue(outcomes().contains("CRITERION"), ended::out);
+    assertTrue(outcomes().contains("UNPROVED"), outcomes()::toString);
+    assertFalse(outcomes().contains("UNNOTICED"), outcomes()::toString);
+  }
+
   /** A module has each mutant once, whoever imports it, and is tried in all of them. */
   @InTurn
   @Test

@@ -11,14 +11,12 @@ import dev.eventchain.simulation.host.NodeHosts;
 import dev.eventchain.simulation.judge.ScenarioJudge;
 import dev.eventchain.simulation.node.NodePackage;
 import dev.eventchain.simulation.node.Replacements;
-import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.run.ScenarioRunner;
 import dev.eventchain.simulation.strength.StrengthTrials;
 import dev.eventchain.simulation.variant.PassedScenario;
 import dev.eventchain.simulation.variant.VariantTrial;
 import dev.eventchain.simulation.verdict.VariantReaction;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -43,6 +41,22 @@ public final class VariantSimulation {
   /** The ends of processes in a scenario of a variant: the reaction, and how often it came. */
   private record Ends(VariantReaction reaction, int times) {}
 
+  /**
+   * The components as they are, in all scenarios.
+   *
+   * @param failed the findings about scenarios that fail with them, so that nothing was tried
+   * @param ended the findings that a process ended in a scenario, each time: one for each scenario,
+   *     which tells nothing about variants
+   */
+  public record Original(List<Diagnostic> failed, List<Diagnostic> ended) {
+
+    /** Copies the lists. */
+    public Original {
+      failed = List.copyOf(failed);
+      ended = List.copyOf(ended);
+    }
+  }
+
   /** Receives reactions, one at a time, in an order that depends on the machine. */
   public interface Listener {
 
@@ -65,52 +79,51 @@ public final class VariantSimulation {
   }
 
   /**
-   * Simulates each variant until a scenario notices it.
+   * Simulates each variant until a scenario notices it. Nothing is known of those that none
+   * notices, if there is a scenario in which the process ends without them, too.
    *
    * @param same a copy of each component, which is loaded as the variants are, to learn what the
    *     scenarios do without a defect
-   * @return the findings about scenarios that fail with these copies, so that nothing was tried
+   * @return what these copies do
    * @throws dev.eventchain.diagnostics.DiagnosticException as {@link Simulation#run} does, except
    *     for failures of a variant
    * @throws InterruptedException if the calling thread was interrupted; the processes are ended
    */
-  public List<Diagnostic> run(
-      List<Replacements> same, List<Replacements> variants, Listener listener)
+  public Original run(List<Replacements> same, List<Replacements> variants, Listener listener)
       throws InterruptedException {
-    ScenarioRun[] runs = new ScenarioRun[request.scenarios().size()];
-    HostPool.Job drive =
-        (number, hosts) -> {
-          runs[number] = runner(same, hosts).run(request.scenarios().get(number));
-          return HostPool.State.DONE;
-        };
-    new HostPool(runs.length, this::start, drive).run(request.settings().processes());
-    ScenarioJudge judge = new ScenarioJudge(chain, Arrays.asList(runs), true);
+    OriginalRuns runs = new OriginalRuns(request.scenarios());
+    new HostPool(
+            request.scenarios().size(),
+            this::start,
+            (number, hosts) -> runs.drive(number, runner(same, hosts)))
+        .run(request.settings().processes());
+    ScenarioJudge judge = new ScenarioJudge(chain, runs.done(), runs.ended().isEmpty());
     List<Diagnostic> failed =
-        Arrays.stream(runs)
+        runs.done().stream()
             .flatMap(run -> judge.verdict(run, true).diagnostics().stream())
             .filter(finding -> !request.settings().accepted().test(finding))
             .toList();
     if (failed.isEmpty()) {
       List<PassedScenario> passed =
-          Arrays.stream(runs)
+          runs.done().stream()
               .map(run -> new PassedScenario(run, judge))
               .sorted(PassedScenario.ORDER)
               .toList();
-      HostPool.Job job = (number, hosts) -> work(number, same, variants, passed, hosts, listener);
+      VariantTrial trial = new VariantTrial(passed, runs.ended().stream().findFirst());
+      HostPool.Job job = (number, hosts) -> work(number, same, variants, trial, hosts, listener);
       new HostPool(variants.size(), this::start, job).run(request.settings().processes());
     }
-    return failed;
+    return new Original(failed, runs.ended());
   }
 
   private HostPool.State work(
       int number,
       List<Replacements> same,
       List<Replacements> variants,
-      List<PassedScenario> passed,
+      VariantTrial trial,
       NodeHosts hosts,
       Listener listener) {
     ScenarioRunner runner = runner(List.of(variants.get(number)), hosts);
-    VariantTrial trial = new VariantTrial(passed);
     Ends before = ends.get(number);
     VariantReaction reaction =
         before == null

@@ -32,14 +32,18 @@ public final class VariantTrial {
       List.of(HostRules.SIMULATION_PROCESS_ENDED, ComponentRules.ENDED);
 
   private final List<PassedScenario> scenarios;
+  private final Optional<Diagnostic> untold;
 
   /**
    * Creates a trial.
    *
-   * @param scenarios all scenarios, in the order of the trial
+   * @param scenarios the scenarios that tell something, in the order of the trial
+   * @param untold the finding about another one, which tells nothing, since a process ends in it
+   *     with the components as they are
    */
-  public VariantTrial(List<PassedScenario> scenarios) {
+  public VariantTrial(List<PassedScenario> scenarios, Optional<Diagnostic> untold) {
     this.scenarios = scenarios;
+    this.untold = untold;
   }
 
   /**
@@ -66,6 +70,10 @@ public final class VariantTrial {
       if (judged.left() < nearest.left()) {
         nearest = judged;
       }
+    }
+    if (untold.isPresent()) {
+      String words = untold.get().message();
+      return new VariantReaction(VariantReaction.Kind.UNPROVED, "", words, Optional.empty());
     }
     return changed
         ? nearest.reaction()
@@ -113,7 +121,8 @@ public final class VariantTrial {
     }
   }
 
-  private static boolean isEnd(DiagnosticException end) {
+  /** Returns whether a run ended since a process did, of which nobody says who caused it. */
+  public static boolean isEnd(DiagnosticException end) {
     return ENDS.stream().anyMatch(end.diagnostics().get(0)::is);
   }
 

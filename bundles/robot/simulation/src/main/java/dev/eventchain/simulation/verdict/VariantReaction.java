@@ -28,7 +28,10 @@ public record VariantReaction(Kind kind, String scenario, String words, Optional
      * component as it is.
      */
     ENDED,
-    /** A process ended, but not when that was repeated, so that nothing is known. */
+    /**
+     * A process ended, but not when that was repeated, or it does with the components as they are,
+     * too, so that nothing is known.
+     */
     UNPROVED,
     /** All criteria hold, although outputs changed. */
     UNNOTICED,

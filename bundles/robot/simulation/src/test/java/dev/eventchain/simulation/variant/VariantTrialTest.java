@@ -44,6 +44,7 @@ class VariantTrialTest {
   private final Scenario scenario = AebProject.scenario("stopped-vehicle-50");
   private AebProject project;
   private SimulatedChain chain;
+  private PassedScenario passed;
   private VariantTrial trial;
 
   /** Silent nodes, of which each run ends as it is told to. */
@@ -76,7 +77,8 @@ class VariantTrialTest {
     project = new AebProject(folder);
     chain = project.request(List.of(scenario)).simulatedChain();
     ScenarioJudge judge = new ScenarioJudge(chain, List.of(), true);
-    trial = new VariantTrial(List.of(new PassedScenario(runner(WORKS).run(scenario), judge)));
+    passed = new PassedScenario(runner(WORKS).run(scenario), judge);
+    trial = new VariantTrial(List.of(passed), Optional.empty());
   }
 
   private ScenarioRunner runner(String... ends) {
@@ -112,6 +114,18 @@ class VariantTrialTest {
   @Test
   void anotherEndProvesNothing() {
     assertEquals(Kind.UNPROVED, repeated(WORKS, KILLED).kind());
+  }
+
+  /** A scenario in which a process ends without a defect, too, might have noticed it. */
+  @Test
+  void whatNoneOfTheOtherScenariosNoticesIsNotKnown() {
+    Diagnostic end = Diagnostic.of(HostRules.SIMULATION_PROCESS_ENDED, KILLED, SourceLocation.NONE);
+    assertEquals(Kind.UNCHANGED, trial.run(runner(WORKS)).kind());
+    trial = new VariantTrial(List.of(passed), Optional.of(end));
+    VariantReaction reaction = trial.run(runner(WORKS));
+    assertEquals(Kind.UNPROVED, reaction.kind());
+    assertEquals(KILLED, reaction.words());
+    assertEquals(Kind.RAISED, trial.run(runner(RAISES)).kind());
   }
 
   /** The machine may end the process of the components as they are, too. */

@@ -38,7 +38,7 @@ record MutantResult(
     RAISED(true),
     /** The process of the component or of the nodes ends, each time, and not without the defect. */
     ENDED(true),
-    /** A process ended, but not when that was repeated, so that nothing is known. */
+    /** A process ended, but not each time or without the defect, too: nothing is known. */
     UNPROVED(false),
     /** Nothing noticed it, although outputs changed. */
     UNNOTICED(false),

@@ -4,6 +4,7 @@ import dev.eventchain.agents.component.ComponentTester;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.design.TestFiles;
@@ -59,6 +60,8 @@ final class MutantTrials implements AutoCloseable {
   private final Map<String, ComponentTester> tests = new TreeMap<>();
   private final Map<String, Path> originals = new LinkedHashMap<>();
   private final ImportedModules modules;
+  private final OriginalTests original = new OriginalTests(this::test);
+  private final List<Diagnostic> ends = new ArrayList<>();
   private int copies;
 
   /**
@@ -106,10 +109,20 @@ final class MutantTrials implements AutoCloseable {
         SimulateStage.request(run)
             // A mutant need not follow the rules for generated code, which the component does.
             .with(it -> it.withGenerated(Set.of()).withLimits(LIMITS).withProcesses(processes));
-    List<Diagnostic> failed =
+    VariantSimulation.Original found =
         new VariantSimulation(request, python, folder.path())
             .run(same, variants, (number, each) -> ended.accept(result(left.get(number), each)));
-    refuse(failed);
+    if (!found.failed().isEmpty()) {
+      throw TestFailure.withoutDefect(found.failed().get(0));
+    }
+    found.ended().forEach(each -> ends.add(SurvivorFindings.ofOriginal(each)));
+  }
+
+  /** Returns the findings that processes end without a defect, so that something tells nothing. */
+  List<Diagnostic> ends() {
+    List<Diagnostic> all = new ArrayList<>(original.ends());
+    all.addAll(ends);
+    return all;
   }
 
   private Replacements variant(Mutant mutant) {
@@ -130,11 +143,7 @@ final class MutantTrials implements AutoCloseable {
 
   /** Returns the mutants that pass the tests of their components, or have none. */
   private List<Mutant> untested(List<Mutant> mutants) throws InterruptedException {
-    for (Map.Entry<String, Path> each : originals.entrySet()) {
-      if (mutants.stream().anyMatch(mutant -> mutant.users().contains(each.getKey()))) {
-        refuse(test(each.getKey(), each.getValue()).map(TestFailure::finding).stream().toList());
-      }
-    }
+    testOriginals(mutants);
     List<Mutant> left = new ArrayList<>();
     ExecutorService workers = Executors.newFixedThreadPool(processes);
     try {
@@ -159,10 +168,21 @@ final class MutantTrials implements AutoCloseable {
     return left;
   }
 
+  /** Runs the tests of the components that run one of some mutants, without a defect. */
+  private void testOriginals(List<Mutant> mutants) {
+    for (SoftwareNode node : ProjectMutants.nodes(run)) {
+      String name = node.getName();
+      if (mutants.stream().anyMatch(mutant -> mutant.users().contains(name))) {
+        SourceLocation place = SourceLocation.of(ComponentFiles.of(run, node));
+        original.run(name, originals.get(name), place);
+      }
+    }
+  }
+
   /** Runs the tests of the components that run a mutant, until one fails. */
   private Optional<TestFailure> test(Mutant mutant) {
     for (String user : mutant.users()) {
-      if (tests.containsKey(user)) {
+      if (tests.containsKey(user) && original.tells(user)) {
         Optional<TestFailure> failure = test(user, mutated(user, mutant));
         if (failure.isPresent()) {
           return failure;
@@ -195,12 +215,6 @@ final class MutantTrials implements AutoCloseable {
         .map(finding -> new TestFailure(component, finding, trial.ended()));
   }
 
-  private static void refuse(List<Diagnostic> failed) {
-    if (!failed.isEmpty()) {
-      throw TestFailure.withoutDefect(failed.get(0));
-    }
-  }
-
   private MutantResult failed(Mutant mutant, TestFailure failure) {
     boolean proved = !failure.ended() || failsAgain(mutant, failure);
     return MutantResult.of(
@@ -219,7 +233,12 @@ final class MutantTrials implements AutoCloseable {
         () -> test(mutant));
   }
 
-  private static MutantResult result(Mutant mutant, VariantReaction reaction) {
+  private MutantResult result(Mutant mutant, VariantReaction reaction) {
+    Optional<String> untold = original.untold(mutant.users());
+    if (untold.isPresent() && !reaction.kind().isNoticed()) {
+      return MutantResult.of(
+          mutant, MutantResult.Outcome.UNPROVED, Optional.empty(), untold, Optional.empty());
+    }
     MutantResult.Outcome outcome =
         switch (reaction.kind()) {
           case CRITERION -> MutantResult.Outcome.CRITERION;

@@ -48,6 +48,7 @@ public final class MutationTesting {
   private final MutationOptions options;
   private final AcceptedMutants accepted;
   private final Map<String, MutantResult> results = new LinkedHashMap<>();
+  private final List<Diagnostic> ends = new ArrayList<>();
   private String inputs = "";
   private int tried;
 
@@ -162,6 +163,7 @@ public final class MutationTesting {
     int all = open.size() + known;
     try (MutantTrials trials = new MutantTrials(run, result -> ended(result, known, all))) {
       trials.tryAll(open);
+      ends.addAll(trials.ends());
       if (open.stream().anyMatch(this::isNotTried)) {
         throw new IllegalStateException("a mutant was not tried");
       }
@@ -192,6 +194,7 @@ public final class MutationTesting {
 
   private MutationOutcome outcome(List<Mutant> all, List<Mutant> chosen) {
     List<Diagnostic> found = new ArrayList<>(run.takeFindings());
+    found.addAll(ends);
     for (Mutant mutant : chosen) {
       MutantResult result = result(mutant);
       if (result.survives() && accepted.find(result, options.today()).isEmpty()) {

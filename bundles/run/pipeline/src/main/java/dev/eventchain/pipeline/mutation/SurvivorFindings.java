@@ -1,6 +1,7 @@
 package dev.eventchain.pipeline.mutation;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
 
 /** Findings about mutants that nothing notices, or of which nothing is known. */
 final class SurvivorFindings {
@@ -20,8 +21,8 @@ final class SurvivorFindings {
   static Diagnostic unproved(Mutant mutant, MutantResult result) {
     return Diagnostic.of(
             MutationRules.MUTATION_UNPROVED,
-            "Nothing is known about this defect, since a process ended once and not when that was"
-                + " repeated ("
+            "Nothing is known about this defect, since a process ended, and not each time or without"
+                + " the defect, too ("
                 + result.words().orElse("")
                 + "): "
                 + result.mutant()
@@ -30,6 +31,19 @@ final class SurvivorFindings {
         .withHint(
             "Run the command again. If that stays, look for what differs from run to run, such as"
                 + " the memory of this machine.");
+  }
+
+  /** Returns the finding that a process ends without a defect, which says where. */
+  static Diagnostic ofOriginal(Diagnostic end) {
+    return Diagnostic.of(
+            MutationRules.MUTATION_UNPROVED,
+            "Without a defect, a process ends, too, so that this tells nothing about mutants: "
+                + end.message(),
+            end.location())
+        .withSeverity(Severity.WARNING)
+        .withHint(
+            "Look for what ends it: a limit of this machine's memory, os._exit, or native code that"
+                + " crashes. What others notice counts; run the command again for the rest.");
   }
 
   private static String hint(Mutant mutant, MutantResult result) {
