@@ -165,7 +165,7 @@ public class ProjectFolder {
    */
   public final List<Path> requirementFiles() {
     List<Path> sources = requirementSources().files();
-    return Stream.concat(Stream.of(requirements()), sources.stream()).toList();
+    return Stream.concat(Stream.of(requirements()), sources.stream()).distinct().toList();
   }
 
   /** Returns the first file or folder of requirements, where findings about all of them belong. */
@@ -191,7 +191,8 @@ public class ProjectFolder {
    */
   public final Requirements readRequirements() {
     RequirementSources sources = requirementSources();
-    boolean onlySources = isAbsent(requirements()) && !sources.isEmpty();
+    boolean onlySources =
+        (isAbsent(requirements()) && !sources.isEmpty()) || sources.has(requirements());
     Optional<SourceText> markdown =
         onlySources ? Optional.empty() : Optional.of(SourceText.read(requirements()));
     Requirements all = Requirements.read(markdown, sources);

@@ -15,7 +15,6 @@ final class ProjectRules {
   static final Rule MODELER_COMPONENT_VALUE_CHANGED = Rule.error("modeler.component.value.changed");
   static final Rule MODELER_COMPONENT_VALUE_MISSING = Rule.error("modeler.component.value.missing");
   static final Rule MODELER_COMPONENT_VALUE_UNKNOWN = Rule.error("modeler.component.value.unknown");
-  static final Rule MODELER_REQUIREMENTS_UNREAD = Rule.warning("modeler.requirements.unread");
   static final Rule MODELER_SIGNAL_DIRECTION = Rule.error("modeler.signal.direction");
   static final Rule PROJECT_ACCEPTED = Rule.error("project.accepted");
   static final Rule PROJECT_CATALOGUE = Rule.error("project.catalogue");

@@ -130,6 +130,13 @@ public final class RequirementSources {
     return sources.isEmpty();
   }
 
+  /** Returns whether a file is one of them. */
+  boolean has(Path file) {
+    Path wanted = file.toAbsolutePath().normalize();
+    return sources.stream()
+        .anyMatch(each -> each.file().toAbsolutePath().normalize().equals(wanted));
+  }
+
   List<RequirementSource> all() {
     return sources;
   }
@@ -143,8 +150,11 @@ public final class RequirementSources {
    *     ProjectFolder#readRequirements}
    */
   public Requirements readOlder(Path old) {
-    Requirements all =
+    boolean list =
         old.toString().endsWith(".md")
+            && sources.stream().noneMatch(each -> isAlike(each.file(), old));
+    Requirements all =
+        list
             ? Requirements.read(SourceText.read(old))
             : Requirements.read(Optional.empty(), like(old));
     ProjectFolder.refuseErrors(all.diagnostics());

@@ -163,7 +163,10 @@ public record Requirements(List<WrittenRequirement> items, List<Diagnostic> diag
       if (items.isEmpty()) {
         diagnostics.add(
             Diagnostic.of(RequirementRules.NONE, "The file contains no requirement.", source.at(0))
-                .withHint("Write each as an item with an id: '- REQ-1: The system shall ...'"));
+                .withHint(
+                    "Write each as an item with an id: '- REQ-1: The system shall ...'. Tables and"
+                        + " headings are read of a file that eventchain.yaml names under"
+                        + " 'requirements'."));
       }
       Map<String, WrittenRequirement> seen = new HashMap<>();
       for (WrittenRequirement item : items) {
@@ -200,7 +203,7 @@ public record Requirements(List<WrittenRequirement> items, List<Diagnostic> diag
         if (known.add(plain(found))) {
           diagnostics.add(
               Diagnostic.of(
-                      ProjectRules.MODELER_REQUIREMENTS_UNREAD,
+                      RequirementRules.UNREAD,
                       "No item has the id '%s'.".formatted(found.group()),
                       source.at(found.start()))
                   .withHint(

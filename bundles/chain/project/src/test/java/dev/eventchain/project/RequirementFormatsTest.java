@@ -21,7 +21,7 @@ class RequirementFormatsTest {
           "a/b = The system shall warn. approved [] [RAD-1]");
 
   @ParameterizedTest
-  @ValueSource(strings = {"reqif", "sdoc", "strictdoc-json", "needs", "trlc"})
+  @ValueSource(strings = {"reqif", "sdoc", "strictdoc-json", "needs", "trlc", "markdown-table"})
   void allFormatsSayTheSame(String format) {
     assertEquals(SAME, read(format).stream().map(RequirementFormatsTest::described).toList());
   }

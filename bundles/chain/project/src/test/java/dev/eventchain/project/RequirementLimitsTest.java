@@ -9,8 +9,11 @@ import dev.eventchain.diagnostics.DiagnosticFormat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests of sources that are larger than usual, or lead elsewhere. */
 class RequirementLimitsTest {
@@ -44,6 +47,34 @@ class RequirementLimitsTest {
     Files.delete(reqs.resolve("b.sdoc"));
     Files.createSymbolicLink(reqs.resolve("circle"), reqs);
     assertTrue(refusal("reqs").contains("[file.unreadable]"), refusal("reqs"));
+  }
+
+  /** Lines in which an id, a table or emphasis might begin at each character. */
+  @ParameterizedTest
+  @ValueSource(strings = {"a-", "a1.", "|-", "*", "[(", "<", "+-", "= ", "1.", ":a:`"})
+  void repeatedTextsAreReadInTime(String part) throws IOException {
+    String line = part.repeat(9_000 / part.length());
+    String text = "- REQ-1: It shall be.\n\n%1$s\n%1$s\n\n| ID | Text |\n|---|---|\n| %1$s | a |\n";
+    for (String name : List.of("a.md", "a.rst")) {
+      write(name, text.formatted(line) + "\n## " + line + "\n\n- " + line + "\n");
+      try {
+        read(name);
+      } catch (DiagnosticException e) {
+        assertEquals(DiagnosticException.Reason.INPUT, e.reason());
+      }
+    }
+  }
+
+  @Test
+  void linesAndDirectivesOfTextsHaveLimits() throws IOException {
+    write("a.md", "- REQ-1: " + "a".repeat(10_000) + "\n");
+    assertTrue(refusal("a.md").contains("a.md:1:1: error: This line has more than 10000"));
+    StringBuilder deep = new StringBuilder();
+    for (int i = 0; i < 30; i++) {
+      deep.append(" ".repeat(i)).append(".. note::\n\n");
+    }
+    write("a.rst", deep.toString());
+    assertTrue(refusal("a.rst").contains("More than 20 directives are in each other."));
   }
 
   private void write(String name, String text) throws IOException {

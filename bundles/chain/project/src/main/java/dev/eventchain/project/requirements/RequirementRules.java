@@ -14,6 +14,7 @@ public final class RequirementRules {
   static final Rule REDUCED = Rule.warning("requirements.reduced");
   static final Rule SELECTION = Rule.warning("requirements.selection");
   static final Rule SOURCE = Rule.error("requirements.source");
+  public static final Rule UNREAD = Rule.warning("modeler.requirements.unread");
 
   private RequirementRules() {}
 }

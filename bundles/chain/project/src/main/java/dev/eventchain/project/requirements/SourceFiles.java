@@ -25,6 +25,7 @@ final class SourceFiles {
   private static final List<String> ITEMS = List.of(".yml", ".yaml", ".md");
   private static final List<String> FORMATS =
       List.of(".reqif", ".reqifz", ".sdoc", ".sgra", ".trlc", ".rsl");
+  private static final List<String> TEXTS = List.of(".md", ".rst");
 
   private SourceFiles() {}
 
@@ -35,7 +36,9 @@ final class SourceFiles {
    */
   static List<Path> of(Path source) {
     if (Files.isDirectory(source)) {
-      return below(source).stream().filter(SourceFiles::isRead).toList();
+      List<Path> all = below(source);
+      List<Path> ofTools = all.stream().filter(SourceFiles::isRead).toList();
+      return ofTools.isEmpty() ? all.stream().filter(SourceFiles::isText).toList() : ofTools;
     }
     List<Path> files = new ArrayList<>(List.of(source));
     Path folder = source.toAbsolutePath().getParent();
@@ -52,6 +55,11 @@ final class SourceFiles {
     return FORMATS.stream().anyMatch(format -> has(file, format))
         || file.getFileName().toString().equals(NEEDS)
         || (isItem(file) && document(file).isPresent());
+  }
+
+  /** Returns whether a file is a text, which is read where no tool keeps the requirements. */
+  private static boolean isText(Path file) {
+    return TEXTS.stream().anyMatch(suffix -> has(file, suffix)) && document(file).isEmpty();
   }
 
   /** Returns whether a file may be an item of Doorstop, or the settings of a document. */
@@ -116,6 +124,7 @@ final class SourceFiles {
   static void read(RequirementSource source, Reading reading) {
     List<Path> files = of(source.file());
     TrlcTypes types = new TrlcTypes();
+    TextItems texts = new TextItems(reading);
     Map<Path, List<Path>> documents = new TreeMap<>();
     for (Path file : files) {
       if (has(file, ".rsl")) {
@@ -126,15 +135,20 @@ final class SourceFiles {
       }
     }
     for (Path file : files) {
-      readFile(file, files, types, reading);
+      if (isText(file)) {
+        Reading.file(file, reading, text -> done(() -> texts.read(text)));
+      } else {
+        readFile(file, files, types, reading);
+      }
     }
+    texts.end();
     documents.forEach(
         (settings, items) -> DoorstopReader.read(shown(settings, source), items, reading));
     if (files.isEmpty()) {
       reading.unread(
           "The folder holds no requirements in a format that is read.",
           SourceLocation.of(source.file()),
-          "These are .reqif, .reqifz, .sdoc, .trlc, needs.json and the folders of Doorstop.");
+          "These are .reqif, .reqifz, .sdoc, .trlc, needs.json, the folders of Doorstop, .md and .rst.");
     }
   }
 
@@ -196,8 +210,7 @@ final class SourceFiles {
     reading.unread(
         "This is not a format of requirements that is read.",
         SourceLocation.of(file),
-        "Name a .reqif, .reqifz, .sdoc, .trlc or .json file, or a folder; requirements.md is read without being"
-            + " named.");
+        "Name a .reqif, .reqifz, .sdoc, .trlc, .json, .md or .rst file, or a folder.");
   }
 
   private static Optional<Boolean> done(Runnable reading) {

@@ -1,0 +1,168 @@
+package dev.eventchain.project.requirements;
+
+import dev.eventchain.diagnostics.SourceText;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** Reads the headings, tables, directives, lists and paragraphs of reStructuredText. */
+final class RstBlocks extends TextBlocks {
+
+  private static final Pattern LINE = Pattern.compile("([=~^\"'`#*+.:_<>-])\\1{2,}\\s*");
+  private static final Pattern DIRECTIVE =
+      Pattern.compile("\\s*\\.\\. ([A-Za-z][A-Za-z0-9:_+.-]*)::(?:\\s+(.*))?");
+  private static final Pattern COMMENT = Pattern.compile("\\s*\\.\\.(\\s.*)?");
+  private static final Pattern OPTION = Pattern.compile("\\s+:([A-Za-z0-9_ -]+):\\s*(.*)");
+  private static final Pattern NAMED = Pattern.compile("\\s*[A-Za-z][A-Za-z0-9._/-]*[0-9]\\s*");
+
+  /** Directives whose content is no text. */
+  private static final Set<String> CODE =
+      Set.of(
+          "code",
+          "code-block",
+          "sourcecode",
+          "literalinclude",
+          "math",
+          "raw",
+          "parsed-literal",
+          "toctree",
+          "image",
+          "uml",
+          "graphviz",
+          "mermaid");
+
+  /** Greatest number of directives in each other. */
+  private static final int DEEPEST = 20;
+
+  private final SourceText source;
+  private final Reading reading;
+  private final int depth;
+  private final List<String> levels = new ArrayList<>();
+
+  RstBlocks(List<String> lines, SourceText source, Reading reading) {
+    this(lines, 0, 0, source, reading);
+  }
+
+  private RstBlocks(List<String> lines, int before, int depth, SourceText source, Reading reading) {
+    super(lines, before);
+    this.depth = depth;
+    this.source = source;
+    this.reading = reading;
+  }
+
+  @Override
+  boolean isSpecial(int index) {
+    String line = lines.get(index);
+    return COMMENT.matcher(line).matches()
+        || RstTables.isBorder(line)
+        || isHeading(index)
+        || (LINE.matcher(line).matches() && isHeading(index + 1))
+        || isTerm(index);
+  }
+
+  private boolean isHeading(int index) {
+    return index + 1 < lines.size()
+        && !lines.get(index).isBlank()
+        && !LINE.matcher(lines.get(index)).matches()
+        && LINE.matcher(lines.get(index + 1)).matches();
+  }
+
+  /** Returns whether a line is an id alone, above its text. */
+  private boolean isTerm(int index) {
+    return NAMED.matcher(lines.get(index)).matches()
+        && index + 1 < lines.size()
+        && !lines.get(index + 1).isBlank()
+        && indent(lines.get(index + 1)) > indent(lines.get(index));
+  }
+
+  @Override
+  void special() {
+    String line = lines.get(next);
+    Matcher directive = DIRECTIVE.matcher(line);
+    if (directive.matches()) {
+      directive(directive);
+    } else if (COMMENT.matcher(line).matches()) {
+      int indent = indent(line);
+      next++;
+      skipBelow(indent);
+    } else if (RstTables.isBorder(line)) {
+      RstTables.read(this, source, reading);
+    } else if (isTerm(next)) {
+      lines.set(next, line.stripTrailing() + ":");
+    } else {
+      heading();
+    }
+  }
+
+  private void heading() {
+    String style = "";
+    if (LINE.matcher(lines.get(next)).matches()) {
+      style = "over";
+      next++;
+    }
+    style += lines.get(next + 1).charAt(0);
+    if (!levels.contains(style)) {
+      levels.add(style);
+    }
+    int level = levels.indexOf(style) + 1;
+    blocks.add(new TextBlock.Heading(number(next), level, lines.get(next).strip()));
+    next += 2;
+  }
+
+  private void skipBelow(int indent) {
+    while (next < lines.size() && (lines.get(next).isBlank() || indent(lines.get(next)) > indent)) {
+      next++;
+    }
+  }
+
+  private void directive(Matcher directive) {
+    int first = next;
+    int indent = indent(lines.get(first));
+    next++;
+    Map<String, String> options = new LinkedHashMap<>();
+    for (Matcher option = option(); option != null; option = option()) {
+      options.put(option.group(1).strip(), option.group(2).strip());
+      next++;
+    }
+    int body = next;
+    skipBelow(indent);
+    List<String> content = new ArrayList<>(lines.subList(body, next));
+    String name = directive.group(1);
+    String title = directive.group(2) == null ? "" : directive.group(2).strip();
+    RstTables tables = new RstTables(number(first), options, content, before + body);
+    if (name.equals("list-table")) {
+      tables.ofLists(source, reading).ifPresent(blocks::add);
+    } else if (name.equals("csv-table")) {
+      tables.ofCsv(source, reading).ifPresent(blocks::add);
+    } else if (options.containsKey(idOption())) {
+      String text = String.join(" ", content);
+      blocks.add(new TextBlock.Directive(number(first), name, title, options, text));
+    } else if (!CODE.contains(name)) {
+      inner(content, before + body);
+    }
+  }
+
+  private void inner(List<String> content, int above) {
+    if (depth == DEEPEST) {
+      String message = "More than %d directives are in each other.".formatted(DEEPEST);
+      throw Reading.refused(message, source.at(above, 1), "Take some of them out.");
+    }
+    blocks.addAll(new RstBlocks(content, above, depth + 1, source, reading).read());
+  }
+
+  private String idOption() {
+    return reading.fields.id().orElse("id");
+  }
+
+  private Matcher option() {
+    if (next < lines.size()) {
+      Matcher option = OPTION.matcher(lines.get(next));
+      return option.matches() ? option : null;
+    }
+    return null;
+  }
+}

@@ -1,0 +1,72 @@
+package dev.eventchain.project.requirements;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** Reads the blocks of a text. Formats add what is neither a paragraph nor an entry of a list. */
+abstract class TextBlocks {
+
+  private static final Pattern ENTRY = Pattern.compile("\\s*(?:[-*+]|(?:[0-9]+|#)[.)])\\s+(.*)");
+
+  final List<String> lines;
+  final List<TextBlock> blocks = new ArrayList<>();
+  final int before;
+  int next;
+
+  /**
+   * Creates a reader.
+   *
+   * @param before the number of lines in front of these
+   */
+  TextBlocks(List<String> lines, int before) {
+    this.lines = lines;
+    this.before = before;
+  }
+
+  /** Reads all blocks. */
+  final List<TextBlock> read() {
+    while (next < lines.size()) {
+      if (lines.get(next).isBlank()) {
+        next++;
+      } else if (isSpecial(next)) {
+        special();
+      } else {
+        plain();
+      }
+    }
+    return blocks;
+  }
+
+  /** Returns whether a block of the format begins in a line, which ends a paragraph above it. */
+  abstract boolean isSpecial(int index);
+
+  /** Reads the block of the format that begins in the next line, and goes on behind it. */
+  abstract void special();
+
+  private void plain() {
+    int first = next;
+    Matcher entry = ENTRY.matcher(lines.get(first));
+    boolean isEntry = entry.matches();
+    List<String> own = new ArrayList<>();
+    own.add(isEntry ? entry.group(1).strip() : lines.get(first).strip());
+    next++;
+    while (next < lines.size()
+        && !lines.get(next).isBlank()
+        && !isSpecial(next)
+        && !ENTRY.matcher(lines.get(next)).matches()) {
+      own.add(lines.get(next++).strip());
+    }
+    blocks.add(new TextBlock.Lines(number(first), indent(lines.get(first)), isEntry, own));
+  }
+
+  /** Returns the number of a line in its file. */
+  final int number(int index) {
+    return before + index + 1;
+  }
+
+  static int indent(String line) {
+    return line.length() - line.stripLeading().length();
+  }
+}

@@ -1,0 +1,175 @@
+package dev.eventchain.project.requirements;
+
+import dev.eventchain.diagnostics.SourceText;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Items of a text in its order: a heading with an id is followed by its text, up to the next one; a
+ * line with an id goes on in what is indented below it.
+ */
+final class TextOutline {
+
+  private final SourceText source;
+  private final Reading reading;
+  private final List<Open> all = new ArrayList<>();
+  private Open heading;
+  private Open entry;
+
+  /** An item whose text may go on. */
+  private static final class Open {
+    final String id;
+    final String title;
+    final int line;
+    final int depth; // level of a heading, or indent of a line
+    final StringBuilder text = new StringBuilder();
+    final List<TextIds.Named> facts = new ArrayList<>();
+    Item done;
+
+    Open(String id, String title, int line, int depth) {
+      this.id = id;
+      this.title = title;
+      this.line = line;
+      this.depth = depth;
+    }
+  }
+
+  TextOutline(SourceText source, Reading reading) {
+    this.source = source;
+    this.reading = reading;
+  }
+
+  /** Adds an item that is complete. */
+  void add(Item item) {
+    Open open = new Open(item.id, "", 0, 0);
+    open.done = item;
+    all.add(open);
+    entry = null;
+  }
+
+  void add(TextBlock block) {
+    if (block instanceof TextBlock.Heading found) {
+      heading(found);
+    } else if (block instanceof TextBlock.Lines found) {
+      lines(found);
+    } else if (block instanceof TextBlock.Table found) {
+      goOn(heading, String.join(" | ", found.header()));
+      found.rows().forEach(row -> goOn(heading, "; " + String.join(" | ", row.cells())));
+    } else if (block instanceof TextBlock.Directive found) {
+      directive(found);
+    }
+  }
+
+  private void heading(TextBlock.Heading found) {
+    entry = null;
+    Optional<TextIds.Named> named = TextIds.ofHeading(found.text());
+    boolean continues = heading != null && heading.text.isEmpty() && found.level() > heading.depth;
+    if (named.isPresent()) {
+      if (TextIds.isAnother(named.get())) {
+        reading.unread(
+            "This heading names several ids, and whose text follows is not known.",
+            source.at(found.line(), 1),
+            "Write a heading for each.");
+      }
+      String title = named.get().text().replaceFirst("^\\s*[-:.|–—]*\\s*", "");
+      heading = new Open(named.get().id(), title, found.line(), found.level());
+      all.add(heading);
+    } else if (!continues) {
+      heading = null;
+    }
+  }
+
+  private void lines(TextBlock.Lines found) {
+    boolean below = entry != null && found.indent() > entry.depth;
+    int number = 0;
+    for (String line : found.lines()) {
+      Optional<TextIds.Named> named = TextIds.ofLine(line);
+      Optional<TextIds.Named> fact = TextIds.ofFact(line).filter(this::isKnown);
+      Open owner = below || (number > 0 && entry != null) ? entry : heading;
+      if (named.isPresent()) {
+        int at = found.line() + number;
+        entry = new Open(named.get().id(), "", at, found.indent());
+        entry.text.append(named.get().text());
+        all.add(entry);
+      } else if (fact.isPresent() && owner != null) {
+        owner.facts.add(fact.get());
+      } else {
+        if (number == 0 && !below) {
+          entry = null;
+        }
+        goOn(owner, (number == 0 && found.isEntry() ? "- " : "") + line);
+      }
+      number++;
+    }
+  }
+
+  private static void goOn(Open owner, String text) {
+    if (owner != null) {
+      owner.text.append(owner.text.isEmpty() ? "" : " ").append(text);
+    }
+  }
+
+  private boolean isKnown(TextIds.Named fact) {
+    return is(fact, reading.fields.status().orElse("status"))
+        || is(fact, reading.fields.tags().orElse("tags"))
+        || is(fact, "type")
+        || parents().stream().anyMatch(name -> is(fact, name));
+  }
+
+  private List<String> parents() {
+    return reading.fields.parents().isEmpty() ? TextIds.PARENTS : reading.fields.parents();
+  }
+
+  private static boolean is(TextIds.Named fact, String name) {
+    return fact.id().equalsIgnoreCase(name);
+  }
+
+  private void directive(TextBlock.Directive found) {
+    List<String> links = new ArrayList<>(reading.fields.parents());
+    if (links.isEmpty()) {
+      links.add("links");
+    }
+    String id = found.options().get(reading.fields.id().orElse("id"));
+    String text =
+        reading
+            .fields
+            .text()
+            .map(name -> found.options().getOrDefault(name, ""))
+            .orElse(found.content());
+    Item item = new Item(id, text.isBlank() ? found.title() : text, source.at(found.line(), 1));
+    item.type = Optional.of(found.name());
+    item.status =
+        Optional.ofNullable(found.options().get(reading.fields.status().orElse("status")));
+    item.tags =
+        Reading.parts(found.options().getOrDefault(reading.fields.tags().orElse("tags"), ""));
+    for (String link : links) {
+      Reading.parts(found.options().getOrDefault(link, ""))
+          .forEach(each -> item.addParent(each, item.location));
+    }
+    add(item);
+  }
+
+  /** Returns the items. */
+  List<Item> items() {
+    return all.stream().map(each -> each.done == null ? item(each) : each.done).toList();
+  }
+
+  private Item item(Open open) {
+    String text = open.text.toString();
+    Item item = new Item(open.id, text.isBlank() ? open.title : text, source.at(open.line, 1));
+    for (TextIds.Named fact : open.facts) {
+      if (is(fact, "type")) {
+        item.type = Optional.of(fact.text());
+      } else if (is(fact, reading.fields.status().orElse("status"))) {
+        item.status = Optional.of(fact.text());
+      } else if (is(fact, reading.fields.tags().orElse("tags"))) {
+        item.tags = Reading.parts(fact.text());
+      } else {
+        Reading.parts(fact.text())
+            .forEach(each -> item.addParent(TextIds.plain(each), item.location));
+      }
+    }
+    return item;
+  }
+}
