@@ -2,9 +2,9 @@ package dev.eventchain.agents.component;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.agents.chain.ChainView.Component;
+import dev.eventchain.agents.chain.ChainView.Value;
 import dev.eventchain.agents.component.ComponentTests.Case;
 import dev.eventchain.agents.component.ComponentTests.Property;
-import dev.eventchain.agents.component.RequirementThresholds.Effect;
 import dev.eventchain.agents.component.RequirementThresholds.Threshold;
 import dev.eventchain.description.ChainNames;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -30,11 +30,6 @@ import java.util.regex.Pattern;
 final class ComponentTestsCheck {
   private static final Pattern NORMALIZED =
       Pattern.compile("(?i)normali[sz]ed|\\b0(\\.0)? to 1(\\.0)?\\b");
-
-  /** Maximal relative distance of a test from a threshold. */
-  private static final double NEAR = 0.1;
-
-  private static final double SAME = 1e-9;
 
   /** Magnitude below which an output counts as zero, as a tolerance for rounding. */
   private static final double ZERO = 1e-5;
@@ -102,7 +97,9 @@ final class ComponentTestsCheck {
       if (isAlwaysIn(threshold, test)) {
         for (String output : threshold.outputs()) {
           TestExpectation expected = test.outputs().get(output);
-          if (expected != null && !isPossible(threshold.effect(), expected)) {
+          if (expected != null
+              && !isState(output)
+              && !isPossible(threshold.effect(), expected)) {
             return Optional.of(contradiction(test, threshold, output, expected));
           }
         }
@@ -138,10 +135,16 @@ final class ComponentTestsCheck {
         : TestValues.literal(written).map(OptionalDouble::of).orElse(OptionalDouble.empty());
   }
 
-  private boolean isPossible(Effect effect, TestExpectation expected) {
+  /** Returns whether an output is a whole number, of which 0 may be any state. */
+  private boolean isState(String output) {
+    return component.outputValues().stream()
+        .anyMatch(value -> value.name().equals(output) && ThresholdGaps.isWhole(value.type()));
+  }
+
+  private boolean isPossible(ThresholdEffect effect, TestExpectation expected) {
     Optional<JsonNode> exact = expected.exact();
-    if (exact.isPresent() && exact.get().isBoolean()) {
-      return exact.get().asBoolean() == (effect != Effect.NONE);
+    if (effect != ThresholdEffect.UNKNOWN && exact.isPresent() && exact.get().isBoolean()) {
+      return exact.get().asBoolean() == (effect != ThresholdEffect.NONE);
     }
     double least = expected.smallest();
     double most = expected.greatest();
@@ -155,6 +158,7 @@ final class ComponentTestsCheck {
       case SOME -> !onlyZero;
       case FULL -> isNormalized ? least <= 1 && most >= 1 : !onlyZero;
       case PARTIAL -> !onlyZero && (!isNormalized || (least < 1 - ZERO && most > ZERO));
+      case UNKNOWN -> true;
     };
   }
 
@@ -169,8 +173,7 @@ final class ComponentTestsCheck {
         missing.add("about " + id.asText());
       }
     }
-    changes()
-        .forEach((input, bounds) -> bounds.forEach(b -> missing.addAll(gaps(input, b, tests))));
+    changes().forEach((input, bounds) -> missing.addAll(gaps(input, bounds, tests)));
     return missing.isEmpty()
         ? Optional.empty()
         : Optional.of(
@@ -203,25 +206,21 @@ final class ComponentTestsCheck {
     return changes;
   }
 
-  private static List<String> gaps(String input, double bound, ComponentTests tests) {
+  private List<String> gaps(String input, Set<Double> bounds, ComponentTests tests) {
     List<Double> values =
         tests.tests().stream()
             .map(test -> literal(test.calls().get(test.calls().size() - 1).get(input)))
             .filter(OptionalDouble::isPresent)
             .map(OptionalDouble::getAsDouble)
             .toList();
-    double near = Math.max(Math.abs(bound) * NEAR, SAME);
-    double same = Math.max(Math.abs(bound) * SAME, SAME);
-    List<String> missing = new ArrayList<>();
-    if (values.stream().noneMatch(v -> v < bound - same && v >= bound - near)) {
-      missing.add("with '%s' just below %s".formatted(input, bound));
-    }
-    if (values.stream().noneMatch(v -> Math.abs(v - bound) <= same)) {
-      missing.add("with '%s' at %s".formatted(input, bound));
-    }
-    if (values.stream().noneMatch(v -> v > bound + same && v <= bound + near)) {
-      missing.add("with '%s' just above %s".formatted(input, bound));
-    }
-    return missing;
+    String type =
+        component.inputValues().stream()
+            .filter(value -> value.name().equals(input))
+            .map(Value::type)
+            .findFirst()
+            .orElseThrow();
+    return bounds.stream()
+        .flatMap(bound -> new ThresholdGaps(type, bound, bounds).in(values, input).stream())
+        .toList();
   }
 }

@@ -33,6 +33,10 @@ final class RequirementThresholds {
               + UNIT);
   private static final Pattern OR_MORE =
       Pattern.compile(QUANTITY + "\\bis\\s+" + NUMBER + UNIT + "\\s+or\\s+(more|less)");
+  private static final Pattern RELATIVE =
+      Pattern.compile(
+          "\\s*(?:above|below|over|under|beyond|from|away|ahead|behind|of|off|than"
+              + "|more|less|higher|lower|faster|slower|longer|shorter|later|earlier)\\b.*");
   private static final Pattern CLAUSE_END = Pattern.compile("[,;:](?=\\s)|\\.(?=\\s|$)");
   private static final Pattern NEGATED = Pattern.compile("(?i)\\b(not|never|nor)\\s*$");
   private static final Pattern NO_WORD = Pattern.compile("[^a-z0-9]+");
@@ -40,29 +44,6 @@ final class RequirementThresholds {
   private static final int WORDS_BEFORE = 6;
 
   private RequirementThresholds() {}
-
-  /** Effects of a clause on an output. */
-  enum Effect {
-    /** Zero, or false. */
-    NONE,
-    /** More than zero and less than full. */
-    PARTIAL,
-    /** Full value. */
-    FULL,
-    /** Anything but zero or false. */
-    SOME;
-
-    private static Effect of(String clause) {
-      String words = " " + clause.toLowerCase(Locale.ROOT).replaceAll("[^a-z]+", " ") + " ";
-      if (words.matches(".* (no|not|never|neither|without) .*")) {
-        return NONE;
-      }
-      if (words.contains(" partial") || words.contains(" half ")) {
-        return PARTIAL;
-      }
-      return words.contains(" full") ? FULL : SOME;
-    }
-  }
 
   /**
    * A range of an input in which a requirement demands an effect.
@@ -81,7 +62,7 @@ final class RequirementThresholds {
       boolean leastIn,
       double most,
       boolean mostIn,
-      Effect effect,
+      ThresholdEffect effect,
       List<String> outputs) {
     boolean holds(double value) {
       return (leastIn ? value >= least : value > least) && (mostIn ? value <= most : value < most);
@@ -96,13 +77,41 @@ final class RequirementThresholds {
   /** Returns the thresholds of a requirement. */
   static List<Threshold> of(WrittenRequirement requirement, Component component) {
     List<Threshold> found = new ArrayList<>();
-    for (String clause : CLAUSE_END.split(requirement.text(), -1)) {
-      threshold(clause.strip(), component).ifPresent(found::add);
+    List<String> clauses =
+        CLAUSE_END.splitAsStream(requirement.text()).map(String::strip).toList();
+    for (int i = 0; i < clauses.size(); i++) {
+      List<String> others = new ArrayList<>(clauses);
+      String clause = others.remove(i);
+      Optional<Comparison> comparison = comparison(clause);
+      if (comparison.isPresent() && !comparison.get().isRelative()) {
+        threshold(clause, comparison.get(), others, component).ifPresent(found::add);
+      }
     }
     return found;
   }
 
-  private static Optional<Threshold> threshold(String clause, Component component) {
+  /**
+   * A comparison in a clause.
+   *
+   * @param quantity the words before it, which name what is compared
+   * @param before the clause up to the operator
+   * @param after the clause behind the number and its unit
+   */
+  private record Comparison(String quantity, Range range, String before, String after) {
+
+    /** Returns whether a difference is compared: 5 km/h above the limit. */
+    boolean isRelative() {
+      return RELATIVE.matcher(after).matches();
+    }
+  }
+
+  private static Comparison comparison(String clause, Matcher match, int quantity, Range range) {
+    int end = quantity == 1 ? match.end(1) : match.start();
+    String before = clause.substring(0, end);
+    return new Comparison(match.group(quantity), range, before, clause.substring(match.end()));
+  }
+
+  private static Optional<Comparison> comparison(String clause) {
     Matcher between = BETWEEN.matcher(clause);
     if (between.find()) {
       Range range =
@@ -112,23 +121,23 @@ final class RequirementThresholds {
               number(between.group(6)),
               !between.group(5).equals("<"),
               between.group(7) == null ? between.group(2) : between.group(7));
-      return of(clause, between.group(4), range, component);
+      return Optional.of(comparison(clause, between, 4, range));
     }
     Matcher symbol = SYMBOL.matcher(clause);
     if (symbol.find()) {
       Range range = Range.of(symbol.group(2), number(symbol.group(3)), symbol.group(4));
-      return of(clause, symbol.group(1), range, component);
+      return Optional.of(comparison(clause, symbol, 1, range));
     }
     Matcher more = OR_MORE.matcher(clause);
     if (more.find()) {
       String sign = more.group(4).equals("more") ? ">=" : "<=";
       Range range = Range.of(sign, number(more.group(2)), more.group(3));
-      return of(clause, more.group(1), range, component);
+      return Optional.of(comparison(clause, more, 1, range));
     }
     Matcher words = WORDS.matcher(clause);
     if (words.find() && !NEGATED.matcher(words.group(1)).find()) {
       Range range = Range.of(sign(words.group(2)), number(words.group(3)), words.group(4));
-      return of(clause, words.group(1), range, component);
+      return Optional.of(comparison(clause, words, 1, range));
     }
     return Optional.empty();
   }
@@ -171,11 +180,12 @@ final class RequirementThresholds {
     }
   }
 
-  private static Optional<Threshold> of(
-      String clause, String quantity, Range written, Component component) {
+  private static Optional<Threshold> threshold(
+      String clause, Comparison comparison, List<String> others, Component component) {
     List<Value> inputs =
         component.inputValues().stream()
-            .filter(input -> !input.type().contains("[") && isNamed(input.name(), quantity))
+            .filter(input -> !input.type().contains("["))
+            .filter(input -> isNamed(input.name(), comparison.quantity()))
             .toList();
     if (inputs.size() != 1) {
       return Optional.empty();
@@ -186,7 +196,10 @@ final class RequirementThresholds {
             .map(Value::name)
             .filter(output -> isSpokenOf(output, clause))
             .toList();
-    return written
+    ThresholdEffect effect =
+        ThresholdEffect.of(comparison.before() + comparison.after(), others);
+    return comparison
+        .range()
         .in(input.unit())
         .map(
             range ->
@@ -197,7 +210,7 @@ final class RequirementThresholds {
                     range.leastIn(),
                     range.most(),
                     range.mostIn(),
-                    Effect.of(clause),
+                    effect,
                     outputs));
   }
 

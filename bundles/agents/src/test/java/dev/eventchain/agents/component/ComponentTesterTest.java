@@ -54,6 +54,28 @@ class ComponentTesterTest {
     return ExpectedFile.inputs(FOLDER.resolve("bad"), ".yaml");
   }
 
+  /**
+   * Tests near 0 and near small whole numbers can be given, and what a further condition, a time,
+   * another number or a state leaves open contradicts nothing.
+   */
+  @ParameterizedTest
+  @MethodSource
+  void whatRequirementsLeaveOpenIsFree(Path file) throws IOException {
+    Path folder = FOLDER.resolve("near");
+    ComponentTester tests =
+        ComponentTester.read(
+            SourceText.read(file),
+            SourceText.read(folder.resolve("chain.json")),
+            "Level_Lamp",
+            Requirements.read(SourceText.read(folder.resolve("requirements.md"))));
+    FindingLines.check(file, tests.diagnostics());
+    assertEquals(file.endsWith("right.yaml"), tests.diagnostics().isEmpty(), file::toString);
+  }
+
+  static List<Path> whatRequirementsLeaveOpenIsFree() throws IOException {
+    return ExpectedFile.inputs(FOLDER.resolve("near"), ".yaml");
+  }
+
   @ParameterizedTest
   @MethodSource
   void eachWrongComponentFailsAtTheTest(Path file) throws IOException {
@@ -113,6 +135,17 @@ class ComponentTesterTest {
         "It shall beep at a TTC of at most 2 seconds | (-Infinity, 2000.0] some",
         "It shall warn, not below a TTC of 5 s |",
         "It shall not warn at a speed below 5 km/h |",
+        "It shall warn while the TTC is more than 5 s above the limit |",
+        "It shall warn if the TTC is 2 s below that of the map |",
+        "It shall warn while the ignition is on and the TTC is below 2 s | (-Infinity, 2000.0) unknown warning",
+        "It shall warn when no driver reacts while the TTC is below 2 s | (-Infinity, 2000.0) unknown warning",
+        "When the ignition is on, it shall warn while the TTC is below 2 s | (-Infinity, 2000.0) unknown warning",
+        "It shall warn while the TTC is below 2 s, unless the driver brakes | (-Infinity, 2000.0) unknown warning",
+        "It shall warn when the TTC has been below 2 s for 300 ms | (-Infinity, 2000.0) unknown warning",
+        "It shall warn without delay when the TTC is below 2 s | (-Infinity, 2000.0) unknown warning",
+        "It shall switch the warning off while the TTC is above 2 s | (2000.0, Infinity) unknown warning",
+        "It shall set the braking force to 0 while the TTC is above 2 s | (2000.0, Infinity) unknown braking_force",
+        "It shall set the braking force to 30 % while the TTC is below 2 s | (-Infinity, 2000.0) unknown braking_force",
         "It shall brake if TTC < 3 m |",
         "It shall hold the brake for at least 3 s |"
       })
