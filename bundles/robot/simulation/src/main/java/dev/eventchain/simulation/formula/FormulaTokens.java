@@ -37,9 +37,13 @@ public final class FormulaTokens {
       Pattern.compile(
           "(?<of>actor|event)\\s*\\(\\s*(?:'(?<name>[^']*)'|\"(?<other>[^\"]*)\")\\s*\\)\\s*\\.\\s*(?<part>\\w+)");
 
-  /** A unit, without blanks in its division; blanks may separate it from its number. */
+  /**
+   * A unit, without blanks in its division, such as {@code m/s}, {@code %/s} or {@code 1/s}; blanks
+   * may separate it from its number.
+   */
   private static final Pattern UNIT =
-      Pattern.compile("\\s*(%|\u00b0|[A-Za-z]\\w*(?:\\^[0-9]+)?(?:/[A-Za-z]\\w*(?:\\^[0-9]+)?)*)");
+      Pattern.compile(
+          "\\s*((?:1(?=/)|%|\u00b0|[A-Za-z]\\w*(?:\\^[0-9]+)?)(?:/[A-Za-z]\\w*(?:\\^[0-9]+)?)*)");
 
   enum Kind {
     NUMBER,
