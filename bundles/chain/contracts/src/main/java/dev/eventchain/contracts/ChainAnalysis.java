@@ -76,7 +76,7 @@ public final class ChainAnalysis {
       qos.check(topic);
     }
     new SynchronizationContracts(types, findings).check(chain);
-    new FlowRules(chain, flow, findings).check();
+    new FlowRules(chain, flow, signals, findings).check();
     new LatencyContracts(chain, findings).check();
     new ProcessorContracts(findings).check(chain);
     return findings.result();

@@ -29,6 +29,7 @@ public enum ContractRule {
   SIGNAL_DIRECTION(Rule.error("contract.signal.direction")),
   NEXTSTEP_CYCLE(Rule.error("chain.nextstep.cycle")),
   FLOW_CYCLE(Rule.warning("chain.flow.cycle")),
+  FLOW_DEADLOCK(Rule.error("chain.flow.deadlock")),
   LATENCY_UNCONNECTED(Rule.error("chain.latency.unconnected")),
   LATENCY_BOUND(Rule.error("chain.latency.bound")),
   LATENCY_UNKNOWN(Rule.info("chain.latency.unknown")),

@@ -1,6 +1,7 @@
 package dev.eventchain.contracts;
 
 import dev.eventchain.model.DataFlowIndex;
+import dev.eventchain.model.Signal;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage.Literals;
 import dev.eventchain.model.eventchain.LatencyConstraint;
@@ -14,6 +15,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 
@@ -28,9 +30,21 @@ final class FlowRules {
   private final DataFlowIndex flow;
   private final Findings findings;
 
-  FlowRules(EventChain chain, DataFlowIndex flow, Findings findings) {
+  private final Optional<Map<String, Signal>> signals;
+
+  /**
+   * Creates the rules.
+   *
+   * @param signals the topics outside the chain, by full names; empty if unknown
+   */
+  FlowRules(
+      EventChain chain,
+      DataFlowIndex flow,
+      Optional<Map<String, Signal>> signals,
+      Findings findings) {
     this.chain = chain;
     this.flow = flow;
+    this.signals = signals;
     this.findings = findings;
   }
 
@@ -68,27 +82,63 @@ final class FlowRules {
   }
 
   /**
-   * Warns of feedback. It is no error: control loops may be closed on purpose, and nodes run on
-   * their own timers.
+   * Warns of feedback, which may be meant: nodes run on their own timers. It is an error where
+   * components of it wait for the first message of each other.
    */
   private void feedback() {
     if (!chain.getSoftware().isEmpty()) {
       findings.checked(ContractRule.FLOW_CYCLE);
+      findings.checked(ContractRule.FLOW_DEADLOCK);
     }
+    if (flow.cycles().isEmpty()) {
+      return;
+    }
+    Set<SoftwareNode> waiting =
+        signals.map(known -> Waiting.in(chain, topic -> isProvided(known, topic))).orElse(Set.of());
     for (List<SoftwareNode> group : flow.cycles()) {
+      List<SoftwareNode> stuck = group.stream().filter(waiting::contains).toList();
+      List<SoftwareNode> loop = firstCycle(stuck);
+      if (!loop.isEmpty()) {
+        deadlock(loop);
+        continue;
+      }
       findings.warning(
           ContractRule.FLOW_CYCLE,
           findings.at(group.get(0), Literals.SOFTWARE_NODE__OUTPUT),
-          "The data flow is cyclic: " + path(shortestCycle(group)) + ".",
+          "The data flow is cyclic: " + path(shortestCycle(group.get(0), new HashSet<>(group))) + ".",
           "If this is not a feedback loop that you want, look for the topic that is written further"
               + " down and read further up.");
     }
   }
 
-  /** Returns the shortest path from a group's first component back to it. */
-  private List<SoftwareNode> shortestCycle(List<SoftwareNode> group) {
-    SoftwareNode start = group.get(0);
-    Map<SoftwareNode, SoftwareNode> before = reach(start, new HashSet<>(group));
+  private static boolean isProvided(Map<String, Signal> signals, String topic) {
+    return signals.containsKey(topic)
+        && signals.get(topic).direction() == Signal.Direction.PROVIDED;
+  }
+
+  private void deadlock(List<SoftwareNode> loop) {
+    String whose = loop.size() == 1 ? "it waits for a message of its own" : "they wait for each other";
+    findings.error(
+        ContractRule.FLOW_DEADLOCK,
+        findings.at(loop.get(0), Literals.SOFTWARE_NODE__INPUT),
+        "The data flow is cyclic, and never begins, since %s: %s.".formatted(whose, path(loop)),
+        "A component executes for the first time when each of its inputs has come. Let one of them"
+            + " do without the other's output, such as by a memory of its own.");
+  }
+
+  /** Returns the shortest cycle of the first component that is in one; empty if none is. */
+  private List<SoftwareNode> firstCycle(List<SoftwareNode> group) {
+    Set<SoftwareNode> within = new HashSet<>(group);
+    return group.stream()
+        .filter(node -> reach(node, within).containsKey(node))
+        .findFirst()
+        .map(node -> shortestCycle(node, within))
+        .orElse(List.of());
+  }
+
+  /** Returns the shortest path from a component of a group back to it. */
+  private List<SoftwareNode> shortestCycle(SoftwareNode start, Set<SoftwareNode> group) {
+    Map<SoftwareNode, SoftwareNode> before = reach(start, group);
     List<SoftwareNode> cycle = new ArrayList<>();
     SoftwareNode node = before.get(start);
     while (node != start) {
