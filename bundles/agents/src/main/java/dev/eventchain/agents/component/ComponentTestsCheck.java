@@ -182,7 +182,10 @@ final class ComponentTestsCheck {
                     "No test is " + String.join(", none ", missing) + ".",
                     place)
                 .withHint(
-                    "Add them; just below and just above mean at most a tenth of the value away."));
+                    "Add them; just below and just above mean at most a tenth of the value away"
+                        + (missing.stream().anyMatch(ThresholdGaps::statesDistance)
+                            ? ", where nothing else is said."
+                            : ".")));
   }
 
   /** Returns the thresholds of a requirement, which is parsed once. */

@@ -13,6 +13,8 @@ final class ThresholdGaps {
 
   private static final double SAME = 1e-9;
 
+  private static final String DISTANCE = ", by at most ";
+
   /** The least and the greatest values of short whole numbers. */
   private static final Map<String, double[]> RANGES =
       Map.of(
@@ -78,8 +80,13 @@ final class ThresholdGaps {
     return !isWhole(type) || bound == Math.rint(bound);
   }
 
+  /** Returns whether a gap in words says how near a value has to be. */
+  static boolean statesDistance(String gap) {
+    return gap.contains(DISTANCE);
+  }
+
   /** Returns the distance in words where it is not a tenth of the threshold. */
   private String distance() {
-    return reach > Math.abs(bound) * NEAR + SAME ? ", by at most " + reach : "";
+    return reach > Math.abs(bound) * NEAR + SAME ? DISTANCE + reach : "";
   }
 }
