@@ -51,12 +51,16 @@ class ReportInBrowserTest {
             .findFirst();
     assumeTrue(browser.isPresent(), "there is no Chromium");
     Path page = reportOfVehicleThatDoesNotBrake();
-    String drawn = dom(browser.get(), page);
-    assertEquals(Set.of(), missing(page, text(drawn)));
+    Path proved = withStrength(page);
+    String drawn = dom(browser.get(), proved);
+    assertEquals(Set.of(), missing(proved, text(drawn)));
     assertEquals(List.of(), axesWithoutScale(drawn));
     String spoken =
         "Storyboard: target brakes: 1.00\u00a0s to 2.50\u00a0s; the storyboard ends: 2.75\u00a0s";
     assertTrue(drawn.replace("&nbsp;", "\u00a0").contains("aria-label=\"" + spoken + "\""));
+    String shown = text(drawn).replace('\u00a0', ' ').replaceAll("\\s+", " ");
+    assertTrue(shown.contains("Compared with the bound of 50 %: 3 of 8 faults of Brake."), shown);
+    assertTrue(shown.contains("No fault of Gap counts for the bound of 2.5 %."), shown);
     int height = height(browser.get(), page);
     assertTrue(height > 1_000 && height < MOST_PIXELS, height + " pixels");
   }
@@ -88,6 +92,22 @@ class ReportInBrowserTest {
             "0.1 * max(0.0, min(1.0, float(braking_force)))");
     new Program().run("run", project).expect(1).says("FAILED: 2 of 8 scenarios passed");
     return withStoryboard(project.resolve("out/report.html"));
+  }
+
+  /** Returns a page with what counts for the bounds on the strength of two requirements. */
+  private static Path withStrength(Path page) throws IOException {
+    String text = Files.readString(page);
+    for (String bound :
+        List.of(
+            "{\"minimumPercent\":50.0,\"components\":[\"Brake\"],\"noticed\":3,\"faults\":8}",
+            "{\"minimumPercent\":2.5,\"components\":[\"Gap\"],\"noticed\":0,\"faults\":0}")) {
+      String strength = "\"strength\":{\"noticed\":4,\"faults\":9,\"bound\":" + bound;
+      text =
+          text.replaceFirst(
+              "(?<=\\],)(?=\"proved\":)",
+              Matcher.quoteReplacement(strength + ",\"unnoticed\":[]},"));
+    }
+    return Files.writeString(page.resolveSibling("proved.html"), text);
   }
 
   /** Adds to the data of each scenario what a storyboard would let happen. */

@@ -21,14 +21,36 @@ public record RequirementOutcome(
    * @param noticed the number of noticed faults
    * @param faults the number of all that were driven and changed something
    * @param sampleOf the number of all that may change something, if not all were driven
+   * @param bound what counts for the part that the project asks for; empty if it asks for none
    * @param unnoticed those that were driven and not noticed
    */
   public record Strength(
-      int noticed, int faults, OptionalLong sampleOf, List<Unnoticed> unnoticed) {
+      int noticed,
+      int faults,
+      OptionalLong sampleOf,
+      Optional<Bound> bound,
+      List<Unnoticed> unnoticed) {
 
     /** Copies the list. */
     public Strength {
       unnoticed = List.copyOf(unnoticed);
+    }
+  }
+
+  /**
+   * The faults that are compared with the part that the project asks for.
+   *
+   * @param minimumPercent the least part, in percent
+   * @param components the components whose faults count, in place of all that satisfy the
+   *     requirement
+   * @param noticed the number of noticed faults of these
+   * @param faults the number of all faults of these; 0 if none counts
+   */
+  public record Bound(double minimumPercent, List<String> components, int noticed, int faults) {
+
+    /** Copies the list. */
+    public Bound {
+      components = List.copyOf(components);
     }
   }
 

@@ -6,6 +6,7 @@ import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.pipeline.project.StrengthExtent;
 import dev.eventchain.pipeline.project.StrengthSettings;
 import dev.eventchain.pipeline.results.RequirementOutcome;
+import dev.eventchain.pipeline.results.RequirementOutcome.Bound;
 import dev.eventchain.pipeline.results.RequirementOutcome.Nearest;
 import dev.eventchain.pipeline.results.RequirementOutcome.Unnoticed;
 import dev.eventchain.pipeline.run.RunOptions;
@@ -130,6 +131,9 @@ public final class RequirementStrength {
    * @param several true if the requirement has further components
    */
   private Diagnostic low(WrittenRequirement item, Strength.Requirement measured, boolean several) {
+    if (measured.faults() == 0) {
+      return uncounted(item, measured);
+    }
     return finding(
         item,
         SimulateRules.SIMULATION_STRENGTH_LOW,
@@ -144,6 +148,19 @@ public final class RequirementStrength {
             settings.minimumOf(item.id()),
             named(measured)),
         "Add criteria that notice them");
+  }
+
+  private Diagnostic uncounted(WrittenRequirement item, Strength.Requirement counted) {
+    return finding(
+        item,
+        SimulateRules.SIMULATION_STRENGTH_LOW,
+        String.format(
+            Locale.ROOT,
+            "No standard fault of %s counts for the bound of %s, %.1f %%: none changes a message in its scenarios on an output that may be for it.",
+            components(counted),
+            item.id(),
+            settings.minimumOf(item.id())),
+        "Let a scenario that names it need what the component does");
   }
 
   private static String counting(Strength.Requirement counted) {
@@ -180,17 +197,27 @@ public final class RequirementStrength {
 
   /** Returns the strength of a requirement; empty if it was not measured. */
   Optional<RequirementOutcome.Strength> of(String id) {
-    return find(id).map(RequirementStrength::strength);
+    return find(id).map(this::strength);
   }
 
-  private static RequirementOutcome.Strength strength(Strength.Requirement measured) {
+  private RequirementOutcome.Strength strength(Strength.Requirement measured) {
     return new RequirementOutcome.Strength(
         measured.noticed(),
         measured.faults(),
         measured.leftOut() == 0
             ? OptionalLong.empty()
             : OptionalLong.of(measured.faults() + measured.leftOut()),
+        bound(measured),
         measured.unnoticed().stream().map(RequirementStrength::unnoticed).toList());
+  }
+
+  /** Returns what counts for the bound of a requirement; empty if the project states none. */
+  private Optional<Bound> bound(Strength.Requirement measured) {
+    double minimum = settings.minimumOf(measured.id());
+    Strength.Requirement counted = measured.counted();
+    return minimum > 0
+        ? Optional.of(new Bound(minimum, counted.components(), counted.noticed(), counted.faults()))
+        : Optional.empty();
   }
 
   private static Unnoticed unnoticed(Strength.Reaction reaction) {

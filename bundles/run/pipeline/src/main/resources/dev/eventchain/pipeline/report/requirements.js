@@ -93,8 +93,22 @@ function strengthItem(strength) {
   const words = `Notices ${noticed} of ${count(number(strength.faults), "fault")}${all === null ? "" : `, a sample of ${all}`}`;
   const missed = records(strength.unnoticed).map((one) => html("li", null, text(one.fault),
     one.nearest ? html("span", { class: "muted" }, `; nearest: ${text(one.nearest.criterion)} in ${text(one.nearest.scenario)}`) : null));
-  return missed.length === 0 ? html("p", { class: "small" }, words)
-    : html("details", { class: "small" }, html("summary", null, words), html("p", null, "Not noticed:"), html("ul", null, missed));
+  const bound = boundItem(strength.bound);
+  return missed.length === 0 ? html("div", { class: "small" }, html("p", null, words), bound)
+    : html("details", { class: "small" }, html("summary", null, words), bound, html("p", null, "Not noticed:"), html("ul", null, missed));
+}
+
+/** The components that count for the part of the faults that the project asks for. */
+function boundItem(bound) {
+  const faults = number(bound?.faults);
+  if (faults === null) {
+    return null;
+  }
+  const names = list(bound.components).map(text).flatMap((name, index) => [index > 0 ? " and " : "", code(name)]);
+  const percent = number(bound.minimumPercent);
+  const least = `the bound of ${figure(percent, Number.isInteger(percent) ? 0 : 1)} %`;
+  return html("p", null, faults === 0 ? ["No fault of ", names, ` counts for ${least}.`]
+    : [`Compared with ${least}: ${whole(number(bound.noticed))} of ${count(faults, "fault")} of `, names, "."]);
 }
 
 /** Where a requirement is written, and what it is derived from. */

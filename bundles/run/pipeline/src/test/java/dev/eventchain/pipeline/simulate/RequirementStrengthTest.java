@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.pipeline.project.StrengthExtent;
 import dev.eventchain.pipeline.project.StrengthSettings;
+import dev.eventchain.pipeline.results.RequirementOutcome.Bound;
 import dev.eventchain.simulation.verdict.Strength;
 import dev.eventchain.simulation.verdict.Strength.Reaction;
 import java.util.ArrayList;
@@ -106,6 +107,44 @@ class RequirementStrengthTest {
         found.message());
     reactions.addAll(reactions("Brake", 5, 5));
     assertTrue(strength(both, Set.of("/warning", "/brake"), reactions).findings().isEmpty());
+  }
+
+  /** The components that count for a bound are in the results, and so is that no fault counts. */
+  @Test
+  void whatCountsForABoundIsAResult() {
+    List<List<String>> upstream = List.of(List.of("Brake", "Radar"));
+    List<Reaction> some = reactions("Brake", 4, 8);
+    some.addAll(reactions("Radar", 0, 33));
+    assertEquals(
+        Optional.of(new Bound(50, List.of("Brake"), 4, 8)),
+        strength(upstream, Set.of(), some).of("BRK-1").orElseThrow().bound());
+    RequirementStrength none = strength(upstream, Set.of(), reactions("Radar", 1, 5));
+    assertEquals(
+        Optional.of(new Bound(50, List.of("Brake"), 0, 0)), none.of("BRK-1").orElseThrow().bound());
+    Diagnostic found = only(none);
+    assertEquals("simulation.strength.low", found.id());
+    assertTrue(
+        found.message().startsWith("No standard fault of 'Brake' counts for the bound of BRK-1"),
+        found.message());
+  }
+
+  @Test
+  void withoutABoundNothingCountsForOne() {
+    Strength.Requirement measured =
+        new Strength.Requirement(
+            "BRK-1",
+            List.of("Brake"),
+            List.of(List.of("Brake")),
+            Set.of(),
+            true,
+            reactions("Brake", 1, 8),
+            0);
+    RequirementStrength strength =
+        new RequirementStrength(
+            Optional.of(new Strength(List.of(measured), 8, 30, 8, 8)),
+            StrengthSettings.DEFAULT,
+            List.of());
+    assertEquals(Optional.empty(), strength.of("BRK-1").orElseThrow().bound());
   }
 
   private static List<Reaction> reactions(String component, int noticed, int faults) {
