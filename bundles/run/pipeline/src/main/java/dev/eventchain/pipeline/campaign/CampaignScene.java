@@ -62,7 +62,7 @@ final class CampaignScene {
     this.scenarios = scenarios;
     this.scenario =
         file.map(it -> Scenario.read(it, run.chain().bench(), run::find))
-            .orElseGet(() -> ScenarioTemplate.find(scenarios, plan));
+            .orElseGet(() -> CampaignWorld.find(scenarios, plan));
     this.template =
         new ScenarioTemplate(
             CampaignWorld.of(run), plan, file.orElseGet(() -> Path.of(scenario.location().file())));

@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.Trial;
+import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignRules;
 import dev.eventchain.simulation.verdict.CaseResult;
@@ -27,10 +28,21 @@ final class CampaignSummary {
 
   private final CampaignPlan plan;
   private final List<CampaignRow> rows;
+  private final Map<CampaignCase, Diagnostic> wrong;
 
   CampaignSummary(CampaignPlan plan, List<CampaignRow> rows) {
+    this(plan, rows, Map.of());
+  }
+
+  /**
+   * Creates the results of cases.
+   *
+   * @param wrong what is wrong with the criteria of cases that ended by an error because of that
+   */
+  CampaignSummary(CampaignPlan plan, List<CampaignRow> rows, Map<CampaignCase, Diagnostic> wrong) {
     this.plan = plan;
     this.rows = rows;
+    this.wrong = wrong;
   }
 
   long count(Label label) {
@@ -47,7 +59,7 @@ final class CampaignSummary {
 
   /** As {@link #findings(SourceLocation)}, with or without one for the cases that failed. */
   List<Diagnostic> findings(SourceLocation place, boolean withFailed) {
-    List<Diagnostic> found = new ArrayList<>();
+    List<Diagnostic> found = new ArrayList<>(new LinkedHashSet<>(wrong.values()));
     add(found, Label.ERROR, "ended by an error", CampaignRules.CASE_ERROR, place);
     if (withFailed) {
       add(found, Label.FAILED, "failed", CampaignRules.CASE_FAILED, place);
@@ -79,18 +91,19 @@ final class CampaignSummary {
 
   private void add(
       List<Diagnostic> found, Label label, String word, Rule rule, SourceLocation place) {
-    first(label).ifPresent(row -> found.add(Diagnostic.of(rule, said(label, row, word), place)));
+    List<CampaignRow> all =
+        rows.stream().filter(row -> row.is(label) && !wrong.containsKey(row.id())).toList();
+    if (!all.isEmpty()) {
+      found.add(Diagnostic.of(rule, said(all, word), place));
+    }
   }
 
-  private Optional<CampaignRow> first(Label label) {
-    return rows.stream().filter(row -> row.is(label)).findFirst();
-  }
-
-  private String said(Label label, CampaignRow row, String word) {
+  private String said(List<CampaignRow> all, String word) {
+    CampaignRow row = all.get(0);
     int number = rows.indexOf(row) + 1;
     return "%d of %s %s, the first is case %d (%s): %s."
         .formatted(
-            count(label),
+            all.size(),
             Coverage.counted(rows.size(), "case"),
             word,
             number,

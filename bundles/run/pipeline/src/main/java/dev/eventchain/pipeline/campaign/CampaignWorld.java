@@ -4,6 +4,8 @@ import dev.eventchain.check.ChainModel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.FileReads;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.EventChainMetamodel;
@@ -12,6 +14,7 @@ import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.Purpose;
+import dev.eventchain.pipeline.campaign.plan.CampaignRules;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.project.ProjectFolder;
@@ -104,13 +107,27 @@ record CampaignWorld(
   private List<Diagnostic> check(List<Scenario> all, CampaignPlan plan) {
     Path file;
     try {
-      file =
-          plan.scenarioFile()
-              .orElseGet(() -> Path.of(ScenarioTemplate.find(all, plan).location().file()));
+      file = plan.scenarioFile().orElseGet(() -> Path.of(find(all, plan).location().file()));
     } catch (DiagnosticException e) {
       return e.diagnostics();
     }
     Purpose purpose = plan.isListed() ? Purpose.CAMPAIGN : Purpose.SEARCH;
     return new ScenarioTemplate(this, plan, file).check(purpose);
+  }
+
+  /** Returns the scenario that a campaign names. */
+  static Scenario find(List<Scenario> scenarios, CampaignPlan plan) {
+    List<String> names = scenarios.stream().map(Scenario::name).toList();
+    int index = names.indexOf(plan.scenario());
+    if (index < 0) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.of(
+                  CampaignRules.FACTOR,
+                  "The project has no scenario '" + plan.scenario() + "'.",
+                  SourceLocation.of(plan.file()))
+              .withHint(NearestName.hint(plan.scenario(), names)));
+    }
+    return scenarios.get(index);
   }
 }

@@ -190,7 +190,7 @@ public final class Campaigns {
     store.complete();
     List<CampaignRow> rows = List.copyOf(store.rows());
     Optional<CampaignComparison> comparison = earlier.map(it -> it.beside(rows));
-    CampaignSummary summary = new CampaignSummary(plan, rows);
+    CampaignSummary summary = new CampaignSummary(plan, rows, scene.template().ofCriteria(rows));
     CampaignTable table = new CampaignTable(plan.names(), rows);
     Optional<CampaignPoints> points = CampaignPoints.of(plan, rows);
     store.write(CampaignStore.TABLE, points.map(it -> it.in(table)).orElse(table).csv());

@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.documents.Document;
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignRules;
@@ -28,18 +29,31 @@ final class CriteriaOfCases {
   private static final String ACCEPT = "accept";
 
   private final CampaignPlan plan;
+  private final Function<String, SourceLocation> places;
   private final List<Some> some = new ArrayList<>();
+
+  /** Source of the finding about two values of the same criterion. */
+  private interface Conflict {
+    Diagnostic of(String pointer, Map.Entry<String, JsonNode> added, JsonNode before);
+  }
 
   /** Criteria that only some cases have. */
   private record Some(CaseCriteria criteria, Conditions conditions) {}
 
+  /** Creates those of cases whose scenario is in no file. */
+  CriteriaOfCases(CampaignPlan plan) {
+    this(plan, pointer -> SourceLocation.NONE);
+  }
+
   /**
    * Reads the conditions on the cases that have them.
    *
+   * @param places returns the places of values of the scenario by their JSON pointers
    * @throws DiagnosticException (INPUT) if one cannot be read
    */
-  CriteriaOfCases(CampaignPlan plan) {
+  CriteriaOfCases(CampaignPlan plan, Function<String, SourceLocation> places) {
     this.plan = plan;
+    this.places = places;
     for (CaseCriteria each : plan.criteria()) {
       if (!each.areOfAll()) {
         some.add(new Some(each, new Conditions(plan, each.conditions())));
@@ -53,41 +67,75 @@ final class CriteriaOfCases {
    * @throws DiagnosticException (INPUT) if it says something else
    */
   ObjectNode withThoseOfAll(ObjectNode scenario) {
-    plan.criteria().stream().filter(CaseCriteria::areOfAll).forEach(each -> add(scenario, each));
+    List<CaseCriteria> all = ofAll();
+    all.forEach(each -> add(scenario, each, all));
     return scenario;
   }
 
   /** Returns a copy of a scenario with the criteria that only some cases have, among them one. */
   ObjectNode with(ObjectNode scenario, CampaignCase each) {
     ObjectNode copy = scenario.deepCopy();
-    those(each).forEach(criteria -> add(copy, criteria));
+    List<CaseCriteria> all = new ArrayList<>(ofAll());
+    all.addAll(those(each));
+    those(each).forEach(criteria -> add(copy, criteria, all));
     return copy;
+  }
+
+  private List<CaseCriteria> ofAll() {
+    return plan.criteria().stream().filter(CaseCriteria::areOfAll).toList();
   }
 
   private List<CaseCriteria> those(CampaignCase each) {
     return some.stream().filter(it -> it.conditions().keep(each)).map(Some::criteria).toList();
   }
 
-  private static void add(ObjectNode scenario, CaseCriteria criteria) {
-    merge(scenario.withObject("/" + ACCEPT), criteria.accept(), criteria.place());
+  /**
+   * Adds criteria to a scenario.
+   *
+   * @param all those that its case has
+   */
+  private void add(ObjectNode scenario, CaseCriteria criteria, List<CaseCriteria> all) {
+    merge(
+        scenario.withObject("/" + ACCEPT),
+        criteria.accept(),
+        "",
+        (pointer, added, before) -> {
+          String words = "'%s' is %s here, and %s elsewhere for the same cases.";
+          return finding(
+                  words.formatted(added.getKey(), added.getValue(), before), criteria.place())
+              .withRelated(place(pointer, before, all))
+              .withHint("Write it in one place, or give each to other cases by 'where'.");
+        });
   }
 
-  /** Adds what an object lacks to it, to its arrays and to the objects in it. */
-  private static void merge(ObjectNode all, ObjectNode added, SourceLocation place) {
+  /** Returns the place of the first criteria that have a value: some of the file, or a scenario. */
+  private SourceLocation place(String pointer, JsonNode value, List<CaseCriteria> all) {
+    return all.stream()
+        .filter(each -> value.equals(each.accept().at(pointer)))
+        .map(CaseCriteria::place)
+        .findFirst()
+        .orElseGet(() -> places.apply("/" + ACCEPT + pointer));
+  }
+
+  /**
+   * Adds what an object lacks to it, to its arrays and to the objects in it.
+   *
+   * @param pointer leads to the object
+   * @param conflict returns the finding that a value is another one already
+   */
+  private static void merge(ObjectNode all, ObjectNode added, String pointer, Conflict conflict) {
     for (Map.Entry<String, JsonNode> each : added.properties()) {
       JsonNode before = all.get(each.getKey());
+      String here = Document.below(pointer, each.getKey());
       if (before == null) {
         all.set(each.getKey(), each.getValue().deepCopy());
       } else if (before.isArray() && each.getValue().isArray()) {
         each.getValue().forEach(element -> append((ArrayNode) before, element));
       } else if (before.isObject() && each.getValue().isObject()) {
-        merge((ObjectNode) before, (ObjectNode) each.getValue(), place);
+        merge((ObjectNode) before, (ObjectNode) each.getValue(), here, conflict);
       } else if (!isSame(before, each.getValue())) {
-        String words = "'%s' is %s here, and %s elsewhere for the same cases.";
         throw new DiagnosticException(
-            DiagnosticException.Reason.INPUT,
-            finding(words.formatted(each.getKey(), each.getValue(), before), place)
-                .withHint("Write it in one place, or give each to other cases by 'where'."));
+            DiagnosticException.Reason.INPUT, conflict.of(here, each, before));
       }
     }
   }
@@ -189,17 +237,44 @@ final class CriteriaOfCases {
     }
   }
 
+  /**
+   * Returns the cases whose criteria are wrong, those of a kind with the finding on the first one.
+   *
+   * @param reader returns what is wrong with the criteria of a case
+   */
+  Map<CampaignCase, Diagnostic> wrong(
+      List<CampaignCase> cases, Function<CampaignCase, Optional<Diagnostic>> reader) {
+    Map<CampaignCase, Diagnostic> wrong = new LinkedHashMap<>();
+    for (List<CampaignCase> kind : kinds(cases)) {
+      Optional<Diagnostic> first = Optional.empty();
+      for (CampaignCase each : kind) {
+        Optional<Diagnostic> problem = problem(each, reader);
+        first = first.or(() -> problem);
+        if (problem.isPresent()) {
+          wrong.put(each, first.get());
+        }
+      }
+    }
+    return wrong;
+  }
+
   private Optional<Diagnostic> problem(
       CampaignCase first, Function<CampaignCase, Optional<Diagnostic>> reader) {
-    List<CaseCriteria> those = those(first);
-    CaseCriteria last = those.isEmpty() ? plan.criteria().get(0) : those.get(those.size() - 1);
     return reader
         .apply(first)
         .map(
             problem ->
                 problem.is(CampaignRules.CRITERIA)
                     ? problem
-                    : finding("With " + first.words(plan) + ": " + problem.message(), last.place())
+                    : finding("With " + first.words(plan) + ": " + problem.message(), place(first))
                         .withHint(problem.hint()));
+  }
+
+  /** Returns the place of the last criteria of a case; without any, that of the campaign file. */
+  private SourceLocation place(CampaignCase each) {
+    List<CaseCriteria> all = those(each).isEmpty() ? plan.criteria() : those(each);
+    return all.isEmpty()
+        ? SourceLocation.of(plan.file())
+        : all.get(those(each).isEmpty() ? 0 : all.size() - 1).place();
   }
 }

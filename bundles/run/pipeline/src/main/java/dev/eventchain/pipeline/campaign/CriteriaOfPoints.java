@@ -1,6 +1,7 @@
 package dev.eventchain.pipeline.campaign;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
@@ -15,9 +16,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.regex.Pattern;
 
 /** Criteria on which points depend, among those of the cases for which points are counted. */
 final class CriteriaOfPoints {
+
+  private static final Pattern NUMBER = Pattern.compile("-?[0-9][0-9.eE+-]*");
 
   private final CampaignPlan plan;
   private final Points points;
@@ -57,7 +61,62 @@ final class CriteriaOfPoints {
       return List.of();
     }
     List<List<List<String>>> all = counted.stream().map(this::texts).toList();
-    return points.criteria().stream().flatMap(named -> problem(named, all).stream()).toList();
+    List<Diagnostic> found =
+        points.criteria().stream().flatMap(named -> problem(named, all).stream()).toList();
+    return found.isEmpty() ? likeNamed(counted).stream().toList() : found;
+  }
+
+  /** Returns a finding for the first case that lacks a criterion that is named. */
+  private Optional<Diagnostic> likeNamed(List<List<CampaignCase>> counted) {
+    return counted.stream()
+        .map(kind -> kind.get(0))
+        .flatMap(first -> lacking(first, texts.apply(first)).stream())
+        .findFirst();
+  }
+
+  /**
+   * Requires that a case has the criteria that are named, as far as it has criteria that differ
+   * from these in numbers only, which would count as kept. Only some of all limits are tried before
+   * the first case.
+   *
+   * @param texts those of its criteria
+   * @throws DiagnosticException (INPUT) if it has others
+   */
+  void require(CampaignCase each, List<String> texts) {
+    if (!points.criteria().isEmpty() && plan.counts(each)) {
+      lacking(each, texts)
+          .ifPresent(
+              found -> {
+                throw new DiagnosticException(DiagnosticException.Reason.INPUT, found);
+              });
+    }
+  }
+
+  private Optional<Diagnostic> lacking(CampaignCase each, List<String> texts) {
+    List<String> others =
+        texts.stream()
+            .filter(text -> points.criteria().stream().noneMatch(text::startsWith))
+            .toList();
+    for (String named : points.criteria()) {
+      Optional<String> like =
+          isIn(texts, named)
+              ? Optional.empty()
+              : others.stream()
+                  .filter(text -> withoutNumbers(text).startsWith(withoutNumbers(named)))
+                  .findFirst();
+      if (like.isPresent()) {
+        String message = "With %s, the criterion is '%s', which does not begin with '%s'.";
+        return Optional.of(
+            CriteriaOfCases.finding(
+                    message.formatted(each.words(plan), like.get(), named), points.place())
+                .withHint("Name only what comes before the number."));
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static String withoutNumbers(String text) {
+    return NUMBER.matcher(text).replaceAll("0");
   }
 
   /**

@@ -24,6 +24,7 @@ import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.scenario.CaseReader;
 import dev.eventchain.simulation.scenario.Expectation;
 import dev.eventchain.simulation.scenario.Scenario;
+import dev.eventchain.simulation.verdict.CaseResult.Label;
 import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -61,6 +62,7 @@ final class ScenarioTemplate {
   private final Optional<ObjectNode> bench;
   private final boolean variesBench;
   private final CriteriaOfCases criteria;
+  private final Optional<CriteriaOfPoints> points;
   private final CaseReader cases = new CaseReader();
 
   /**
@@ -76,8 +78,10 @@ final class ScenarioTemplate {
     Scenario.read(file, usualBench);
     this.plan = plan;
     this.file = file;
-    this.criteria = new CriteriaOfCases(plan);
-    this.scenario = criteria.withThoseOfAll(tree(SourceText.read(file)));
+    Document document = document(SourceText.read(file));
+    this.criteria = new CriteriaOfCases(plan, document::at);
+    this.points = plan.points().map(it -> new CriteriaOfPoints(plan, it, this::texts));
+    this.scenario = criteria.withThoseOfAll((ObjectNode) document.root());
     this.bench = benchFile.map(it -> tree(SourceText.read(it)));
     this.variesBench =
         paths(plan).values().stream().flatMap(List::stream).anyMatch(it -> it.startsWith(BENCH));
@@ -92,8 +96,11 @@ final class ScenarioTemplate {
   }
 
   private static ObjectNode tree(SourceText text) {
-    return (ObjectNode)
-        Document.parse(text, DocumentFormat.YAML, CampaignRules.OF_DOCUMENTS, finding -> {}).root();
+    return (ObjectNode) document(text).root();
+  }
+
+  private static Document document(SourceText text) {
+    return Document.parse(text, DocumentFormat.YAML, CampaignRules.OF_DOCUMENTS, finding -> {});
   }
 
   /** Returns the texts of the criteria of each kind of cases to which a search may come. */
@@ -106,10 +113,14 @@ final class ScenarioTemplate {
   /** Returns the texts of the criteria of a case; none if it cannot be read. */
   private List<String> texts(CampaignCase each) {
     try {
-      return of(each).scenario().criteria().stream().map(Expectation::text).toList();
+      return texts(read(each));
     } catch (DiagnosticException e) {
       return List.of();
     }
+  }
+
+  private static List<String> texts(CaseSimulation.Case each) {
+    return each.scenario().criteria().stream().map(Expectation::text).toList();
   }
 
   /**
@@ -148,19 +159,27 @@ final class ScenarioTemplate {
     try {
       List<CampaignCase> all =
           purpose == Purpose.SEARCH ? new SearchSpace(plan).tried() : new CaseList(plan).cases();
-      List<Diagnostic> found = criteria.check(all, this::ofCriteria);
-      return found.isEmpty() && plan.points().isPresent()
-          ? new CriteriaOfPoints(plan, plan.points().get(), this::texts).check(criteria.kinds(all))
+      List<Diagnostic> found = criteria.check(all, each -> ofCriteria(each, this::read));
+      return found.isEmpty() && points.isPresent()
+          ? points.get().check(criteria.kinds(all))
           : found;
     } catch (DiagnosticException e) {
       return e.diagnostics();
     }
   }
 
+  /** Returns what is wrong with the criteria of cases that ended by an error because of that. */
+  Map<CampaignCase, Diagnostic> ofCriteria(List<CampaignRow> rows) {
+    List<CampaignCase> errors =
+        rows.stream().filter(row -> row.is(Label.ERROR)).map(CampaignRow::id).toList();
+    return criteria.wrong(errors, each -> ofCriteria(each, this::of));
+  }
+
   /** Returns what is wrong with the criteria of a case. */
-  private Optional<Diagnostic> ofCriteria(CampaignCase each) {
+  private static Optional<Diagnostic> ofCriteria(
+      CampaignCase each, Function<CampaignCase, CaseSimulation.Case> reader) {
     try {
-      of(each);
+      reader.apply(each);
       return Optional.empty();
     } catch (DiagnosticException e) {
       return e.diagnostics().stream().filter(CriteriaOfCases::isAbout).findFirst();
@@ -256,9 +275,16 @@ final class ScenarioTemplate {
   /**
    * Returns a case: the scenario, and the bench if a factor is one of its numbers.
    *
-   * @throws DiagnosticException (INPUT) if its values do not fit together
+   * @throws DiagnosticException (INPUT) if its values do not fit together, or it lacks a criterion
+   *     on which its points depend
    */
   CaseSimulation.Case of(CampaignCase each) {
+    CaseSimulation.Case own = read(each);
+    points.ifPresent(it -> it.require(each, texts(own)));
+    return own;
+  }
+
+  private CaseSimulation.Case read(CampaignCase each) {
     Bench own = usualBench;
     if (variesBench) {
       ObjectNode copy = bench.orElseThrow().deepCopy();
@@ -367,21 +393,5 @@ final class ScenarioTemplate {
     } catch (NumberPath.WrongPathException e) {
       throw new IllegalStateException("a path that was checked", e);
     }
-  }
-
-  /** Returns the scenario that a campaign names. */
-  static Scenario find(List<Scenario> scenarios, CampaignPlan plan) {
-    List<String> names = scenarios.stream().map(Scenario::name).toList();
-    int index = names.indexOf(plan.scenario());
-    if (index < 0) {
-      throw new DiagnosticException(
-          DiagnosticException.Reason.INPUT,
-          Diagnostic.of(
-                  CampaignRules.FACTOR,
-                  "The project has no scenario '" + plan.scenario() + "'.",
-                  SourceLocation.of(plan.file()))
-              .withHint(NearestName.hint(plan.scenario(), names)));
-    }
-    return scenarios.get(index);
   }
 }

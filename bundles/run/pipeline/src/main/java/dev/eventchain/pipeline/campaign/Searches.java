@@ -232,7 +232,7 @@ public final class Searches {
   }
 
   private Outcome outcome(List<CampaignRow> rows, List<Diagnostic> found) {
-    CampaignSummary summary = new CampaignSummary(plan, rows);
+    CampaignSummary summary = new CampaignSummary(plan, rows, scene.template().ofCriteria(rows));
     List<Diagnostic> all = new ArrayList<>(scene.run().takeFindings());
     all.addAll(found);
     all.addAll(summary.findings(scene.place(), false));

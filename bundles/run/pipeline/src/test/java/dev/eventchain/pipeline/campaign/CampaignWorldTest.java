@@ -1,20 +1,27 @@
 package dev.eventchain.pipeline.campaign;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
 import dev.eventchain.pipeline.campaign.plan.Purpose;
 import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.verdict.CaseResult;
 import java.io.IOException;
+import java.math.BigDecimal;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -104,6 +111,103 @@ class CampaignWorldTest {
     assertEquals(
         List.of("campaign.criteria No case of 'c' is one of the protocol."),
         found(text.formatted("the gap", "speed > 900")));
+  }
+
+  /** A text that is the beginning of some criteria does not count as kept for the others. */
+  @Test
+  void casesWithAnotherLimitThanTheOneThatIsNamedAreFound() throws IOException {
+    String text =
+        """
+        scenario: ahead
+        factors: {speed: {path: ego.speed_kmh, values: [30, 60]}}
+        criteria:
+          - {where: [speed < 50], accept: {minimal_gap_m: 10}}
+          - {where: [speed > 50], accept: {minimal_gap_m: %s}}
+        points: {source: P, most: 2, criteria: [the gap is never below 1]}
+        """;
+    assertEquals(List.of(), found(text.formatted(100)));
+    assertEquals(
+        List.of(
+            "campaign.criteria With speed = 60, the criterion is 'the gap is never below 2.00 m',"
+                + " which does not begin with 'the gap is never below 1'."),
+        found(text.formatted(2)));
+  }
+
+  /** Of more than 201 limits, some are tried before the first case, and all when it is made. */
+  @Test
+  void aLimitThatWasNotTriedDoesNotCountAsKept() throws IOException {
+    String limits =
+        IntStream.rangeClosed(0, 400)
+            .mapToObj(i -> i == 201 ? "2" : (i < 201 ? "1." : "10.") + (1000 + i))
+            .collect(Collectors.joining(", "));
+    String text =
+        """
+        scenario: ahead
+        factors: {limit: {path: accept.minimal_gap_m, values: [%s]}}
+        points: {source: P, most: 2, criteria: [the gap is never below 1]}
+        """;
+    Files.writeString(scenario, SCENARIO.replace("stops: true", "minimal_gap_m: 1"));
+    assertEquals(List.of(), found(text.formatted(limits)));
+    CampaignPlan plan = CampaignReader.read(campaign(text.formatted(limits))).get(0);
+    ScenarioTemplate template = new ScenarioTemplate(world, plan, scenario);
+    template.of(ofOne("10.1000"));
+    DiagnosticException refused =
+        assertThrows(DiagnosticException.class, () -> template.of(ofOne("2")));
+    assertEquals("campaign.criteria", refused.diagnostics().get(0).id());
+    assertTrue(refused.getMessage().contains("With limit = 2, "), refused.getMessage());
+  }
+
+  private static CampaignCase ofOne(String value) {
+    return new CampaignCase(List.of(new BigDecimal(value)), 1);
+  }
+
+  /** Criteria that contradict each other are found wherever their case is met. */
+  @Test
+  void contradictionsThatOnlyASearchMeetsAreFoundWithBothPlaces() throws IOException {
+    String text =
+        """
+        scenario: ahead
+        factors: {speed: {path: ego.speed_kmh, uniform: [30, 60]}}
+        criteria:
+          - {where: [speed > 44.999, speed < 45], accept: {maximal_impact_speed_kmh: 5}}
+          - {where: [speed > 51, speed < 51.001], accept: {minimal_gap_m: 1}}
+          - {where: [speed > 51, speed < 51.001], accept: {minimal_gap_m: 2}}
+        search: {runs: 10}
+        """;
+    ScenarioTemplate template = searched(text);
+    assertEquals(List.of(), template.check(true));
+    List<CampaignRow> rows =
+        Stream.of("44.9991", "44.9992", "50", "51.0005")
+            .map(speed -> new CampaignRow(ofOne(speed), CaseResult.error("no scenario")))
+            .toList();
+    CampaignPlan plan = CampaignReader.readForSearch(campaign(text)).get(0).ofSearch();
+    List<Diagnostic> found =
+        new CampaignSummary(plan, rows, template.ofCriteria(rows))
+            .findings(SourceLocation.of(plan.file()));
+    assertEquals(
+        List.of(
+            "campaign.criteria 'maximal_impact_speed_kmh' is 5 here, and 30 elsewhere for the same"
+                + " cases.",
+            "campaign.criteria 'minimal_gap_m' is 2 here, and 1 elsewhere for the same cases.",
+            "campaign.case.error 1 of 4 cases ended by an error, the first is case 3 (speed = 50):"
+                + " no scenario."),
+        words(found));
+    assertEquals(List.of("4 c.yaml ahead.yaml 6", "6 c.yaml c.yaml 5"), places(found));
+  }
+
+  private static List<String> places(List<Diagnostic> found) {
+    return found.stream()
+        .filter(each -> !each.related().isEmpty())
+        .map(
+            each ->
+                each.location().line()
+                    + " "
+                    + Path.of(each.location().file()).getFileName()
+                    + " "
+                    + Path.of(each.related().get(0).file()).getFileName()
+                    + " "
+                    + each.related().get(0).line())
+        .toList();
   }
 
   /** Criteria of several campaigns are those of the cases of at least one. */
