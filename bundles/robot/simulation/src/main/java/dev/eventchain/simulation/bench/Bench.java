@@ -379,6 +379,12 @@ public final class Bench {
     return declared;
   }
 
+  /** Returns what a proposal would say of the fields of a topic; none if it is not declared. */
+  List<String> guesses(String topic) {
+    BenchProposal proposal = new BenchProposal(List.of(), signals.catalog(), Map.of());
+    return declared.find(topic).map(proposal::guesses).orElse(List.of());
+  }
+
   /** Returns the location of the file; empty if there is none. */
   SourceLocation location() {
     return location;

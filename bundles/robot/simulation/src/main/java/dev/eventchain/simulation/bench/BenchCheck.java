@@ -89,12 +89,18 @@ final class BenchCheck {
                       ? "no entry of the bench provides"
                       : "nothing sends: no component writes it, and the bench does not provide it"),
           first,
-          "Say under `provides` of bench.yaml where its fields come from.");
+          "Say under `provides` of bench.yaml where its fields come from" + guesses(topic));
       return;
     }
     for (Endpoint reader : topic.subscribers()) {
       reader.data().forEach(data -> checkField(provided, data));
     }
+  }
+
+  /** Returns the end of a hint, with what {@code init} would write. */
+  private String guesses(Topic topic) {
+    List<String> guesses = bench.guesses(topic.name());
+    return guesses.isEmpty() ? "." : "; `init` guesses `" + String.join("`, `", guesses) + "`.";
   }
 
   private void checkField(Provided provided, Data data) {
@@ -227,7 +233,8 @@ final class BenchCheck {
           "%s writes %s to the vehicle, but the bench does not take it."
               .formatted(names(topic.publishers()), topic.name()),
           topic.publishers().get(0).data().get(0),
-          "Say under `consumes` of bench.yaml what its fields do, or `observed: true`.");
+          "Say under `consumes` of bench.yaml what its fields do, or `observed: true`"
+              + guesses(topic));
     }
   }
 

@@ -54,6 +54,12 @@ final class BenchProposal {
   private static final double USUAL_RATE = 20;
   private static final double MOST_RATE = 1000;
 
+  /** What a topic says that has no effect, or none that could be guessed. */
+  private static final String UNUSED = "observed: true";
+
+  /** Entries whose lines mean nothing without those around them. */
+  private static final Pattern NESTED = Pattern.compile("^#? *(laser_scan|objects):$");
+
   private static final Pattern PRESENT = Pattern.compile("valid|present|detected");
 
   private final List<dev.eventchain.model.Signal> signals;
@@ -82,6 +88,19 @@ final class BenchProposal {
     section("provides:", Direction.PROVIDED);
     section("consumes:", Direction.CONSUMED);
     return text.toString();
+  }
+
+  /** Returns what a proposal says of the fields of a signal; none if it could guess nothing. */
+  List<String> guesses(dev.eventchain.model.Signal signal) {
+    boolean isProvided = signal.direction() == Direction.PROVIDED;
+    List<String> lines = isProvided ? provided(signal) : consumed(signal);
+    boolean isNested = lines.stream().anyMatch(NESTED.asPredicate());
+    return lines.stream()
+        .skip(isProvided ? 2 : 1) // the topic, and its rate
+        .filter(line -> !isNested && !line.startsWith("#") && !line.endsWith(":"))
+        .map(String::strip)
+        .filter(line -> !line.equals(UNUSED))
+        .toList();
   }
 
   private void section(String heading, Direction direction) {
@@ -233,7 +252,7 @@ final class BenchProposal {
       fields.add("      " + field.path() + ": " + (free ? actuator.get().id() : "observed"));
     }
     if (used.isEmpty()) {
-      lines.add("    observed: true");
+      lines.add("    " + UNUSED);
     } else {
       lines.add("    fields:");
       lines.addAll(fields);

@@ -56,6 +56,11 @@ public final class BenchSignals implements Signal.Source {
     return new BenchSignals(inputs, topics, catalog, Optional.of(new OutputRoles(chain, catalog)));
   }
 
+  /** Returns the definitions of the topics' types. */
+  MessageCatalog catalog() {
+    return catalog;
+  }
+
   @Override
   public Optional<List<Signal>> outputs(String requirement, Optional<String> kind) {
     return roles.map(known -> known.find(requirement, kind));
