@@ -6,13 +6,10 @@ import dev.eventchain.editing.Completion;
 import dev.eventchain.editing.ElementKind;
 import dev.eventchain.editing.FileRange;
 import dev.eventchain.editing.Folding;
-import dev.eventchain.editing.InlayHint;
 import dev.eventchain.editing.SemanticToken;
 import dev.eventchain.editing.Symbol;
 import dev.eventchain.editing.TextPosition;
-import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.Scope;
-import dev.eventchain.ocl.assist.AssistedText;
 import dev.eventchain.ocl.assist.ExpressionPlace;
 import dev.eventchain.ocl.assist.ExpressionTokens;
 import dev.eventchain.ocl.editing.Mention;
@@ -31,27 +28,19 @@ import org.eclipse.emf.ecore.EParameter;
 import org.eclipse.emf.ecore.ETypedElement;
 
 /** Analysis of one version of an {@code .ecore} file: its names and its OCL. */
-final class MetamodelAnalysis extends AssistedText {
+final class MetamodelAnalysis extends DeclaredText {
 
   private final MetamodelText text;
-  private final RuleDeclarations declarations;
-  private final RuleLanguageService service;
 
   MetamodelAnalysis(
       MetamodelText text, RuleDeclarations declarations, RuleLanguageService service) {
-    super(text.file(), text.source(), text.lines());
+    super(text.file(), text.source(), text.lines(), declarations, service);
     this.text = text;
-    this.declarations = declarations;
-    this.service = service;
   }
 
   /** Returns whether nothing has changed that it depends on. */
   boolean isOf(MetamodelText version, RuleDeclarations present) {
-    return text.equals(version) && declarations.equals(present);
-  }
-
-  private ExpressionLanguage language() {
-    return declarations.world().language();
+    return text.equals(version) && declarations().equals(present);
   }
 
   @Override
@@ -148,42 +137,12 @@ final class MetamodelAnalysis extends AssistedText {
   }
 
   @Override
-  protected List<AssistedText> family() {
-    return service.family(this);
-  }
-
-  @Override
-  protected Optional<FileRange> declaration(Object target) {
-    return declarations.of(target);
-  }
-
-  @Override
-  protected boolean isOwn(Object target) {
-    return declarations.isOwn(target);
-  }
-
-  @Override
-  protected String describe(Mention mention) {
-    return declarations.describe(mention);
-  }
-
-  @Override
-  protected String collision(Object target, String newName) {
-    return declarations.collision(target, newName);
-  }
-
-  @Override
   protected List<Completion> outerCompletions(int offset) {
     return List.of();
   }
 
   @Override
   protected List<SourceRange> structureAround(int offset) {
-    return List.of();
-  }
-
-  @Override
-  protected List<InlayHint> outerHints(int start, int end) {
     return List.of();
   }
 
@@ -206,20 +165,12 @@ final class MetamodelAnalysis extends AssistedText {
   }
 
   @Override
-  protected Optional<Call.Item> itemOf(Object target) {
-    return declarations.item(target);
-  }
-
-  @Override
   public List<FileRange> implementations(TextPosition position) {
     return mentionAt(position)
         .map(Mention::target)
         .filter(EClass.class::isInstance)
-        .map(type -> language().packages().classesBelow((EClass) type))
-        .orElse(List.of())
-        .stream()
-        .flatMap(each -> declaration(each).stream())
-        .toList();
+        .map(type -> declarationsBelow((EClass) type))
+        .orElse(List.of());
   }
 
   @Override

@@ -8,13 +8,10 @@ import dev.eventchain.editing.Completion;
 import dev.eventchain.editing.ElementKind;
 import dev.eventchain.editing.FileRange;
 import dev.eventchain.editing.Folding;
-import dev.eventchain.editing.InlayHint;
 import dev.eventchain.editing.SemanticToken;
 import dev.eventchain.editing.Symbol;
 import dev.eventchain.editing.TextPosition;
-import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.Scope;
-import dev.eventchain.ocl.assist.AssistedText;
 import dev.eventchain.ocl.assist.ExpressionPlace;
 import dev.eventchain.ocl.editing.Mention;
 import java.util.ArrayList;
@@ -25,30 +22,22 @@ import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EClass;
 
 /** Analysis of one version of a rule document. */
-final class RuleAnalysis extends AssistedText {
+final class RuleAnalysis extends DeclaredText {
 
   private final RuleText text;
-  private final RuleDeclarations declarations;
-  private final RuleLanguageService service;
   private final RuleScopes scopes;
   private volatile List<ExpressionPlace> places;
   private volatile List<Mention> outer;
 
   RuleAnalysis(RuleText text, RuleDeclarations declarations, RuleLanguageService service) {
-    super(text.file(), text.source(), text.lines());
+    super(text.file(), text.source(), text.lines(), declarations, service);
     this.text = text;
-    this.declarations = declarations;
-    this.service = service;
     this.scopes = new RuleScopes(text, declarations.world().language());
   }
 
   /** Returns whether nothing has changed that it depends on. */
   boolean isOf(RuleDeclarations present) {
-    return declarations.equals(present);
-  }
-
-  private ExpressionLanguage language() {
-    return declarations.world().language();
+    return declarations().equals(present);
   }
 
   @Override
@@ -113,35 +102,10 @@ final class RuleAnalysis extends AssistedText {
   protected List<Mention> outerMentions() {
     List<Mention> found = outer;
     if (found == null) {
-      found = new RuleMentions(text, declarations.world(), scopes).all();
+      found = new RuleMentions(text, declarations().world(), scopes).all();
       outer = found;
     }
     return found;
-  }
-
-  @Override
-  protected List<AssistedText> family() {
-    return service.family(this);
-  }
-
-  @Override
-  protected boolean isOwn(Object target) {
-    return declarations.isOwn(target);
-  }
-
-  @Override
-  protected Optional<FileRange> declaration(Object target) {
-    return declarations.of(target);
-  }
-
-  @Override
-  protected String describe(Mention mention) {
-    return declarations.describe(mention);
-  }
-
-  @Override
-  protected String collision(Object target, String newName) {
-    return declarations.collision(target, newName);
   }
 
   @Override
@@ -152,9 +116,7 @@ final class RuleAnalysis extends AssistedText {
   private List<FileRange> implementationsOf(Mention mention) {
     Object target = mention.target();
     if (mention.kind() == Mention.Kind.TYPE && target instanceof EClass type) {
-      return language().packages().classesBelow(type).stream()
-          .flatMap(each -> declaration(each).stream())
-          .toList();
+      return declarationsBelow(type);
     } else if (isOwn(target)) {
       return declaration(target).stream().toList();
     }
@@ -185,11 +147,6 @@ final class RuleAnalysis extends AssistedText {
       case "inv", "def", "body", "derive" -> Optional.of(RuleDeclarations.item(text, section));
       default -> Optional.empty();
     };
-  }
-
-  @Override
-  protected Optional<Call.Item> itemOf(Object target) {
-    return declarations.item(target);
   }
 
   @Override
@@ -249,11 +206,6 @@ final class RuleAnalysis extends AssistedText {
       }
     }
     return ranges;
-  }
-
-  @Override
-  protected List<InlayHint> outerHints(int start, int end) {
-    return List.of();
   }
 
   /** Returns the kind of a clause in an outline. */
