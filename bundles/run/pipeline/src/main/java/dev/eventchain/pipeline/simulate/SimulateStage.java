@@ -9,14 +9,12 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.EventChain;
-import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.design.VerdictCorrection;
 import dev.eventchain.pipeline.generate.GeneratedPackage;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.results.BoundedLatency;
 import dev.eventchain.pipeline.results.RequirementOutcome;
-import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.results.Simulated;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.Fingerprint;
@@ -35,19 +33,13 @@ import dev.eventchain.simulation.SimulationSettings;
 import dev.eventchain.simulation.fault.FaultPlan;
 import dev.eventchain.simulation.node.DdsAttachment;
 import dev.eventchain.simulation.scenario.Scenario;
-import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import dev.eventchain.xmi.Origins;
-import dev.eventchain.xmi.XmiStore;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EObject;
 
 /**
@@ -57,16 +49,10 @@ public final class SimulateStage implements StageWork {
 
   public static final String MEASUREMENTS = "measurements.json";
   public static final String MEASUREMENTS_TABLE = "measurements.csv";
+
   public static final String LATENCY_BOUNDS = "latency-bounds.json";
   public static final String VERDICT = "verdict.json";
   public static final String MEASURED_MODEL = "chain.measured.xmi";
-
-  /** The folder of the curves of each scenario. */
-  private static final String CURVES = "curves";
-
-  /** Results of all scenarios, which must not be replaced by results of some. */
-  private static final List<String> RESULTS =
-      List.of(MEASUREMENTS, MEASUREMENTS_TABLE, LATENCY_BOUNDS, VERDICT, MEASURED_MODEL);
 
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
@@ -100,15 +86,15 @@ public final class SimulateStage implements StageWork {
 
   @Override
   public StageResult execute(RunContext run) {
-    EventChain chain = run.chain().chain();
     List<Scenario> scenarios = ProjectScenarios.selected(run);
     List<Diagnostic> found = SimulationChecks.inputs(run, scenarios);
-    SimulationResult result = simulate(run, chain, scenarios, found);
-    EventChain measured = result.measuredModel(chain);
+    SimulationResult result = simulate(run, run.chain().chain(), scenarios, found);
+    FinishedSimulation finished = new FinishedSimulation(run, scenarios, result);
+    EventChain measured = result.measuredModel(run.chain().chain());
     Function<EObject, SourceLocation> locator = new Origins()::locate;
     Coverage ecore = Coverage.NONE;
     if (!run.options().isPartial()) {
-      writeMeasurements(run, chain, result, measured);
+      finished.writeMeasurements(measured);
       ChainModel reread = run.loadChain(run.file(MEASURED_MODEL));
       measured = reread.chain();
       locator = reread::locate;
@@ -118,174 +104,16 @@ public final class SimulateStage implements StageWork {
     OclResult validation = ProjectChecks.constraints(run).check(measured, locator);
     RuleEvidence evidence = RuleEvidence.of(run, measured, validation);
     found.addAll(evidence.findings());
-    List<BoundedLatency> latencies = latencies(run, scenarios, result, found);
-    List<RequirementOutcome> outcomes = outcomes(run, chain, scenarios, result, evidence);
+    List<BoundedLatency> latencies = finished.latencies(found);
+    List<RequirementOutcome> outcomes = finished.outcomes(evidence);
     if (!run.options().isPartial()) {
-      addUntested(run, chain, scenarios, result, outcomes, found);
+      finished.addUntested(outcomes, found);
       // Last, so that it never exists without the results it refers to.
-      run.writeResult(VERDICT, verdict(run, chain, result, found, outcomes));
+      run.writeResult(VERDICT, finished.verdict(outcomes, found));
     }
-    Coverage coverage = Constraints.coverage(List.of(measuredFile(run)), validation).and(ecore);
-    Simulated report = report(run, result, latencies, validation, outcomes, evidence);
-    return new StageResult(details(run, result), results(run, result), found, report, coverage);
-  }
-
-  private static void writeMeasurements(
-      RunContext run, EventChain chain, SimulationResult result, EventChain measured) {
-    run.writeResult(MEASUREMENTS, result.toJson());
-    run.writeResult(MEASUREMENTS_TABLE, result.toCsv(chain));
-    run.output().removeAll(CURVES);
-    result.curves().forEach((scenario, table) -> run.writeResult(curvesOf(scenario), table));
-    run.writeResult(MEASURED_MODEL, XmiStore.toBytes(measured));
-  }
-
-  /**
-   * Returns latencies with their bounds, writes them, and adds what is wrong with them and with the
-   * execution times behind them.
-   */
-  private static List<BoundedLatency> latencies(
-      RunContext run, List<Scenario> scenarios, SimulationResult result, List<Diagnostic> found) {
-    List<BoundedLatency> latencies = LatencyBounds.of(run, result).report(run, scenarios, found);
-    if (!run.options().isPartial()) {
-      run.writeResult(LATENCY_BOUNDS, ResultJson.indented(latencies));
-      found.addAll(MeasuredTimes.propose(run, result));
-    }
-    return latencies;
-  }
-
-  private static String curvesOf(String scenario) {
-    return CURVES + "/" + scenario + ".csv";
-  }
-
-  private static List<String> results(RunContext run, SimulationResult result) {
-    if (run.options().isPartial()) {
-      return List.of();
-    }
-    Stream<String> curves = result.verdicts().stream().map(verdict -> curvesOf(verdict.scenario()));
-    return Stream.concat(RESULTS.stream(), curves).toList();
-  }
-
-  private static String measuredFile(RunContext run) {
-    return SourceLocation.of(run.file(MEASURED_MODEL)).file();
-  }
-
-  private static Simulated report(
-      RunContext run,
-      SimulationResult result,
-      List<BoundedLatency> latencies,
-      OclResult validation,
-      List<RequirementOutcome> outcomes,
-      RuleEvidence evidence) {
-    return SimulationReport.of(
-        result,
-        latencies,
-        ProcessorReport.of(run.chain().chain()),
-        evidence.untestedConstraints(),
-        run.options().isPartial() ? List.of() : outcomes,
-        RequirementStrength.limited(run, result),
-        ProjectChecks.report(measuredFile(run), validation));
-  }
-
-  private static List<RequirementOutcome> outcomes(
-      RunContext run,
-      EventChain chain,
-      List<Scenario> scenarios,
-      SimulationResult result,
-      RuleEvidence evidence) {
-    List<Scenario> judged = RequirementCoverage.judged(scenarios, result);
-    Set<String> unproven = new TreeSet<>(RequirementCoverage.unproven(run, chain, judged).keySet());
-    unproven.addAll(StaleEvidence.ids(StaleEvidence.of(run)));
-    return RequirementOutcomes.of(
-        run.writtenRequirements(),
-        result.verdicts(),
-        unproven,
-        evidence,
-        RequirementStrength.of(run, result));
-  }
-
-  private static void addUntested(
-      RunContext run,
-      EventChain chain,
-      List<Scenario> scenarios,
-      SimulationResult result,
-      List<RequirementOutcome> outcomes,
-      List<Diagnostic> found) {
-    List<Scenario> judged = RequirementCoverage.judged(scenarios, result);
-    found.addAll(RequirementCoverage.untested(run, chain, judged));
-    found.addAll(StaleEvidence.of(run));
-    found.addAll(unmeasured(chain, result, run.chain()::locate));
-    found.addAll(RequirementCoverage.unlisted(run, outcomes, found));
-  }
-
-  /** Returns findings about bounds on times that were never measured, and so were not tested. */
-  private static List<Diagnostic> unmeasured(
-      EventChain chain, SimulationResult result, Function<EObject, SourceLocation> locator) {
-    List<Diagnostic> found = new ArrayList<>();
-    for (int i = 0; i < chain.getLatencyConstraints().size(); i++) {
-      LatencyConstraint constraint = chain.getLatencyConstraints().get(i);
-      int index = i;
-      if (result.verdicts().stream().allMatch(each -> each.latencies().get(index).isEmpty())) {
-        SourceLocation place = locator.apply(constraint);
-        found.add(
-            result.host().attached() ? unseen(constraint, place) : unmeasured(constraint, place));
-      }
-    }
-    return found;
-  }
-
-  private static Diagnostic unseen(LatencyConstraint constraint, SourceLocation place) {
-    return Diagnostic.of(
-            SimulateRules.SIMULATION_LATENCY_UNMEASURED,
-            "The latency constraint '%s' was not measured: the nodes were started elsewhere, so it is not known which output is based on which input."
-                .formatted(constraint.getName()),
-            place)
-        .withHint("Simulate with a driver that starts the nodes, or measure it where they run.");
-  }
-
-  private static Diagnostic unmeasured(LatencyConstraint constraint, SourceLocation place) {
-    return Diagnostic.of(
-            SimulateRules.SIMULATION_LATENCY_UNMEASURED,
-            "The latency constraint '%s' was not measured in any scenario: nothing that '%s' did was based on an input of '%s'."
-                .formatted(
-                    constraint.getName(), name(constraint.getLast()), name(constraint.getFirst())),
-            place)
-        .withHint("Bound the time between two simulated components that are connected by data.");
-  }
-
-  private static String name(SoftwareNode node) {
-    return node == null ? "?" : node.getName();
-  }
-
-  /** Returns the verdict from all findings of the run, so that it is not better than the run. */
-  private static byte[] verdict(
-      RunContext run,
-      EventChain chain,
-      SimulationResult result,
-      List<Diagnostic> found,
-      List<RequirementOutcome> outcomes) {
-    return VerdictJson.of(
-        chain,
-        result,
-        outcomes,
-        RequirementStrength.limited(run, result),
-        run.options().suppressions().part(found));
-  }
-
-  private static String details(RunContext run, SimulationResult result) {
-    long passed = result.verdicts().stream().filter(ScenarioVerdict::passed).count();
-    return String.format(
-        Locale.ROOT,
-        "%d of %d scenarios passed,%s%s %s",
-        passed,
-        result.verdicts().size(),
-        RequirementStrength.details(run, result),
-        result.faults().isEmpty() ? "" : " " + result.faults().size() + " runs with faults,",
-        result.host().attached() ? result.host().driver() : how(result.host()));
-  }
-
-  private static String how(SimulationResult.Host host) {
-    return String.format(
-        Locale.ROOT, "%.0f times real time, %s", host.realTimeFactor(), host.confinement());
+    Simulated report = finished.report(latencies, validation, outcomes, evidence);
+    Coverage rules = Constraints.coverage(List.of(finished.measuredFile()), validation);
+    return new StageResult(finished.details(), finished.results(), found, report, rules.and(ecore));
   }
 
   /** Simulates and adds the findings. */
