@@ -3,6 +3,7 @@ package dev.eventchain.cli;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.campaign.CampaignOutcome;
+import dev.eventchain.pipeline.campaign.SearchOptions;
 import dev.eventchain.pipeline.campaign.Searches;
 import dev.eventchain.pipeline.campaign.plan.Purpose;
 import dev.eventchain.pipeline.project.Project;
@@ -69,9 +70,10 @@ final class SearchCommand extends ProjectCommand {
         Searches.run(
             project,
             upToGeneration(project, llm),
-            accept.campaign(this, project, file, Purpose.SEARCH),
-            Optional.ofNullable(only),
-            keep,
+            new SearchOptions(
+                accept.campaign(this, project, file, Purpose.SEARCH),
+                Optional.ofNullable(only),
+                keep),
             new ProgressLines(console.err(), console.terminal()));
     if (format() == DiagnosticFormat.TEXT) {
       console.out().print(result.text());

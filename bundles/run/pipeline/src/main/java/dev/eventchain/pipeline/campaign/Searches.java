@@ -56,25 +56,18 @@ public final class Searches {
    * campaign file that fail.
    *
    * @param settings options of the run up to the generation, in lock-step
-   * @param only the campaign of a file of several
-   * @param keeps whether the finds become scenarios of the project
    * @throws DiagnosticException for failures caused by the project, the campaign file or this
    *     machine
    */
   public static CampaignOutcome run(
-      Project project,
-      RunOptions settings,
-      Path file,
-      Optional<String> only,
-      boolean keeps,
-      Progress progress) {
+      Project project, RunOptions settings, SearchOptions options, Progress progress) {
     return CampaignScene.of(
         project,
         settings,
-        file,
-        path -> List.of(plan(path, only)),
+        options.file(),
+        path -> List.of(plan(path, options.only())),
         progress,
-        scenes -> new Searches(scenes.get(0), keeps).run());
+        scenes -> new Searches(scenes.get(0), options.keeps()).run());
   }
 
   private static CampaignPlan plan(Path file, Optional<String> only) {
