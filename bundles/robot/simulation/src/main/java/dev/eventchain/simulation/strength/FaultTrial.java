@@ -163,6 +163,11 @@ public final class FaultTrial {
     return state.attempts.getOrDefault(requirement, Attempts.NONE).reaction();
   }
 
+  /** Returns whether a requirement has noticed it. */
+  boolean isNoticedBy(String requirement) {
+    return reaction(requirement).filter(Reaction::noticed).isPresent();
+  }
+
   /** Returns whether its component satisfies one of some requirements. */
   boolean concerns(Collection<String> some) {
     return requirements.stream().anyMatch(some::contains);
@@ -286,6 +291,6 @@ public final class FaultTrial {
   private Reaction reaction(
       boolean noticed, JudgedScenario scenario, String criterion, Optional<Margin> margin) {
     return new Reaction(
-        fault.node(), fault.words(), noticed, scenario.scenario().name(), criterion, margin);
+        fault.node(), fault.words(), noticed, scenario.scenario().name(), criterion, margin, false);
   }
 }

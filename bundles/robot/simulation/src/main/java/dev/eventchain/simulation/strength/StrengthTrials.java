@@ -19,6 +19,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** All trials of standard faults, and the strength of requirements that results from them. */
 public final class StrengthTrials {
@@ -245,7 +246,38 @@ public final class StrengthTrials {
         branches.of(id, nodes),
         asked,
         needed,
-        all().stream().flatMap(it -> it.reaction(id).stream()).toList(),
+        nodes.stream().flatMap(node -> reactions(id, node)).toList(),
         leftOut);
+  }
+
+  private Stream<Strength.Reaction> reactions(String id, SoftwareNode node) {
+    Set<String> others = ofOthers(id, node);
+    return trials.get(node.getName()).stream()
+        .flatMap(
+            trial ->
+                trial
+                    .reaction(id)
+                    .map(it -> it.withElsewhere(others.contains(trial.fault().topic())))
+                    .stream());
+  }
+
+  /**
+   * Returns the topics of a component that serve its other requirements: a design that does in one
+   * component what another one does in two is not tested more. None, if the requirement notices
+   * nothing of any: then nobody knows which of them are its own.
+   */
+  private Set<String> ofOthers(String id, SoftwareNode node) {
+    Set<String> own = noticed(node, id::equals);
+    Set<String> others = noticed(node, each -> !each.equals(id));
+    others.removeAll(own);
+    return own.isEmpty() ? Set.of() : others;
+  }
+
+  private Set<String> noticed(SoftwareNode node, Predicate<String> which) {
+    List<String> ids = requirements.get(node).stream().filter(which).toList();
+    return trials.get(node.getName()).stream()
+        .filter(trial -> ids.stream().anyMatch(trial::isNoticedBy))
+        .map(trial -> trial.fault().topic())
+        .collect(Collectors.toCollection(TreeSet::new));
   }
 }

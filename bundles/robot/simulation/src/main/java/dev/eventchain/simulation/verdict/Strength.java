@@ -88,8 +88,9 @@ public record Strength(
     /**
      * Returns the same for the faults of the components that count for a bound: one of each branch,
      * as if one component did what these do. A design that lets more components contribute to a
-     * requirement is not tested less. Where outputs are marked with the requirement, and the
-     * criteria notice nothing of the component of one, that component alone counts.
+     * requirement is not tested less. Faults of outputs of other requirements do not count, see
+     * {@link Reaction#elsewhere}. Where outputs are marked with the requirement, and the criteria
+     * notice nothing of the component of one, that component alone counts.
      */
     public Requirement counted() {
       List<Requirement> found = branches.stream().map(this::sharpest).toList();
@@ -120,7 +121,9 @@ public record Strength(
           some.stream().map(List::of).toList(),
           outputs,
           needed,
-          reactions.stream().filter(each -> some.contains(each.component())).toList(),
+          reactions.stream()
+              .filter(each -> some.contains(each.component()) && !each.elsewhere())
+              .toList(),
           leftOut);
     }
 
@@ -139,6 +142,8 @@ public record Strength(
    * @param scenario the scenario that noticed it, or else the one that came nearest
    * @param criterion the criterion that noticed it, or came nearest; empty if none could be judged
    * @param margin the margin of that criterion with the fault; empty if it has no size
+   * @param elsewhere true if the fault is of an output of which another requirement notices faults,
+   *     and this one none, while it notices some of another output of the component
    */
   public record Reaction(
       String component,
@@ -146,5 +151,12 @@ public record Strength(
       boolean noticed,
       String scenario,
       String criterion,
-      Optional<Margin> margin) {}
+      Optional<Margin> margin,
+      boolean elsewhere) {
+
+    /** Returns the reaction to a fault of an output of other requirements, or of this one. */
+    public Reaction withElsewhere(boolean ofOthers) {
+      return new Reaction(component, fault, noticed, scenario, criterion, margin, ofOthers);
+    }
+  }
 }

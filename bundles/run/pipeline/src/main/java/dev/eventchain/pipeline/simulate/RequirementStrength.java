@@ -98,7 +98,11 @@ public final class RequirementStrength {
     Strength.Requirement counted = measured.counted();
     return counted.percent() >= settings.minimumOf(item.id())
         ? Optional.empty()
-        : Optional.of(low(item, counted, measured.components().size() > 1));
+        : Optional.of(low(item, counted, !isWhole(measured, counted)));
+  }
+
+  private static boolean isWhole(Strength.Requirement measured, Strength.Requirement counted) {
+    return measured.components().size() == 1 && counted.faults() == measured.faults();
   }
 
   private static Diagnostic none(WrittenRequirement item, Strength.Requirement measured) {
@@ -128,9 +132,9 @@ public final class RequirementStrength {
    * Returns the finding that too few faults are noticed.
    *
    * @param measured the strength on the components that count
-   * @param several true if the requirement has further components
+   * @param some true if the requirement has further components, or they have further outputs
    */
-  private Diagnostic low(WrittenRequirement item, Strength.Requirement measured, boolean several) {
+  private Diagnostic low(WrittenRequirement item, Strength.Requirement measured, boolean some) {
     if (measured.faults() == 0) {
       return uncounted(item, measured);
     }
@@ -143,7 +147,7 @@ public final class RequirementStrength {
             item.id(),
             measured.noticed(),
             measured.faults(),
-            several ? counting(measured) : "",
+            some ? counting(measured) : "",
             measured.percent(),
             settings.minimumOf(item.id()),
             named(measured)),

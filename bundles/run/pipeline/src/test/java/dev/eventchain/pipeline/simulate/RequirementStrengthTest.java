@@ -109,6 +109,20 @@ class RequirementStrengthTest {
     assertTrue(strength(both, Set.of("/warning", "/brake"), reactions).findings().isEmpty());
   }
 
+  /** A design may do in one component what another one does in two. */
+  @Test
+  void faultsOfAnOutputOfAnotherRequirementDoNotCount() {
+    List<List<String>> alone = List.of(List.of("Brake"));
+    List<Reaction> reactions = reactions("Brake", 4, 8);
+    reactions("Brake", 0, 9).forEach(each -> reactions.add(each.withElsewhere(true)));
+    RequirementStrength enough = strength(alone, Set.of(), reactions);
+    assertEquals(List.of(), enough.findings());
+    assertEquals(17, enough.of("BRK-1").orElseThrow().faults());
+    reactions.remove(0);
+    Diagnostic found = only(strength(alone, Set.of(), reactions));
+    assertTrue(found.message().contains("3 of 7 standard faults of 'Brake', which counts"));
+  }
+
   /** The components that count for a bound are in the results, and so is that no fault counts. */
   @Test
   void whatCountsForABoundIsAResult() {
@@ -154,12 +168,13 @@ class RequirementStrengthTest {
   }
 
   private static Reaction reaction(String component, boolean noticed) {
-    return new Reaction(component, "fault", noticed, "far", "ego stops", Optional.empty());
+    return new Reaction(component, "fault", noticed, "far", "ego stops", Optional.empty(), false);
   }
 
   @Test
   void aSampleIsSaid() {
-    Reaction noticed = new Reaction("Brake", "fault", true, "far", "ego stops", Optional.empty());
+    Reaction noticed =
+        new Reaction("Brake", "fault", true, "far", "ego stops", Optional.empty(), false);
     RequirementStrength sample = strength(true, List.of(noticed), 4);
     assertEquals(
         "notices 1 of 1 faults, a sample of 5",
@@ -177,7 +192,10 @@ class RequirementStrengthTest {
   private static RequirementStrength strength(boolean needed, Boolean... noticed) {
     List<Reaction> reactions =
         List.of(noticed).stream()
-            .map(each -> new Reaction("Brake", "fault", each, "far", "ego stops", Optional.empty()))
+            .map(
+                each ->
+                    new Reaction(
+                        "Brake", "fault", each, "far", "ego stops", Optional.empty(), false))
             .toList();
     return strength(needed, reactions, 0);
   }
