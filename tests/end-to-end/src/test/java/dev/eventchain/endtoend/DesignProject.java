@@ -1,5 +1,7 @@
 package dev.eventchain.endtoend;
 
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
@@ -8,9 +10,12 @@ import dev.eventchain.fixtures.Projects;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.yaml.snakeyaml.LoaderOptions;
 import org.yaml.snakeyaml.Yaml;
@@ -33,8 +38,14 @@ final class DesignProject {
     this.base = project.resolve("software-base");
   }
 
-  /** Creates the project of a design in a folder, and runs it. */
-  static Program.Ended run(Path example, Path design, Path folder) throws IOException {
+  /**
+   * Creates the project of a design in a folder, with the bounds on the strength of the example's
+   * requirements, and runs it.
+   *
+   * @param strength the option that says whether strength is measured
+   */
+  static Program.Ended run(Path example, Path design, Path folder, String strength)
+      throws IOException {
     DesignProject made = new DesignProject(example, folder);
     Files.createDirectories(made.base.resolve("components"));
     for (String part : List.of("requirements.md", "bench.yaml", "scenarios")) {
@@ -47,7 +58,18 @@ final class DesignProject {
     }
     made.write(new Yaml(new SafeConstructor(new LoaderOptions())).load(Files.readString(design)));
     new Program().run("init", folder).expect(0);
-    return new Program().run("run", folder, "--no-strength");
+    Files.writeString(
+        folder.resolve("eventchain.yaml"),
+        strengthOf(Files.readString(example.resolve("eventchain.yaml"))),
+        StandardOpenOption.APPEND);
+    return new Program().run("run", folder, strength);
+  }
+
+  /** Returns the section on strength of the settings of an example. */
+  private static String strengthOf(String settings) {
+    Matcher section = Pattern.compile("(?m)^strength:.*\\R(?: .*(?:\\R|$))*").matcher(settings);
+    assertTrue(section.find(), "the example has no bounds");
+    return "\n" + section.group();
   }
 
   private void write(Map<String, Object> design) throws IOException {

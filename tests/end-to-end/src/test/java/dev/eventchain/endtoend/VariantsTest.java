@@ -3,12 +3,15 @@ package dev.eventchain.endtoend;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.fixtures.InTurn;
 import dev.eventchain.fixtures.Thorough;
 import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -33,16 +36,30 @@ class VariantsTest {
   private static final Path VARIANTS =
       Program.ROOT.resolve("tests/end-to-end/src/test/resources/variants");
 
+  private static final ObjectMapper JSON = new ObjectMapper();
+
   /** Software of other designs: other components, topics and ways to calculate. */
   private static final Path DESIGNS =
       Program.ROOT.resolve("tests/end-to-end/src/test/resources/designs");
+
+  private static final List<String> EXAMPLES = List.of("aeb", "acc", "lane-departure", "radar-aeb");
 
   private static final int FEWEST = 4;
 
   @TempDir Path folder;
 
   static Stream<String> examples() {
-    return Thorough.allOrOne(List.of("aeb", "acc", "lane-departure", "radar-aeb")).stream();
+    return Thorough.allOrOne(EXAMPLES).stream();
+  }
+
+  static Stream<Path> someDesigns() throws Exception {
+    List<Path> some = new ArrayList<>();
+    for (String example : Thorough.allOrOne(EXAMPLES)) {
+      List<Path> designs = designs(example);
+      int one = Math.floorMod(InTurn.Condition.round() / EXAMPLES.size(), designs.size());
+      some.addAll(Thorough.IS_ON ? designs : List.of(designs.get(one)));
+    }
+    return some.stream();
   }
 
   @InTurn
@@ -53,7 +70,8 @@ class VariantsTest {
     assertTrue(variants.size() >= FEWEST, "too few to speak of");
     List<Path> designs = designs(example);
     assertTrue(designs.size() >= FEWEST, "too few to speak of");
-    int one = Math.floorMod(Thorough.turn() / 4, variants.size() + designs.size());
+    int one =
+        Math.floorMod(InTurn.Condition.round() / EXAMPLES.size(), variants.size() + designs.size());
     for (Path design : designs) {
       if (Thorough.IS_ON || one == variants.size() + designs.indexOf(design)) {
         pass(example, design);
@@ -61,6 +79,21 @@ class VariantsTest {
     }
     if (Thorough.IS_ON || one < variants.size()) {
       pass(example, Thorough.IS_ON ? variants : variants.subList(one, one + 1));
+    }
+  }
+
+  /** The bounds of an example are met by other designs, too: none depends on how one is divided. */
+  @InTurn
+  @ParameterizedTest
+  @MethodSource("someDesigns")
+  void scenariosAreAsSharpForDesignsOfOthers(Path design) throws Exception {
+    Path example = Program.ROOT.resolve("examples").resolve(design.getParent().getFileName());
+    Path project = folder.resolve("strength");
+    DesignProject.run(example, design, project, "--strength").expect(0).says("PASSED: ");
+    JsonNode verdict = JSON.readTree(project.resolve("out/verdict.json").toFile());
+    for (JsonNode requirement : verdict.path("requirements")) {
+      JsonNode bound = requirement.path("strength").path("bound");
+      assertTrue(bound.path("faults").asInt() > 0, requirement::toString);
     }
   }
 
@@ -73,7 +106,10 @@ class VariantsTest {
   private void pass(String example, Path design) throws Exception {
     String name = design.getFileName().toString().replace(".yaml", "");
     DesignProject.run(
-            Program.ROOT.resolve("examples").resolve(example), design, folder.resolve(name))
+            Program.ROOT.resolve("examples").resolve(example),
+            design,
+            folder.resolve(name),
+            "--no-strength")
         .expect(0)
         .says("PASSED: ");
   }
