@@ -97,9 +97,7 @@ final class ComponentTestsCheck {
       if (isAlwaysIn(threshold, test)) {
         for (String output : threshold.outputs()) {
           TestExpectation expected = test.outputs().get(output);
-          if (expected != null
-              && !isState(output)
-              && !isPossible(threshold.effect(), expected)) {
+          if (expected != null && !isState(output) && !isPossible(threshold.effect(), expected)) {
             return Optional.of(contradiction(test, threshold, output, expected));
           }
         }

@@ -77,8 +77,7 @@ final class RequirementThresholds {
   /** Returns the thresholds of a requirement. */
   static List<Threshold> of(WrittenRequirement requirement, Component component) {
     List<Threshold> found = new ArrayList<>();
-    List<String> clauses =
-        CLAUSE_END.splitAsStream(requirement.text()).map(String::strip).toList();
+    List<String> clauses = CLAUSE_END.splitAsStream(requirement.text()).map(String::strip).toList();
     for (int i = 0; i < clauses.size(); i++) {
       List<String> others = new ArrayList<>(clauses);
       String clause = others.remove(i);
@@ -196,8 +195,7 @@ final class RequirementThresholds {
             .map(Value::name)
             .filter(output -> isSpokenOf(output, clause))
             .toList();
-    ThresholdEffect effect =
-        ThresholdEffect.of(comparison.before() + comparison.after(), others);
+    ThresholdEffect effect = ThresholdEffect.of(comparison.before() + comparison.after(), others);
     return comparison
         .range()
         .in(input.unit())

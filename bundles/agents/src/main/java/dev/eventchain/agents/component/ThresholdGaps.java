@@ -57,8 +57,7 @@ final class ThresholdGaps {
   /** Returns the gaps that values of tests leave, in words. */
   List<String> in(List<Double> values, String input) {
     double same = Math.max(Math.abs(bound) * SAME, SAME);
-    double[] range =
-        RANGES.getOrDefault(type, new double[] {-Double.MAX_VALUE, Double.MAX_VALUE});
+    double[] range = RANGES.getOrDefault(type, new double[] {-Double.MAX_VALUE, Double.MAX_VALUE});
     List<String> missing = new ArrayList<>();
     if (bound > range[0] && values.stream().noneMatch(v -> v < bound - same && isNear(v))) {
       missing.add("with '%s' just below %s%s".formatted(input, bound, distance()));

@@ -105,7 +105,9 @@ final class FlowRules {
       findings.warning(
           ContractRule.FLOW_CYCLE,
           findings.at(group.get(0), Literals.SOFTWARE_NODE__OUTPUT),
-          "The data flow is cyclic: " + path(shortestCycle(group.get(0), new HashSet<>(group))) + ".",
+          "The data flow is cyclic: "
+              + path(shortestCycle(group.get(0), new HashSet<>(group)))
+              + ".",
           "If this is not a feedback loop that you want, look for the topic that is written further"
               + " down and read further up.");
     }
@@ -117,7 +119,8 @@ final class FlowRules {
   }
 
   private void deadlock(List<SoftwareNode> loop) {
-    String whose = loop.size() == 1 ? "it waits for a message of its own" : "they wait for each other";
+    String whose =
+        loop.size() == 1 ? "it waits for a message of its own" : "they wait for each other";
     findings.error(
         ContractRule.FLOW_DEADLOCK,
         findings.at(loop.get(0), Literals.SOFTWARE_NODE__INPUT),
