@@ -51,6 +51,19 @@ class RepairTextTest {
     assertTrue(text.endsWith("   Did you mean `a`? Known is b.\n"), text);
   }
 
+  /**
+   * Quotes the hint of {@code contract.unit.mismatch}: recorded prompts have its first sentence.
+   */
+  @Test
+  void aSentenceForPeopleIsLeftOut() {
+    Diagnostic finding =
+        Diagnostic.of(Rule.error("any.id"), "It is wrong.", SourceLocation.NONE)
+            .withHint(
+                "Give it in 1: divide by 100. Or let the generated node convert: unit '1' and component_unit '%' in chain.json and components.json (unit and componentUnit in a model).");
+    String text = FindingsText.of("answer", List.of(finding));
+    assertTrue(text.endsWith("   Give it in 1: divide by 100.\n"), text);
+  }
+
   /** All text literals of the checking bundles, whatever finding they belong to. */
   @Test
   void noTextOfAnyFindingSpeaksOfFiles() throws IOException {

@@ -97,11 +97,25 @@ final class UnitContracts {
             .formatted(
                 endpoint.name(), data.getFieldName(), topic.name(), here, reference.name(), there);
     SourceLocation at = findings.at(data, Literals.DATA__UNIT);
+    String hint = clash.hint() + generated(clash, data, here, there);
     Rule rule = ContractRule.UNIT_MISMATCH.rule();
     findings.add(
-        new Diagnostic(rule, clash.severity(), message, at, clash.hint(), "", List.of())
+        new Diagnostic(rule, clash.severity(), message, at, hint, "", List.of())
             .withRelated(reference.place().get())
             .withChanges(changes(clash.change(), at, here, there)));
+  }
+
+  /**
+   * Returns how the generated node would convert, if it does not yet. A language model is shown no
+   * sentence that names files, so that prompts do not depend on this one.
+   */
+  private static String generated(Clash clash, Data data, String here, String there) {
+    boolean isConvertible =
+        clash.severity() == Severity.ERROR && clash.change() == Change.WITH_CODE;
+    return isConvertible && data.getComponentUnit() == null
+        ? " Or let the generated node convert: unit '%s' and component_unit '%s' in chain.json and components.json (unit and componentUnit in a model)."
+            .formatted(there, here)
+        : "";
   }
 
   private static List<ModelChange> changes(
