@@ -74,7 +74,7 @@ GAIN = 2.0
 class Scale(Node):
     def __init__(self, name, gain=1.0, *, output="out"):
         super().__init__(name)
-        self.gain = gain
+        self.gain = gain * self.declare_parameter("factor", 1.0).value
         self.output = self.create_publisher(Float32, output, 10)
         self.create_subscription(Float32, "/number", self.on_number, 10)
 
@@ -91,6 +91,7 @@ def main():
     ("source", "launched", "topic", "factor"),
     [
         (MADE, {}, "/left/scaled", 2.0),
+        (MADE, {"parameters": {"factor": 4.0}}, "/left/scaled", 8.0),
         (MADE, {"arguments": {"name": "right", "gain": 5}}, "/out", 5.0),
         (
             MADE.replace("GAIN, output", "float(sys.argv[1]), output").replace("self, name", 'self, name="own"'),

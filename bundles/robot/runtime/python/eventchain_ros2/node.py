@@ -60,7 +60,7 @@ class Node(ParameterMethods):
         self.__name = node_name = launched.name or node_name
         self.__namespace = self.__process.namespace = "/" + (launched.namespace or namespace).strip("/")
         self.__remappings = {self.__expanded(used): full for used, full in launched.remappings.items()}
-        overrides = [*self.__simulation.overrides(node_name), *(parameter_overrides or [])]
+        overrides = [*self.__simulation.overrides(node_name), *launched.overrides(), *(parameter_overrides or [])]
         self._start_parameters(overrides, undeclared=allow_undeclared_parameters)
         if self.declare_parameter("use_sim_time", self.__simulation.is_simulated).value:
             self.__simulation.follow_clock()

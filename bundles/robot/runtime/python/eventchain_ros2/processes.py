@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, Protocol
 from zlib import crc32
 
 from eventchain_ros2.faults import NEVER
+from eventchain_ros2.parameters import Parameter
 from eventchain_ros2.qos import HistoryPolicy, QoSProfile
 
 WORLD = "world"
@@ -166,6 +167,7 @@ class Launched(NamedTuple):
         namespace: its namespace; empty for its own.
         remappings: full names of topics by the names that the node uses.
         arguments: what it is made with, by the names of parameters; None for what the file of its class says.
+        parameters: values of its parameters of ROS 2, by their names.
 
     """
 
@@ -173,6 +175,16 @@ class Launched(NamedTuple):
     namespace: str = ""
     remappings: Mapping[str, str] = MappingProxyType({})
     arguments: Mapping[str, Any] | None = None
+    parameters: Mapping[str, Any] = MappingProxyType({})
+
+    def overrides(self) -> list[Parameter]:
+        """Return the parameters.
+
+        Raises:
+            TypeError: no parameter can have such a value.
+
+        """
+        return [Parameter(name, value=value) for name, value in self.parameters.items()]
 
 
 class Process:

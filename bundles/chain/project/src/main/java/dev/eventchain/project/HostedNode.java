@@ -1,13 +1,16 @@
 package dev.eventchain.project;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.JsonNodeType;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.messages.RosNames;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * A node of rclpy that is hosted as it is.
@@ -20,6 +23,7 @@ import java.util.Optional;
  * @param remappings full names of topics by the names that it uses
  * @param arguments what it is made with, an object by the names of parameters; empty for what the
  *     file of its class says
+ * @param parameters values of its parameters of ROS 2, an object by their names; empty for none
  */
 public record HostedNode(
     Path root,
@@ -28,7 +32,8 @@ public record HostedNode(
     String name,
     String namespace,
     Map<String, String> remappings,
-    Optional<JsonNode> arguments) {
+    Optional<JsonNode> arguments,
+    Optional<JsonNode> parameters) {
 
   private static final String IDENTIFIER = "[A-Za-z_][A-Za-z0-9_]*";
 
@@ -46,6 +51,7 @@ public record HostedNode(
         .ifPresent(
             pairs -> pairs.names().forEach(from -> remappings.put(from, topic(pairs, from))));
     json.object("arguments").ifPresent(HostedNode::requireNames);
+    json.object("parameters").ifPresent(HostedNode::requireValues);
     json.refuseOthers();
     Path root = root(file);
     String path = root.relativize(file).toString().replace('\\', '/');
@@ -57,7 +63,8 @@ public record HostedNode(
         legal(json, "name", name, "(" + IDENTIFIER + ")?"),
         legal(json, "namespace", namespace, "(/|(/" + IDENTIFIER + ")+)?"),
         Map.copyOf(remappings),
-        json.value("arguments").filter(JsonNode::isObject));
+        json.value("arguments").filter(JsonNode::isObject),
+        json.value("parameters").filter(JsonNode::isObject));
   }
 
   private static void requireNames(ObjectReader arguments) {
@@ -69,6 +76,26 @@ public record HostedNode(
             arguments.at(name));
       }
     }
+  }
+
+  /** Refuses what no parameter can be: an object, nothing, or a list of lists or of both. */
+  private static void requireValues(ObjectReader parameters) {
+    for (String name : parameters.names()) {
+      Optional<JsonNode> value = parameters.value(name);
+      boolean legal = value.filter(each -> each.isValueNode() || isList(each)).isPresent();
+      if (!legal) {
+        parameters.find(
+            ProjectRules.MODELER_COMPONENT_NODE,
+            "The parameter '" + name + "' cannot have this value.",
+            parameters.at(name));
+      }
+    }
+  }
+
+  private static boolean isList(JsonNode value) {
+    Set<JsonNodeType> types = EnumSet.noneOf(JsonNodeType.class);
+    value.forEach(each -> types.add(each.getNodeType()));
+    return value.isArray() && types.size() == 1 && value.get(0).isValueNode();
   }
 
   private static String topic(ObjectReader pairs, String from) {

@@ -46,6 +46,9 @@ record DescribedNode(String component, FoundNode node, List<DescribedEndpoint> e
       python.remappings().forEach(remappings::put);
     }
     python.arguments().ifPresent(given -> launch.set("arguments", given));
+    if (!python.parameters().isEmpty()) {
+      launch.putObject("parameters").setAll(python.parameters());
+    }
   }
 
   private void ports(ArrayNode ports, boolean outputs, Set<String> names) {

@@ -100,6 +100,7 @@ record LaunchElement(
     for (JsonNode pair : json.path("remaps")) {
       children.add(pair("remap", "from", "to", pair, file, line));
     }
+    children.addAll(of(file, json.path("parameters")));
     for (JsonNode pair : json.path("arguments")) {
       children.add(pair("arg", "name", "value", pair, file, line));
     }

@@ -1,5 +1,6 @@
 package dev.eventchain.workspace;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -20,7 +21,7 @@ final class LaunchRun {
       Pattern.compile("\\$\\(find-pkg-share '?([^)' ]+)'?\\)/+(.+)");
   private static final Pattern HERE = Pattern.compile("\\$\\(dirname\\)/+(.+)");
   private static final Set<String> WITHOUT_NODES =
-      Set.of("log", "set_env", "unset_env", "set_parameter", "ignored", "param", "remap");
+      Set.of("log", "set_env", "unset_env", "ignored", "param", "remap");
 
   /**
    * A node that is started.
@@ -28,6 +29,7 @@ final class LaunchRun {
    * @param owner the package that has the executable
    * @param name that it is given; empty for its own
    * @param isNameUnknown whether it is given one that is not known
+   * @param parameters values of its parameters, by their names, as far as they are known
    */
   record Started(
       String owner,
@@ -36,6 +38,7 @@ final class LaunchRun {
       boolean isNameUnknown,
       Optional<String> namespace,
       List<TopicNames.Remap> remaps,
+      Map<String, JsonNode> parameters,
       String file,
       int line) {}
 
@@ -120,6 +123,7 @@ final class LaunchRun {
       }
       case "include" -> include(element, scope, depth);
       case "node" -> node(element, scope);
+      case "set_parameter" -> parameter(element);
       default -> {
         if (!WITHOUT_NODES.contains(element.kind())) {
           String reason = known(element, "text").orElse("'" + element.kind() + "' is not read");
@@ -209,8 +213,20 @@ final class LaunchRun {
             unknown,
             namespace(element, scope),
             remaps,
+            LaunchParameters.of(
+                element, child -> text(child, "value", scope), question -> ask(element, question)),
             element.file(),
             element.line()));
+  }
+
+  private void parameter(LaunchElement element) {
+    String name = known(element, "name").orElse("");
+    if (!name.equals(LaunchParameters.SIMULATED)) {
+      ask(
+          element,
+          "Which nodes get the parameter '%s'? 'parameters' of each in components.json say it."
+              .formatted(name));
+    }
   }
 
   private List<TopicNames.Remap> remaps(

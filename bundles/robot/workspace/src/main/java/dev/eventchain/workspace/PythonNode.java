@@ -13,6 +13,7 @@ import java.util.Optional;
  * @param remappings full names of topics by the names that it uses
  * @param arguments what it is made with, an object by the names of parameters; empty for what the
  *     file of its class says
+ * @param parameters values that a launch file gives its parameters of ROS 2, by their names
  */
 public record PythonNode(
     String module,
@@ -20,7 +21,8 @@ public record PythonNode(
     String name,
     String namespace,
     Map<String, String> remappings,
-    Optional<JsonNode> arguments) {
+    Optional<JsonNode> arguments,
+    Map<String, JsonNode> parameters) {
 
   /** Returns the file of the module, below the folder from which it is imported. */
   String file() {

@@ -5,6 +5,7 @@ import dev.eventchain.messages.QosSettings;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -65,7 +66,7 @@ final class StartedNodes {
     List<FoundNode> found = new ArrayList<>();
     for (int number : executable()) {
       JsonNode node = facts.path("nodes").path(number);
-      found.add(node(number, text(node, "name"), Optional.of("/"), List.of()));
+      found.add(node(number, text(node, "name"), Optional.of("/"), List.of(), Map.of()));
     }
     return found;
   }
@@ -89,7 +90,7 @@ final class StartedNodes {
         Optional<String> own = text(facts.path("nodes").path(number), "name");
         Optional<String> name =
             started.isNameUnknown() ? Optional.empty() : started.name().or(() -> own);
-        found.add(node(number, name, started.namespace(), started.remaps()));
+        found.add(node(number, name, started.namespace(), started.remaps(), started.parameters()));
       }
     }
     return found;
@@ -107,7 +108,11 @@ final class StartedNodes {
   }
 
   private FoundNode node(
-      int number, Optional<String> name, Optional<String> launched, List<TopicNames.Remap> remaps) {
+      int number,
+      Optional<String> name,
+      Optional<String> launched,
+      List<TopicNames.Remap> remaps,
+      Map<String, JsonNode> parameters) {
     JsonNode node = facts.path("nodes").path(number);
     if (asked.add(number)) {
       node.path("questions").forEach(each -> ask(OpenQuestion.of(each)));
@@ -131,13 +136,14 @@ final class StartedNodes {
         frequency(node, simple),
         List.copyOf(endpoints),
         node.path("questions").isEmpty() && endpoints.size() == node.path("endpoints").size(),
-        python(node, names),
+        python(node, names, parameters),
         file,
         line);
   }
 
   /** Returns the class; only what differs from its own name and namespace is given to it. */
-  private static Optional<PythonNode> python(JsonNode node, TopicNames names) {
+  private static Optional<PythonNode> python(
+      JsonNode node, TopicNames names, Map<String, JsonNode> parameters) {
     String module = node.path("module").asText();
     String name = names.name().filter(it -> !it.equals(node.path("name").asText())).orElse("");
     String namespace = names.namespace().filter(it -> !it.equals("/")).orElse("");
@@ -150,7 +156,8 @@ final class StartedNodes {
                 name,
                 namespace,
                 names.remappings(),
-                Optional.of(node.path("arguments")).filter(JsonNode::isObject)));
+                Optional.of(node.path("arguments")).filter(JsonNode::isObject),
+                parameters));
   }
 
   private Optional<FoundEndpoint> endpoint(JsonNode json, TopicNames names) {

@@ -10,11 +10,12 @@ import ast
 from collections.abc import Iterable, Iterator
 
 from constants import Constants, Place, UnknownValueError
+from launch_parameters import LaunchParameters
 from source_modules import FUNCTIONS, Module
 
 Json = dict[str, object]
 
-_IGNORED = frozenset({"LogInfo", "SetEnvironmentVariable", "SetParameter", "SetLaunchConfiguration", "Shutdown"})
+_IGNORED = frozenset({"LogInfo", "SetEnvironmentVariable", "SetLaunchConfiguration", "Shutdown"})
 _DECISIONS = (ast.If, ast.For, ast.While, ast.With, ast.Try)
 _NODES = frozenset({"Node", "LifecycleNode"})
 _NAMED = {"package": "pkg", "executable": "exec", "name": "name", "namespace": "namespace"}
@@ -83,7 +84,9 @@ class LaunchFile:
         if name in _NODES:
             attributes = {ours: self._text(keywords[theirs]) for theirs, ours in _NAMED.items() if theirs in keywords}
             remaps = self._remaps(keywords.get("remappings"), node)
-            return {"kind": "node", "line": node.lineno, "attributes": attributes, "remaps": remaps}
+            values = LaunchParameters(self._constants, self._place, self._text).read(keywords.get("parameters"))
+            element: Json = {"kind": "node", "line": node.lineno, "attributes": attributes, "remaps": remaps}
+            return {**element, "parameters": values}
         if name == "IncludeLaunchDescription" and (node.args or keywords):
             source = node.args[0] if node.args else next(iter(keywords.values()))
             inner = source.args[0] if isinstance(source, ast.Call) and source.args else source
@@ -100,6 +103,9 @@ class LaunchFile:
         if name == "SetRemap":
             parts = [*node.args, *(keywords[key] for key in ("src", "dst") if key in keywords)]
             return {"kind": "set_remap", "line": node.lineno, "remaps": [[self._text(each) for each in parts[:2]]]}
+        if name == "SetParameter":
+            given = keywords.get("name") or (node.args[0] if node.args else ast.Constant(None))
+            return {"kind": "set_parameter", "line": node.lineno, "attributes": {"name": self._text(given)}}
         if name == "DeclareLaunchArgument":
             argument = keywords.get("name") or (node.args[0] if node.args else ast.Constant(None))
             default = keywords.get("default_value")

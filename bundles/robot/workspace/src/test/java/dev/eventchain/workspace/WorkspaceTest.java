@@ -89,6 +89,23 @@ class WorkspaceTest {
         found.questions()::toString);
   }
 
+  /** A node that has other parameters is another one. */
+  @Test
+  void parametersOfLaunchFilesAreGivenToTheirNodes(@TempDir Path folder) throws IOException {
+    FoundSoftware found =
+        launching(
+            folder,
+            "<arg name='near' default='1.5'/><node pkg='braking' exec='brake'>"
+                + "<param name='limit' value='$(var near)'/><param name='count' value='3'/>"
+                + "<param name='use_sim_time' value='true'/><param name='side' value='left'/>"
+                + "<param name='open' value='$(env OPEN)'/><param from='limits.yaml'/></node>");
+    assertEquals(
+        "{limit=1.5, count=3, side=\"left\"}",
+        found.nodes().get(0).python().orElseThrow().parameters().toString());
+    assertTrue(asked(found, "What is the parameter 'open' of this node?"));
+    assertTrue(asked(found, "Which parameters does the file 'limits.yaml' give this node?"));
+  }
+
   private static FoundSoftware launching(Path folder, String started) throws IOException {
     copy("ws", folder);
     Files.delete(folder.resolve("src/braking/launch/aeb.launch.py"));

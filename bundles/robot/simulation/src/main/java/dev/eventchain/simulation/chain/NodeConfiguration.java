@@ -110,6 +110,7 @@ public final class NodeConfiguration {
           launch.put("namespace", node.launch().namespace()).putObject("remappings");
       new TreeMap<>(node.launch().remappings()).forEach(remappings::put);
       node.launch().arguments().ifPresent(given -> launch.set("arguments", given));
+      node.launch().parameters().ifPresent(given -> launch.set("parameters", given));
     }
     return json;
   }

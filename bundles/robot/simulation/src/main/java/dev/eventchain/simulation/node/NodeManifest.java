@@ -60,11 +60,16 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
    * @param remappings full names of topics by the names that the node uses
    * @param arguments what it is made with, an object by the names of parameters; empty for what the
    *     file of its class says
+   * @param parameters values of its parameters of ROS 2, an object by their names; empty for none
    */
   public record Launch(
-      String name, String namespace, Map<String, String> remappings, Optional<JsonNode> arguments) {
+      String name,
+      String namespace,
+      Map<String, String> remappings,
+      Optional<JsonNode> arguments,
+      Optional<JsonNode> parameters) {
 
-    static final Launch NONE = new Launch("", "", Map.of(), Optional.empty());
+    static final Launch NONE = new Launch("", "", Map.of(), Optional.empty(), Optional.empty());
 
     /** Copies the map. */
     public Launch {

@@ -106,7 +106,8 @@ final class NodeManifestReader {
             json.text("name").orElse(""),
             json.text("namespace").orElse(""),
             remappings,
-            json.object("arguments").flatMap(given -> json.value("arguments")));
+            json.object("arguments").flatMap(given -> json.value("arguments")),
+            json.object("parameters").flatMap(given -> json.value("parameters")));
     json.refuseOthers();
     return launch;
   }

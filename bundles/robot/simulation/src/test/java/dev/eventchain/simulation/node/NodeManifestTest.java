@@ -59,7 +59,8 @@ class NodeManifestTest {
                 "",
                 "/front",
                 Map.of("in", "/input"),
-                Optional.of(JsonNodeFactory.instance.objectNode().put("side", "left")))),
+                Optional.of(JsonNodeFactory.instance.objectNode().put("side", "left")),
+                Optional.of(JsonNodeFactory.instance.objectNode().put("gain", "high")))),
         manifest.nodes().get(2));
     assertEquals("aeb.second_node", manifest.find("Second").orElseThrow().module());
     assertTrue(manifest.find("second").isEmpty());

@@ -1,7 +1,7 @@
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, OpaqueFunction
 from launch.substitutions import LaunchConfiguration
-from launch_ros.actions import Node
+from launch_ros.actions import Node, SetParameter
 
 
 def generate_launch_description():
@@ -21,4 +21,19 @@ def generate_launch_description():
     for index in range(2):
         ld.add_action(Node(package="corner_nodes", executable="kept", name=f"kept_{index}"))
     ld.add_action(OpaqueFunction(function=print))
+    ld.add_action(SetParameter("use_sim_time", True))
+    ld.add_action(SetParameter("rate", 5))
+    limits = {"limit": 1.5, "sides": ["left", "right"], "nested": {"deep": True}}
+    ld.add_action(
+        Node(
+            package="corner_nodes",
+            executable="kept",
+            name="with_parameters",
+            parameters=[
+                limits,
+                {"use_sim_time": True, "gain": LaunchConfiguration("gain", default="2.0"), "open": print},
+                "config.yaml",
+            ],
+        )
+    )
     return ld

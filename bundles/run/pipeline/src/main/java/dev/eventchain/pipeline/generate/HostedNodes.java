@@ -42,6 +42,7 @@ public final class HostedNodes {
     ObjectNode remappings = launch.putObject("remappings");
     new TreeMap<>(node.remappings()).forEach(remappings::put);
     node.arguments().ifPresent(given -> launch.set("arguments", given));
+    node.parameters().ifPresent(given -> launch.set("parameters", given));
     return json;
   }
 

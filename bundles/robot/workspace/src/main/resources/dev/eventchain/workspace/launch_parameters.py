@@ -1,0 +1,72 @@
+"""Parameters that a launch file in Python gives a node, as the elements ``param`` that XML would have."""
+
+from __future__ import annotations
+
+import ast
+import json
+from collections.abc import Callable, Iterator
+
+from constants import Constants, Place, UnknownValueError
+
+Json = dict[str, object]
+
+
+class LaunchParameters:
+    """Reads the list of parameters of a node: dictionaries, and files.
+
+    Args:
+        constants: the constants of the file.
+        place: the scope of the node.
+        text: returns a text with substitutions, or None if it is not known.
+
+    """
+
+    def __init__(self, constants: Constants, place: Place, text: Callable[[ast.expr], str | None]) -> None:
+        self._constants = constants
+        self._place = place
+        self._text = text
+
+    def read(self, node: ast.expr | None) -> list[Json]:
+        """Return an element for each parameter, and one for what is not known."""
+        if node is None:
+            return []
+        node = self._definition(node)
+        if not isinstance(node, (ast.List, ast.Tuple)):
+            return [_element(node, {"name": None})]
+        return [found for each in node.elts for found in self._entry(self._definition(each))]
+
+    def _definition(self, node: ast.expr) -> ast.expr:
+        if isinstance(node, ast.Name):
+            try:
+                return self._constants.definition(node, self._place)[0]
+            except UnknownValueError:
+                return node
+        return node
+
+    def _entry(self, node: ast.expr) -> Iterator[Json]:
+        if isinstance(node, ast.Dict):
+            yield from self._values(node, "")
+        else:
+            yield _element(node, {"from": self._text(node)})
+
+    def _values(self, node: ast.Dict, above: str) -> Iterator[Json]:
+        for key, value in zip(node.keys, node.values, strict=True):
+            name = self._text(key) if key is not None else None
+            full = f"{above}{name}" if name is not None else None
+            inner = self._definition(value)
+            if isinstance(inner, ast.Dict) and full is not None:
+                yield from self._values(inner, f"{full}.")
+            else:
+                yield _element(value, {"name": full, **self._value(value)})
+
+    def _value(self, node: ast.expr) -> Json:
+        """Return a value: a known one in JSON, or a text with substitutions, whose type is inferred."""
+        try:
+            known = self._constants.data(self._definition(node), self._place)
+            return {"json": json.dumps(known)} if known is not None else {}
+        except UnknownValueError:
+            return {"value": self._text(node)}
+
+
+def _element(node: ast.AST, attributes: Json) -> Json:
+    return {"kind": "param", "line": getattr(node, "lineno", 1), "attributes": attributes}
