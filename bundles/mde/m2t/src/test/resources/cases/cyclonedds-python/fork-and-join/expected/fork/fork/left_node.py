@@ -93,7 +93,7 @@ class Left_node:
         message = runner.newest(self.reader_everything)
         if message is not None:
             self.received["yes"] = message.bool_
-            self.received["octet"] = bytes((message.octet,))
+            self.received["octet"] = message.octet
             self.received["octets"] = [bytes((octet,)) for octet in message.octets]
             self.received["letters"] = array.array("B", message.letters)
             self.received["blob"] = array.array("B", message.blob)

@@ -50,7 +50,7 @@ class Source_node:
         output = self.component.execute()
         message = messages.odd_msgs__Everything()
         message.bool_ = output["yes"]
-        message.octet = output["octet"][0]
+        message.octet = output["octet"]
         message.octets = list(b"".join(output["octets"]))
         message.letters = array.array("B", output["letters"])
         message.single = float(output["single"])  # m

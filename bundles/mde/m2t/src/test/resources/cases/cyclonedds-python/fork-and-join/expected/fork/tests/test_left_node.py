@@ -85,7 +85,7 @@ def test_a_message_of_each_topic_executes_the_component() -> None:
     }
 
     assert given["yes"] is True
-    assert given["octet"] == bytes((2,))
+    assert given["octet"] == 2
     assert list(given["octets"]) == [bytes((3,))]
     assert list(given["letters"]) == [4]
     assert list(given["blob"]) == [5]

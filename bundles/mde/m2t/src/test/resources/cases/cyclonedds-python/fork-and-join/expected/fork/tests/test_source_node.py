@@ -23,7 +23,7 @@ class StandIn:
         self.given.append(inputs)
         return {
             "yes": True,
-            "octet": bytes((2,)),
+            "octet": 2,
             "octets": [bytes((3,))],
             "letters": [4],
             "single": 5.5,
