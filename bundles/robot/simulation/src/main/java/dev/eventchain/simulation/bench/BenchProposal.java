@@ -67,6 +67,9 @@ final class BenchProposal {
   private final Map<String, Double> rates;
   private final StringBuilder text = new StringBuilder();
 
+  /** The first number or Boolean that could not be guessed. */
+  private Optional<Field> unknown = Optional.empty();
+
   /**
    * Creates a proposal.
    *
@@ -85,8 +88,10 @@ final class BenchProposal {
     text.append(
         "# How the simulated road and this project are connected; `eventchain bench DIR` lists\n");
     text.append("# what there is. What is commented out could not be guessed.\n");
+    int head = text.length();
     section("provides:", Direction.PROVIDED);
     section("consumes:", Direction.CONSUMED);
+    unknown.ifPresent(field -> text.insert(head, inputs(field)));
     return text.toString();
   }
 
@@ -101,6 +106,19 @@ final class BenchProposal {
         .map(String::strip)
         .filter(line -> !line.equals(UNUSED))
         .toList();
+  }
+
+  /** Returns how values that are not of the road get into messages, for one of them. */
+  private static String inputs(Field field) {
+    String name = "my." + field.path().replaceAll("\\W", "_");
+    String unit = field.unit().isEmpty() ? "" : "unit: \"" + field.unit() + "\", ";
+    return """
+        # What the road has not is an input, whose values scenarios set under `inputs`. Declare it here, and
+        # give its name to the field in the place of the question mark:
+        #   inputs:
+        #     %s: {%svalue: 0}
+        """
+        .formatted(name, unit);
   }
 
   private void section(String heading, Direction direction) {
@@ -145,8 +163,12 @@ final class BenchProposal {
             .toList();
     List<String> fields = new ArrayList<>();
     for (Field field : single) {
+      Optional<String> source = source(signal, field);
+      if (source.isEmpty() && unknown.isEmpty() && kind(signal, field.path()).isPresent()) {
+        unknown = Optional.of(field);
+      }
       fields.add(
-          source(signal, field)
+          source
               .map(it -> "      " + field.path() + ": " + it)
               .orElse("#      " + field.path() + ": " + unit(field)));
     }
