@@ -10,7 +10,6 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Base64;
@@ -137,10 +136,7 @@ public final class ComponentProbe {
             .confinement(confinement)
             .start()) {
       ConfinedProcess.Answer answer = process.ask(request, MAXIMAL_OUTPUT);
-      return new ProbeReport(
-          new String(answer.output(), StandardCharsets.UTF_8),
-          answer.end(),
-          answer.standardError());
+      return new ProbeReport(answer.output(), answer.end(), answer.standardError());
     }
   }
 

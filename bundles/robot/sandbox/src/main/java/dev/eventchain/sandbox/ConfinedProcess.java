@@ -9,6 +9,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -70,10 +71,10 @@ public final class ConfinedProcess implements AutoCloseable {
   /**
    * The answer of a program to its only request.
    *
-   * @param output its standard output
+   * @param output its standard output as UTF-8
    * @param standardError as {@link ConfinedProcess#standardError}
    */
-  public record Answer(byte[] output, Termination end, String standardError) {}
+  public record Answer(String output, Termination end, String standardError) {}
 
   private static final int CPU_TIME_SIGNAL = 128 + 24;
   private static final long CLOSE_SECONDS = 5;
@@ -144,7 +145,7 @@ public final class ConfinedProcess implements AutoCloseable {
   /**
    * Sends a program its only request, and waits for the answer and its end.
    *
-   * @param mostOutput the number of bytes after which it is killed
+   * @param mostOutput the number of bytes at which it is killed, so that it never ends well
    * @throws IOException if the answer cannot be read
    */
   public Answer ask(byte[] request, int mostOutput) throws IOException {
@@ -154,10 +155,15 @@ public final class ConfinedProcess implements AutoCloseable {
       // The program ended before it read its input; its termination gives the reason.
     }
     byte[] output = stdout().readNBytes(mostOutput);
-    if (output.length == mostOutput) {
+    boolean isCut = output.length == mostOutput;
+    if (isCut) {
       kill(Cause.CLOSED);
     }
-    return new Answer(output, await(), standardError());
+    Termination end = await();
+    return new Answer(
+        new String(output, StandardCharsets.UTF_8),
+        isCut ? new Termination(Cause.CLOSED, end.exitCode()) : end,
+        standardError());
   }
 
   /** Waits until it has ended and its standard error is complete. */

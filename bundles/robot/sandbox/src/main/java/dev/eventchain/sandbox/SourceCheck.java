@@ -8,7 +8,6 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -127,9 +126,9 @@ public final class SourceCheck {
     return JSON.writeValueAsBytes(request);
   }
 
-  private static JsonNode read(byte[] output) {
+  private static JsonNode read(String output) {
     try {
-      return JSON.readTree(new String(output, StandardCharsets.UTF_8));
+      return JSON.readTree(output);
     } catch (IOException e) {
       return JSON.createArrayNode(); // incomplete JSON
     }

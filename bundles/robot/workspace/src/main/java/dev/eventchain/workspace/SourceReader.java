@@ -11,7 +11,6 @@ import dev.eventchain.sandbox.PythonSources;
 import dev.eventchain.sandbox.WorkFolder;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 
@@ -55,10 +54,10 @@ final class SourceReader {
             .limits(LIMITS)
             .start()) {
       ConfinedProcess.Answer answer = process.ask(JSON.writeValueAsBytes(request), MAXIMAL_OUTPUT);
-      if (!answer.end().isSuccess() || answer.output().length == MAXIMAL_OUTPUT) {
+      if (!answer.end().isSuccess()) {
         throw unfinished(workspace, answer.standardError().strip());
       }
-      return JSON.readTree(new String(answer.output(), StandardCharsets.UTF_8));
+      return JSON.readTree(answer.output());
     }
   }
 
