@@ -14,6 +14,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
@@ -26,6 +27,7 @@ import org.junit.jupiter.api.io.TempDir;
  * hand-off, with each prompt in a file; all others come from the recordings of the example.
  */
 class VerdictCorrectionTest {
+  private static final String SAME = "nothing has changed since";
   private static final String DECISION = "Braking_Decision";
 
   /** Component that passes its only test, and brakes too late. */
@@ -143,7 +145,7 @@ class VerdictCorrectionTest {
     assertTrue(asked.contains("These never change: "), asked);
 
     diagnose(1, "component", DECISION, "It brakes below 0.3 s only.");
-    run().expect(4);
+    run().expect(4).says(SAME);
     String told = prompt("implement-02");
     assertTrue(told.contains(LATE), told);
     assertTrue(told.contains("> It brakes below 0.3 s only."), told);
@@ -208,6 +210,25 @@ class VerdictCorrectionTest {
         .says("No design may be able to do all that is asked for (AEB-4): May the force depend")
         .says("[agents.verdict.question]")
         .says("FAILED: 1 of 2 scenarios passed");
+  }
+
+  /** A person who answers needs several commands, of which only the first one has to simulate. */
+  @Test
+  void whatFailedIsSimulatedAgainOnlyIfSomethingHasChanged() throws IOException {
+    failOnce();
+    run().expect(4);
+    String verdict = Files.readString(project.resolve("out/verdict.json"));
+    String asked = prompt("diagnose-01");
+    run().expect(4).says(SAME).says("[simulation.criterion.failed]").says("waiting for 1 answer");
+    assertEquals(verdict, Files.readString(project.resolve("out/verdict.json")));
+    assertEquals(asked, prompt("diagnose-01"));
+    Files.writeString(
+        project.resolve("bench.yaml"), "# Another text.\n", StandardOpenOption.APPEND);
+    assertFalse(run().expect(4).err().contains(SAME), "a file has changed");
+    run().expect(4).says(SAME);
+    Files.delete(project.resolve("out/measurements.json"));
+    assertFalse(run().expect(4).err().contains(SAME), "a result is gone");
+    assertTrue(Files.exists(project.resolve("out/measurements.json")));
   }
 
   @InTurn

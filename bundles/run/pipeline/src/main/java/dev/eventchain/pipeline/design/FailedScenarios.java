@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.stage.FailedVerdict;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.SimulationResult;
 import dev.eventchain.simulation.bench.Bench;
@@ -14,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 
@@ -41,8 +43,17 @@ final class FailedScenarios {
             .toList();
   }
 
-  static FailedScenarios of(RunContext run, SimulationResult simulated) {
-    return new FailedScenarios(run, simulated);
+  /** Returns what language models are told about the scenarios of a simulation that failed. */
+  static FailedVerdict of(RunContext run, SimulationResult simulated) {
+    FailedScenarios failed = new FailedScenarios(run, simulated);
+    List<SoftwareNode> path = failed.path();
+    Map<String, String> texts = new TreeMap<>();
+    path.forEach(node -> texts.put(node.getName(), VerdictText.of(List.of(node), failed)));
+    return new FailedVerdict(
+        !failed.verdicts.isEmpty(),
+        path.stream().map(SoftwareNode::getName).toList(),
+        VerdictText.of(path, failed),
+        texts);
   }
 
   /** Returns the verdicts on these scenarios. */
@@ -64,7 +75,7 @@ final class FailedScenarios {
   }
 
   /** Returns the components whose outputs can reach a signal of what failed, in chain order. */
-  List<SoftwareNode> path() {
+  private List<SoftwareNode> path() {
     return run.chain().chain().getSoftware().stream().filter(this::mayBeTheCause).toList();
   }
 

@@ -22,6 +22,7 @@ import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.ComponentFiles;
 import dev.eventchain.pipeline.stage.Correction;
+import dev.eventchain.pipeline.stage.FailedVerdict;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.sandbox.ComponentProbe;
@@ -37,19 +38,19 @@ import java.util.function.Supplier;
  */
 public final class VerdictCorrection {
   private final RunContext run;
-  private final FailedScenarios failed;
+  private final FailedVerdict failed;
   private final SourceText chain;
 
   /** Creates the correction of the last simulation of a run. */
   public VerdictCorrection(RunContext run) {
     this.run = run;
-    this.failed = FailedScenarios.of(run, run.models().simulated().orElseThrow());
+    this.failed = run.models().failed(FailedScenarios::of).orElseThrow();
     this.chain = SourceText.read(run.required(ProjectFolder.DESCRIPTION, Stage.DESIGN));
   }
 
   /** Returns whether the run writes components and has simulated all scenarios. */
   public static boolean isAllowed(RunContext run) {
-    return mayFollow(run.options()) && run.models().simulated().isPresent();
+    return mayFollow(run.options()) && run.models().isJudged();
   }
 
   /** Returns whether a run writes components and simulates all scenarios with them. */
@@ -68,14 +69,21 @@ public final class VerdictCorrection {
    * @throws DiagnosticException WAITING for a person's answer
    */
   public Optional<Correction> ask() {
-    List<SoftwareNode> path = failed.path();
+    List<SoftwareNode> path = path();
     boolean anythingWritten = !run.softwareBase().missing(run.chain().chain()).isEmpty();
-    if (failed.verdicts().isEmpty() || !anythingWritten) {
+    if (!failed.anyFailed() || !anythingWritten) {
       return Optional.empty();
     }
     Optional<Diagnosis> diagnosis = orNobody(() -> diagnose(path), "a diagnosis");
     diagnosis.ifPresent(run.models().diagnoses()::add);
     return diagnosis.flatMap(this::correct);
+  }
+
+  /** Returns the components whose outputs can reach what failed, in chain order. */
+  private List<SoftwareNode> path() {
+    return run.chain().chain().getSoftware().stream()
+        .filter(node -> failed.path().contains(node.getName()))
+        .toList();
   }
 
   private Diagnosis diagnose(List<SoftwareNode> path) {
@@ -87,7 +95,7 @@ public final class VerdictCorrection {
             path.stream().map(SoftwareNode::getName).toList(),
             written(path),
             new FailureText(run).code(written(path)),
-            VerdictText.of(path, failed),
+            failed.text(),
             run.models().diagnoses());
     return new DiagnoseAgent(run.models().correcting(Stage.IMPLEMENT, "diagnose"))
         .diagnose(failure, run.requirements());
@@ -139,7 +147,7 @@ public final class VerdictCorrection {
 
   private Optional<AgentResult> corrected(String name, ComponentTester tests, Diagnosis diagnosis) {
     SoftwareNode node =
-        failed.path().stream().filter(it -> name.equals(it.getName())).findFirst().orElseThrow();
+        path().stream().filter(it -> name.equals(it.getName())).findFirst().orElseThrow();
     run.progress().step(Stage.SIMULATE, "asking for a correction of " + name);
     return orNobody(
         () ->
@@ -153,7 +161,7 @@ public final class VerdictCorrection {
                     run.requirements(),
                     Optional.of(tests),
                     present(name),
-                    VerdictText.of(List.of(node), failed),
+                    failed.texts().get(node.getName()),
                     diagnosis.why()),
         "a correction of '" + name + "'");
   }
@@ -190,11 +198,7 @@ public final class VerdictCorrection {
         orNobody(
             () ->
                 new DesignAgent(context)
-                    .correct(
-                        DesignStage.asked(run),
-                        chain,
-                        VerdictText.of(failed.path(), failed),
-                        diagnosis.why()),
+                    .correct(DesignStage.asked(run), chain, failed.text(), diagnosis.why()),
             "another design");
     return design.map(
         answered ->

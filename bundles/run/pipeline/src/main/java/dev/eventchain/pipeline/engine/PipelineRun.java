@@ -38,7 +38,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Collectors;
 
 /** Runs the requested stages in order, as far as possible. */
 public final class PipelineRun {
@@ -63,6 +62,7 @@ public final class PipelineRun {
   private final Progress progress;
   private final EarlierRun before;
   private final StandingResults standing;
+  private final StandingFailure failures;
   private final Map<Stage, StageOutcome> outcomes = new EnumMap<>(Stage.class);
 
   /** The finding that the standing verdict is not PASSED, in a run for a report alone. */
@@ -83,6 +83,7 @@ public final class PipelineRun {
     this.progress = run.progress();
     this.before = before;
     this.standing = new StandingResults(run, memory);
+    this.failures = new StandingFailure(run);
     this.notPassed = run.options().onlyReports() ? LastVerdict.notPassed(run) : Optional.empty();
   }
 
@@ -169,6 +170,7 @@ public final class PipelineRun {
         corrected = new VerdictCorrection(run).ask();
       } catch (DiagnosticException e) {
         failure = Optional.of(e.reason());
+        failures.keep(e.reason());
         end(StageEnds.stopped(Stage.IMPLEMENT, e, run.takeFindings(), start));
         return;
       }
@@ -227,12 +229,6 @@ public final class PipelineRun {
     Fingerprint fingerprint = new Fingerprint(run).add(stage.id());
     WORK.get(stage).fingerprint(run, fingerprint);
     return fingerprint;
-  }
-
-  private Map<String, String> written(List<String> outputs) {
-    return outputs.stream()
-        .distinct()
-        .collect(Collectors.toMap(name -> name, run.output()::written));
   }
 
   private Stage stoppedIn() {
@@ -321,7 +317,7 @@ public final class PipelineRun {
   /** Returns the record of an up-to-date stage, unless edited files are to be overwritten. */
   private Optional<StageRecord> recall(Stage stage, Fingerprint inputs) {
     if (stage == Stage.SIMULATE) {
-      return standing.recall(inputs);
+      return standing.recall(inputs).or(() -> failures.recall(inputs));
     }
     return memory
         .recall(stage, inputs)
@@ -348,27 +344,17 @@ public final class PipelineRun {
     boolean failed = Diagnostic.anyError(parted.remaining());
     if (failed) {
       failure = Optional.of(DiagnosticException.Reason.FINDINGS);
+      if (stage == Stage.SIMULATE) {
+        failures.ended(StageRecord.of(inputs.value(), inputs, done, run.output(), found));
+      }
     } else if (work.skippable() && !isPartial(stage)) {
       // An error that is suppressed now may count later, so the stage runs again. One that asks
       // language models is skipped until then, so that nobody is asked again.
       boolean again = Diagnostic.anyError(found) && !ASKING.contains(stage);
       String key = again ? StageRecord.NEVER : inputs.value();
-      memory.remember(stage, record(key, inputs, done, found));
+      memory.remember(stage, StageRecord.of(key, inputs, done, run.output(), found));
     }
     return StageEnds.ended(stage, failed ? Status.FAILED : Status.DONE, start, result, parted);
-  }
-
-  private StageRecord record(
-      String key, Fingerprint inputs, Recorded<StageResult> done, List<Diagnostic> found) {
-    StageResult result = done.value();
-    return new StageRecord(
-        key,
-        inputs.sources(done.files(), result.outputs()),
-        written(result.outputs()),
-        result.details(),
-        found,
-        result.coverage(),
-        result.report());
   }
 
   /** Withdraws the results and forgets the stage before it runs: its files may change. */

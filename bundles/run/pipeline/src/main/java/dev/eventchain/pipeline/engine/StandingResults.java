@@ -93,7 +93,7 @@ public final class StandingResults {
   }
 
   private void remember() {
-    record = memory.recall(Stage.SIMULATE).filter(this::isAsWritten);
+    record = memory.recall(Stage.SIMULATE).filter(found -> found.isAsWritten(run.output()));
     record.ifPresent(
         found -> {
           found.outputs().keySet().forEach(this::keep);
@@ -105,19 +105,10 @@ public final class StandingResults {
     run.output().read(name).ifPresent(content -> contents.put(name, content));
   }
 
-  private boolean isAsWritten(StageRecord found) {
-    return found.outputs().entrySet().stream()
-        .allMatch(
-            each ->
-                run.output().read(each.getKey()).isPresent()
-                    && !run.output().isEdited(each.getKey())
-                    && run.output().written(each.getKey()).equals(each.getValue()));
-  }
-
   /** Returns the recorded simulation and restores its results, if it had the given inputs. */
   Optional<StageRecord> recall(Fingerprint inputs) {
     if (!withdrawn) {
-      return memory.recall(Stage.SIMULATE, inputs).filter(this::isAsWritten);
+      return memory.recall(Stage.SIMULATE, inputs).filter(found -> found.isAsWritten(run.output()));
     }
     Optional<StageRecord> same = record.filter(inputs::isOf);
     same.ifPresent(

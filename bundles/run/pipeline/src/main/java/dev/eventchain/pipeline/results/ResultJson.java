@@ -18,6 +18,8 @@ import com.fasterxml.jackson.databind.introspect.AnnotatedMember;
 import com.fasterxml.jackson.databind.introspect.JacksonAnnotationIntrospector;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.module.SimpleModule;
+import dev.eventchain.diagnostics.CommonTrait;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.pipeline.run.Stage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -35,6 +37,7 @@ public final class ResultJson {
       JsonMapper.builder()
           .annotationIntrospector(new RequiredUnlessOmitted())
           .addModule(OptionalValues.module())
+          .addModule(new SimpleModule().addDeserializer(Rule.Trait.class, new TraitReader()))
           .enable(JsonParser.Feature.STRICT_DUPLICATE_DETECTION)
           .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
           .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
@@ -142,6 +145,26 @@ public final class ResultJson {
       return mayBeNone && report.isObject() && report.isEmpty()
           ? new StageReport.None()
           : context.readTreeAsValue(report, type);
+    }
+  }
+
+  /**
+   * Reads what callers need to know about findings of any bundle. Findings with something else,
+   * which a bundle knows of its own, are not read: what a caller would miss could pass for a
+   * result.
+   */
+  private static final class TraitReader extends JsonDeserializer<Rule.Trait> {
+
+    @Override
+    public Rule.Trait deserialize(JsonParser parser, DeserializationContext context)
+        throws IOException {
+      String name = parser.getText();
+      for (CommonTrait each : CommonTrait.values()) {
+        if (each.name().equals(name)) {
+          return each;
+        }
+      }
+      throw context.weirdStringException(name, Rule.Trait.class, "not known here");
     }
   }
 

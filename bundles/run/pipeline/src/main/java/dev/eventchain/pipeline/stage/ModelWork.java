@@ -24,6 +24,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BiFunction;
 
 /**
  * The use of language models in a run: access, conversations, cost, and corrections after a
@@ -37,6 +38,7 @@ public final class ModelWork {
   private Correction correction = Correction.NONE;
   private final List<Diagnosis> diagnoses = new ArrayList<>();
   private Optional<SimulationResult> simulated = Optional.empty();
+  private Optional<FailedVerdict> failed = Optional.empty();
 
   /**
    * Creates the state of a run without calls.
@@ -177,6 +179,35 @@ public final class ModelWork {
   /** Stores the simulation. */
   public void simulated(SimulationResult result) {
     simulated = Optional.of(result);
+    failed = Optional.empty();
+  }
+
+  /**
+   * Returns whether there is a verdict that may be sent back: of this run, or of an earlier one.
+   */
+  public boolean isJudged() {
+    return simulated.isPresent() || failed.isPresent();
+  }
+
+  /**
+   * Returns what language models are told about the last verdict, if there is one.
+   *
+   * @param reader returns it for a simulation
+   */
+  public Optional<FailedVerdict> failed(
+      BiFunction<RunContext, SimulationResult, FailedVerdict> reader) {
+    failed = failed.or(() -> simulated.map(result -> reader.apply(run, result)));
+    return failed;
+  }
+
+  /** Stores what they were told about the verdict of an earlier run, which stands. */
+  public void failed(FailedVerdict earlier) {
+    failed = Optional.of(earlier);
+  }
+
+  /** Returns what they were told in this run, if they were asked. */
+  public Optional<FailedVerdict> told() {
+    return failed;
   }
 
   /** Returns the cost of language model calls in this run. */

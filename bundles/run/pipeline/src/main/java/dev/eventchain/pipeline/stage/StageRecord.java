@@ -2,6 +2,8 @@ package dev.eventchain.pipeline.stage;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.FileReads.Recorded;
+import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.results.StageReport;
 import java.util.List;
 import java.util.Map;
@@ -33,6 +35,42 @@ public record StageRecord(
     StageReport report) {
   /** The key of a stage that is not skipped. */
   public static final String NEVER = "";
+
+  /**
+   * Creates the record of a stage that has just ended.
+   *
+   * @param inputs those that were known before
+   * @param done its result, with the files that it read
+   * @param found its findings
+   */
+  public static StageRecord of(
+      String key,
+      Fingerprint inputs,
+      Recorded<StageResult> done,
+      OutputFolder output,
+      List<Diagnostic> found) {
+    StageResult result = done.value();
+    Map<String, String> outputs = new TreeMap<>();
+    result.outputs().forEach(name -> outputs.put(name, output.written(name)));
+    return new StageRecord(
+        key,
+        inputs.sources(done.files(), result.outputs()),
+        outputs,
+        result.details(),
+        found,
+        result.coverage(),
+        result.report());
+  }
+
+  /** Returns whether an output folder has all files as the stage wrote them. */
+  public boolean isAsWritten(OutputFolder output) {
+    return outputs.entrySet().stream()
+        .allMatch(
+            each ->
+                output.read(each.getKey()).isPresent()
+                    && !output.isEdited(each.getKey())
+                    && output.written(each.getKey()).equals(each.getValue()));
+  }
 
   /** Rejects missing values, as from a damaged file. */
   public StageRecord {

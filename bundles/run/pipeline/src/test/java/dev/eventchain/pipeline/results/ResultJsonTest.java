@@ -8,6 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.CommonTrait;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.StageRecord;
 import java.io.IOException;
@@ -139,6 +141,18 @@ class ResultJsonTest {
     assertEquals(
         List.of(),
         accepted.stream().filter(key -> !key.matches("faults|judges|limits|processors")).toList());
+  }
+
+  /** A finding about something untested would else count as an error, or could be suppressed. */
+  @Test
+  void findingsKeepWhatIsKnownOfTheirRules() throws IOException {
+    Rule rule = Rule.error("a.b", CommonTrait.UNTESTED, CommonTrait.UNSUPPRESSIBLE);
+    assertEquals(rule, ResultJson.read(ResultJson.bytes(rule), Rule.class));
+    byte[] other =
+        new String(ResultJson.bytes(rule), StandardCharsets.UTF_8)
+            .replace("UNTESTED", "OF_CALL")
+            .getBytes(StandardCharsets.UTF_8);
+    assertThrows(IOException.class, () -> ResultJson.read(other, Rule.class));
   }
 
   @Test
