@@ -207,7 +207,7 @@ class InitTest {
     assertTrue(bench.contains("    sensor: lidar\n"), bench);
     assertTrue(bench.contains("      velocity: ego.speed\n"), bench);
     assertTrue(bench.contains("#      pose.pose.orientation.z: ? # 1\n"), bench);
-    assertTrue(bench.contains("#   inputs:\n#     my.pose_pose_"), bench);
+    assertTrue(bench.contains("#   inputs:\n#     my.control_brake: {value: 0}\n"), bench);
     assertTrue(bench.contains("      brake: brake\n"), bench);
     assertTrue(bench.contains("      hand_brake: hand_brake\n"), bench);
     new Program().run("bench", project).expect(0);

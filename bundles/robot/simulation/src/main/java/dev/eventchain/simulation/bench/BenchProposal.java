@@ -111,7 +111,7 @@ final class BenchProposal {
   /** Returns how values that are not of the road get into messages, for one of them. */
   private static String inputs(Field field) {
     String name = "my." + field.path().replaceAll("\\W", "_");
-    String unit = field.unit().isEmpty() ? "" : "unit: \"" + field.unit() + "\", ";
+    String unit = field.unit().matches("1?") ? "" : "unit: \"" + field.unit() + "\", ";
     return """
         # What the road has not is an input, whose values scenarios set under `inputs`. Declare it here, and
         # give its name to the field in the place of the question mark:

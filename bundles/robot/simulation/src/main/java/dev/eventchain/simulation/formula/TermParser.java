@@ -270,7 +270,9 @@ final class TermParser {
     String wanted = kind.map(it -> it.equals("bool") ? " of type bool" : " in " + it).orElse("");
     if (found.isEmpty()) {
       return unresolved(
-          "no output%s of the chain satisfies %s".formatted(wanted, requirement), kind, token);
+          "no output%s of the chain satisfies %s%s".formatted(wanted, requirement, others(requirement)),
+          kind,
+          token);
     }
     if (found.size() > 1) {
       String names = found.stream().map(Signal::name).collect(Collectors.joining(", "));
@@ -280,6 +282,19 @@ final class TermParser {
           token);
     }
     return found.get(0);
+  }
+
+  /** Returns the outputs of other types and units that satisfy a requirement, in words. */
+  private String others(String requirement) {
+    String names =
+        signals.outputs(requirement, Optional.empty()).orElse(List.of()).stream()
+            .map(each -> each.name() + (each.truth() ? " (bool)" : " (a number" + in(each) + ")"))
+            .collect(Collectors.joining(", "));
+    return names.isEmpty() ? "" : ", only " + names;
+  }
+
+  private static String in(Signal output) {
+    return output.unit().isEmpty() || output.unit().equals("1") ? "" : " in " + output.unit();
   }
 
   /**

@@ -34,7 +34,7 @@ record UnresolvedCriterion(
             location)
         .withHint(
             "Let exactly one output of the design name the requirement, or add its type or unit:"
-                + " output(ID, bool), output(ID, m/s2).");
+                + " output(ID, bool), output(ID, m/s2). output(ID) > 0.5 reads a Boolean or a number.");
   }
 
   @Override
