@@ -270,7 +270,8 @@ final class TermParser {
     String wanted = kind.map(it -> it.equals("bool") ? " of type bool" : " in " + it).orElse("");
     if (found.isEmpty()) {
       return unresolved(
-          "no output%s of the chain satisfies %s%s".formatted(wanted, requirement, others(requirement)),
+          "no output%s of the chain satisfies %s%s"
+              .formatted(wanted, requirement, others(requirement)),
           kind,
           token);
     }
