@@ -181,35 +181,36 @@ final class RequirementThresholds {
 
   private static Optional<Threshold> threshold(
       String clause, Comparison comparison, List<String> others, Component component) {
-    List<Value> inputs =
-        component.inputValues().stream()
-            .filter(input -> !input.type().contains("["))
-            .filter(input -> isNamed(input.name(), comparison.quantity()))
-            .toList();
-    if (inputs.size() != 1) {
-      return Optional.empty();
-    }
-    Value input = inputs.get(0);
     List<String> outputs =
         component.outputValues().stream()
             .map(Value::name)
             .filter(output -> isSpokenOf(output, clause))
             .toList();
     ThresholdEffect effect = ThresholdEffect.of(comparison.before() + comparison.after(), others);
-    return comparison
-        .range()
-        .in(input.unit())
+    Optional<Value> input = input(comparison.quantity(), component);
+    return input
+        .flatMap(value -> comparison.range().in(value.unit()))
         .map(
             range ->
                 new Threshold(
                     clause,
-                    input.name(),
+                    input.get().name(),
                     range.least(),
                     range.leastIn(),
                     range.most(),
                     range.mostIn(),
                     effect,
                     outputs));
+  }
+
+  /** Returns the only input that the words before a comparison name. */
+  private static Optional<Value> input(String quantity, Component component) {
+    List<Value> inputs =
+        component.inputValues().stream()
+            .filter(input -> !input.type().contains("["))
+            .filter(input -> isNamed(input.name(), quantity))
+            .toList();
+    return inputs.size() == 1 ? Optional.of(inputs.get(0)) : Optional.empty();
   }
 
   /** Returns whether the words before a comparison name a value: TTC, or the time to collision. */

@@ -1,7 +1,6 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.pipeline.campaign.OpenScenarioCampaigns;
-import dev.eventchain.pipeline.campaign.plan.Purpose;
 import dev.eventchain.pipeline.project.Project;
 import java.nio.file.Path;
 import java.util.List;
@@ -25,13 +24,24 @@ final class AcceptOption {
    *
    * @param command the command with this option
    */
-  Path campaign(ProjectCommand command, Project project, Path file, Purpose purpose) {
-    if (OpenScenarioCampaigns.isOne(file)) {
-      return OpenScenarioCampaigns.write(file, accept, command.outputOf(project), purpose);
-    }
-    if (!accept.isEmpty()) {
+  Path campaign(ProjectCommand command, Project project, Path file) {
+    return isPlayed(command, file)
+        ? OpenScenarioCampaigns.write(file, accept, command.outputOf(project))
+        : file;
+  }
+
+  /** As {@link #campaign}, for a search. */
+  Path search(ProjectCommand command, Project project, Path file) {
+    return isPlayed(command, file)
+        ? OpenScenarioCampaigns.writeForSearch(file, accept, command.outputOf(project))
+        : file;
+  }
+
+  private boolean isPlayed(ProjectCommand command, Path file) {
+    boolean isPlayed = OpenScenarioCampaigns.isOne(file);
+    if (!isPlayed && !accept.isEmpty()) {
       throw command.wrongUsage("--accept needs a file in OpenSCENARIO XML (.xosc)");
     }
-    return file;
+    return isPlayed;
   }
 }

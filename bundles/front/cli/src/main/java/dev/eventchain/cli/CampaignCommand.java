@@ -9,7 +9,6 @@ import dev.eventchain.pipeline.campaign.CampaignOutcome;
 import dev.eventchain.pipeline.campaign.Campaigns;
 import dev.eventchain.pipeline.campaign.OpenScenarioCampaigns;
 import dev.eventchain.pipeline.campaign.Shard;
-import dev.eventchain.pipeline.campaign.plan.Purpose;
 import dev.eventchain.pipeline.project.Project;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -131,7 +130,7 @@ final class CampaignCommand extends ProjectCommand {
             project,
             upToGeneration(project, llm),
             new CampaignOptions(
-                accept.campaign(this, project, file, Purpose.CAMPAIGN),
+                accept.campaign(this, project, file),
                 Optional.ofNullable(only),
                 dryRun,
                 shard(),

@@ -5,7 +5,6 @@ import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.campaign.CampaignOutcome;
 import dev.eventchain.pipeline.campaign.SearchOptions;
 import dev.eventchain.pipeline.campaign.Searches;
-import dev.eventchain.pipeline.campaign.plan.Purpose;
 import dev.eventchain.pipeline.project.Project;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -70,10 +69,7 @@ final class SearchCommand extends ProjectCommand {
         Searches.run(
             project,
             upToGeneration(project, llm),
-            new SearchOptions(
-                accept.campaign(this, project, file, Purpose.SEARCH),
-                Optional.ofNullable(only),
-                keep),
+            new SearchOptions(accept.search(this, project, file), Optional.ofNullable(only), keep),
             new ProgressLines(console.err(), console.terminal()));
     if (format() == DiagnosticFormat.TEXT) {
       console.out().print(result.text());

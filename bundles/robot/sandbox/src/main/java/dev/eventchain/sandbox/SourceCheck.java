@@ -1,5 +1,6 @@
 package dev.eventchain.sandbox;
 
+import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
@@ -129,7 +130,7 @@ public final class SourceCheck {
   private static JsonNode read(String output) {
     try {
       return JSON.readTree(output);
-    } catch (IOException e) {
+    } catch (JsonProcessingException e) {
       return JSON.createArrayNode(); // incomplete JSON
     }
   }

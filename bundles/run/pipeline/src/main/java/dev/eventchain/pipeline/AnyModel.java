@@ -65,7 +65,12 @@ public final class AnyModel {
    * @param suppressions the suppressed findings about the models
    * @param timeLimit the processor time that the patterns of a data type may take
    */
-  public record Check(boolean lenient, Suppressions suppressions, Duration timeLimit) {}
+  public record Check(boolean lenient, Suppressions suppressions, Duration timeLimit) {
+
+    private List<Diagnostic> of(List<Diagnostic> found) {
+      return lenient ? milder(found) : found;
+    }
+  }
 
   /**
    * A template outside of projects, with its dependencies.
@@ -168,8 +173,7 @@ public final class AnyModel {
                   withMessages(any.packages()),
                   packages -> module(template, packages, classes.loader()));
       WrittenFiles files = new WrittenFiles(target.folder());
-      List<Diagnostic> found = any.ecore().diagnostics();
-      files.found(check.lenient() ? milder(found) : found);
+      files.found(check.of(any.ecore().diagnostics()));
       if (!Diagnostic.anyError(check.suppressions().part(files.diagnostics()).remaining())) {
         GenerationContext context =
             GenerationContext.of(any::locate)

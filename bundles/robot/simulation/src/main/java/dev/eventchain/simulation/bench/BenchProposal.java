@@ -54,7 +54,7 @@ final class BenchProposal {
   private static final double USUAL_RATE = 20;
   private static final double MOST_RATE = 1000;
 
-  /** What a topic says that has no effect, or none that could be guessed. */
+  /** Entry of a topic that has no effect, or none that could be guessed. */
   private static final String UNUSED = "observed: true";
 
   /** Entries whose lines mean nothing without those around them. */

@@ -13,6 +13,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
@@ -33,12 +34,14 @@ final class ComponentActivity {
   private final Set<String> inputs;
   private final Set<String> outputs;
   private final TracedMessages messages;
+  private final long begin;
 
   /** Samples of a topic by the time at which their callbacks had ended. */
-  private final Map<String, TreeMap<Long, SampleId>> handled = new LinkedHashMap<>();
+  private final Map<String, NavigableMap<Long, SampleId>> handled = new LinkedHashMap<>();
 
   /** Samples that a thread took by itself, by topic and time. */
-  private final Map<ThreadId, Map<String, TreeMap<Long, SampleId>>> polled = new LinkedHashMap<>();
+  private final Map<ThreadId, Map<String, NavigableMap<Long, SampleId>>> polled =
+      new LinkedHashMap<>();
 
   private final Map<String, Integer> taken = new LinkedHashMap<>();
   private final Map<String, Integer> unmatched = new LinkedHashMap<>();
@@ -62,10 +65,8 @@ final class ComponentActivity {
     this.inputs = inputs;
     this.outputs = outputs;
     this.messages = messages;
-    // What was published before the trace began is not in it.
-    activity.takes.stream()
-        .filter(it -> isInput(it) && (it.stamp == 0 || it.stamp >= activity.begin))
-        .forEach(this::read);
+    begin = activity.begin;
+    activity.takes.stream().filter(this::isInput).forEach(this::read);
     List<Execution> executions =
         activity.executions.stream().filter(it -> node.equals(it.callback.node())).toList();
     executions.stream().filter(this::isUnknownInput).forEach(it -> unmatched(topic(it)));
@@ -104,7 +105,10 @@ final class ComponentActivity {
     String topic = take.subscription.topic();
     Optional<SampleId> sample = messages.taken(take);
     if (sample.isEmpty()) {
-      unmatched(topic);
+      // What was published before the trace began is not in it.
+      if (take.stamp == 0 || take.stamp >= begin) {
+        unmatched(topic);
+      }
       return;
     }
     taken.merge(topic, 1, Integer::sum);
@@ -194,8 +198,8 @@ final class ComponentActivity {
   }
 
   private static Map.Entry<Long, SampleId> last(
-      Map<String, TreeMap<Long, SampleId>> samples, String topic, long until) {
-    TreeMap<Long, SampleId> ofTopic = samples.get(topic);
+      Map<String, NavigableMap<Long, SampleId>> samples, String topic, long until) {
+    NavigableMap<Long, SampleId> ofTopic = samples.get(topic);
     return ofTopic == null ? null : ofTopic.floorEntry(until);
   }
 

@@ -3,11 +3,12 @@ package dev.eventchain.simulation.tracing;
 import dev.eventchain.simulation.host.RunLog.SampleId;
 import dev.eventchain.simulation.tracing.RosActivity.Publication;
 import dev.eventchain.simulation.tracing.RosActivity.Take;
+import java.util.HashMap;
 import java.util.HashSet;
-import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
@@ -31,9 +32,9 @@ final class TracedMessages {
   private static final long LATER = 2_000_000;
 
   private final Map<String, Map<Long, Long>> publications = new LinkedHashMap<>();
-  private final Map<Publication, SampleId> samples = new IdentityHashMap<>();
-  private final Map<String, TreeMap<Long, SampleId>> stamped = new LinkedHashMap<>();
-  private final Map<String, TreeMap<Long, SampleId>> unstamped = new LinkedHashMap<>();
+  private final Map<Publication, SampleId> samples = new HashMap<>();
+  private final Map<String, NavigableMap<Long, SampleId>> stamped = new LinkedHashMap<>();
+  private final Map<String, NavigableMap<Long, SampleId>> unstamped = new LinkedHashMap<>();
   private final Set<String> published = new HashSet<>();
   private final Map<String, Set<Long>> outside = new LinkedHashMap<>();
 
@@ -45,7 +46,7 @@ final class TracedMessages {
       if (topics.contains(topic)) {
         SampleId sample = add(topic, each.time);
         samples.put(each, sample);
-        Map<String, TreeMap<Long, SampleId>> index = each.stamp == 0 ? unstamped : stamped;
+        Map<String, NavigableMap<Long, SampleId>> index = each.stamp == 0 ? unstamped : stamped;
         long key = each.stamp == 0 ? each.time : each.stamp;
         index.computeIfAbsent(topic, it -> new TreeMap<>()).put(key, sample);
       }
@@ -70,7 +71,7 @@ final class TracedMessages {
     if (take.stamp == 0) {
       return Optional.empty();
     }
-    TreeMap<Long, SampleId> exact = stamped.computeIfAbsent(topic, it -> new TreeMap<>());
+    NavigableMap<Long, SampleId> exact = stamped.computeIfAbsent(topic, it -> new TreeMap<>());
     boolean isOutside = !published.contains(topic) && take.stamp <= take.time;
     if (isOutside && !exact.containsKey(take.stamp)) {
       exact.put(take.stamp, add(topic, take.stamp));
@@ -80,7 +81,8 @@ final class TracedMessages {
         .or(() -> within(unstamped.getOrDefault(topic, new TreeMap<>()), take.stamp, LATER));
   }
 
-  private static Optional<SampleId> within(TreeMap<Long, SampleId> index, long latest, long most) {
+  private static Optional<SampleId> within(
+      NavigableMap<Long, SampleId> index, long latest, long most) {
     Map.Entry<Long, SampleId> found = index.floorEntry(latest);
     return found == null || found.getKey() < latest - most
         ? Optional.empty()

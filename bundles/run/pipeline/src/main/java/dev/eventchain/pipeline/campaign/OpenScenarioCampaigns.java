@@ -47,7 +47,16 @@ public final class OpenScenarioCampaigns {
    * @throws DiagnosticException with all problems of the file; if nothing in it varies, or nothing
    *     that numbers can say; if nothing is required
    */
-  public static Path write(Path file, List<String> accept, Path output, Purpose purpose) {
+  public static Path write(Path file, List<String> accept, Path output) {
+    return write(file, accept, output, Purpose.CAMPAIGN);
+  }
+
+  /** As {@link #write}, for a search between the bounds of what varies. */
+  public static Path writeForSearch(Path file, List<String> accept, Path output) {
+    return write(file, accept, output, Purpose.SEARCH);
+  }
+
+  static Path write(Path file, List<String> accept, Path output, Purpose purpose) {
     OpenScenarioCampaigns campaigns = new OpenScenarioCampaigns(file);
     PlayedScenario.refusal(file, campaigns.varied, purpose)
         .ifPresent(

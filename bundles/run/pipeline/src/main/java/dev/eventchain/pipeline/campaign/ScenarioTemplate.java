@@ -32,6 +32,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 
@@ -176,10 +177,9 @@ final class ScenarioTemplate {
   }
 
   /** Returns what is wrong with the criteria of a case. */
-  private static Optional<Diagnostic> ofCriteria(
-      CampaignCase each, Function<CampaignCase, CaseSimulation.Case> reader) {
+  private static Optional<Diagnostic> ofCriteria(CampaignCase each, Consumer<CampaignCase> reader) {
     try {
-      reader.apply(each);
+      reader.accept(each);
       return Optional.empty();
     } catch (DiagnosticException e) {
       return e.diagnostics().stream().filter(CriteriaOfCases::isAbout).findFirst();

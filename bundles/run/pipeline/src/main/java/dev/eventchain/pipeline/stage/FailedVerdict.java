@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * What language models are told about a failed verdict. It outlives the runs of the scenarios,
- * since a person who answers prompts needs several commands for one correction.
+ * Account of a failed verdict, as language models are told about it. It outlives the runs of the
+ * scenarios, since a person who answers prompts needs several commands for one correction.
  *
  * @param anyFailed whether there is a scenario that failed by a criterion, or lacks an output
  * @param path the components whose outputs can reach what failed, in chain order
