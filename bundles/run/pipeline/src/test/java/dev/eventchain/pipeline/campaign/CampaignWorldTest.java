@@ -175,7 +175,7 @@ class CampaignWorldTest {
         search: {runs: 10}
         """;
     ScenarioTemplate template = searched(text);
-    assertEquals(List.of(), template.check(true));
+    assertEquals(List.of(), template.check(Purpose.SEARCH));
     List<CampaignRow> rows =
         Stream.of("44.9991", "44.9992", "50", "51.0005")
             .map(speed -> new CampaignRow(ofOne(speed), CaseResult.error("no scenario")))
