@@ -52,4 +52,17 @@ class FormatTest {
     new Program().run("format", folder, "-o", folder).expect(2).says("leave out -o");
     new Program().run("format", folder, "--indent=0").expect(2).says("from 1 to 16 columns");
   }
+
+  @Test
+  void withoutANameItIsTheProjectAroundTheCurrentFolder() throws IOException {
+    Files.writeString(folder.resolve("eventchain.yaml"), "name: x\n");
+    Files.writeString(folder.resolve("rules.ocl"), RULES);
+    Path inside = Files.createDirectory(folder.resolve("a"));
+    new Program()
+        .by("env", "-C", inside.toString())
+        .run("format", "--check")
+        .expect(1)
+        .says("../rules.ocl:2:1: error:")
+        .says("1 error, 0 warnings in 2 files");
+  }
 }

@@ -1,5 +1,6 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.cli.console.Console;
 import dev.eventchain.pipeline.ExitCode;
 import dev.eventchain.pipeline.project.Acceptance;
 import dev.eventchain.pipeline.project.Project;

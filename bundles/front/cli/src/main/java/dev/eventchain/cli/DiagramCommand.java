@@ -1,6 +1,7 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.check.ReferenceFolders;
+import dev.eventchain.cli.console.Console;
 import dev.eventchain.pipeline.ExitCode;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.diagram.Diagrams;

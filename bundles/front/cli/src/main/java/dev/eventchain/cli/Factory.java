@@ -1,5 +1,6 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.cli.console.Console;
 import java.lang.reflect.Constructor;
 import picocli.CommandLine;
 

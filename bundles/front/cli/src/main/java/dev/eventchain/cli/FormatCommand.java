@@ -1,5 +1,6 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.cli.console.Console;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.Outcome;

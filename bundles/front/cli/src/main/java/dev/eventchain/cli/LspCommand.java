@@ -1,5 +1,6 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.cli.console.Console;
 import dev.eventchain.lsp.LanguageServerProgram;
 import java.io.BufferedOutputStream;
 import java.io.FileDescriptor;

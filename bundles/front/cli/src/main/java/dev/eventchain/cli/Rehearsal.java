@@ -1,5 +1,6 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.cli.console.Terminal;
 import java.io.File;
 import java.io.IOException;
 import java.io.PrintWriter;

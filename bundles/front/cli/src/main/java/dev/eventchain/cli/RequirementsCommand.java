@@ -1,5 +1,6 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.cli.console.Console;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.Suppressions;

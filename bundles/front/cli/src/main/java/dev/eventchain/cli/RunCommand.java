@@ -1,5 +1,6 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.cli.console.Console;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.run.Stage;
 import java.nio.file.Path;

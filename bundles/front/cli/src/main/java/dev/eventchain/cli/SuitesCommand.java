@@ -1,7 +1,8 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.cli.console.Console;
 import dev.eventchain.pipeline.ExitCode;
-import dev.eventchain.pipeline.campaign.SuiteList;
+import dev.eventchain.pipeline.campaign.Suites;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -32,7 +33,7 @@ final class SuitesCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    SuiteList list = SuiteList.known();
+    Suites.Listing list = Suites.list();
     console.out().print(format == RequirementsCommand.Format.JSON ? list.json() : list.text());
     console.out().flush();
     return ExitCode.FINE;

@@ -2,6 +2,7 @@ package dev.eventchain.cli;
 
 import dev.eventchain.check.ModelValidation;
 import dev.eventchain.check.Validation;
+import dev.eventchain.cli.console.Console;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.project.Project;

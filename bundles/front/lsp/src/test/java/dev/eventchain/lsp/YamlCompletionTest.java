@@ -205,8 +205,19 @@ class YamlCompletionTest {
   @Test
   void pathsOfFactorsAreThoseOfTheirOwnCampaign() {
     String campaigns =
-        "campaigns:\n  a:\n    scenario: none\n    factors:\n      x:\n        path: %s\n"
-            + "  b:\n    scenario: stopped-vehicle-50\n    factors:\n      x:\n        path: %s\n";
+        """
+        campaigns:
+          a:
+            scenario: none
+            factors:
+              x:
+                path: %s
+          b:
+            scenario: stopped-vehicle-50
+            factors:
+              x:
+                path: %s
+        """;
     assertEquals(List.of(), labels("campaigns/c.yaml", campaigns.formatted("^", "")));
     List<String> labels = labels("campaigns/c.yaml", campaigns.formatted("", "^"));
     assertTrue(labels.contains("ego.speed_kmh"), labels.toString());

@@ -72,7 +72,10 @@ public final class Checks implements AutoCloseable {
   private CheckUnit present;
 
   /** The files that its check has read so far. */
-  private Set<Path> presentReads = Set.of();
+  private volatile Set<Path> presentReads = Set.of();
+
+  /** A copy of the files that have changed since it began: it reads texts as they were then. */
+  private volatile Set<Path> changedSoFar = Set.of();
 
   /** True once the present check says nothing any more, since its unit waits for the next one. */
   private volatile boolean isSuperseded;
@@ -153,6 +156,7 @@ public final class Checks implements AutoCloseable {
 
   private void revisit(Set<Path> changed, Set<Path> gone) {
     changedMeanwhile.addAll(changed);
+    changedSoFar = Set.copyOf(changedMeanwhile);
     goneMeanwhile.addAll(gone);
     reads.forEach(
         (unit, read) -> {
@@ -161,10 +165,6 @@ public final class Checks implements AutoCloseable {
             isSuperseded |= unit.equals(present);
           }
         });
-    if (present != null && isAbout(present, presentReads, changed, gone)) {
-      waiting.add(present);
-      isSuperseded = true;
-    }
     notifyAll();
   }
 
@@ -303,6 +303,7 @@ public final class Checks implements AutoCloseable {
     presentReads = ConcurrentHashMap.newKeySet();
     isSuperseded = false;
     changedMeanwhile.clear();
+    changedSoFar = Set.of();
     goneMeanwhile.clear();
     return chosen;
   }
@@ -315,30 +316,34 @@ public final class Checks implements AutoCloseable {
   }
 
   private void check(CheckUnit unit) {
-    Set<Path> read = presentReads();
+    Set<Path> read = presentReads;
     Supplier<Validation> check =
         () -> FileChecks.attempt(unit.subject(), () -> new Validation(Coverage.NONE, unit.check()));
     Validation checked =
         Cancellation.during(
-            () -> isSuperseded || isClosed,
+            this::isUnwanted,
             () -> UnsavedTexts.during(texts.overlay(), () -> FileReads.recordAll(read, check)));
     if (isPresent(unit, Set.copyOf(read))) {
       findings.replace(unit, checked.diagnostics());
     }
   }
 
-  private synchronized Set<Path> presentReads() {
-    return presentReads;
+  /** Returns whether the present check says nothing any more, which it has to find out itself. */
+  private boolean isUnwanted() {
+    Set<Path> changed = changedSoFar;
+    return isSuperseded
+        || isClosed
+        || (!changed.isEmpty() && changed.stream().anyMatch(presentReads::contains));
   }
 
   /** Notes what the check of a unit has read, and returns whether none of it has changed since. */
   private synchronized boolean isPresent(CheckUnit unit, Set<Path> read) {
     present = null;
-    if (isSuperseded || isClosed || !reads.containsKey(unit)) {
-      return false; // it waits for the next check, or its file is gone meanwhile
+    if (isClosed || !reads.containsKey(unit)) {
+      return false; // its file is gone meanwhile
     }
     reads.put(unit, read);
-    if (isAbout(unit, read, changedMeanwhile, goneMeanwhile)) {
+    if (isSuperseded || isAbout(unit, read, changedMeanwhile, goneMeanwhile)) {
       waiting.add(unit);
       return false;
     }

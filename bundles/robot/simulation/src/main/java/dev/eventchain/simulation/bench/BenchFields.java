@@ -3,7 +3,6 @@ package dev.eventchain.simulation.bench;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.ModelChange;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
@@ -257,23 +256,8 @@ final class BenchFields {
             && known.flatMap(Unit::parse).get().relationTo(Unit.parse(written.get()).orElseThrow())
                 != Unit.Relation.SAME;
     if (differs) {
-      section.find(
-          Diagnostic.of(
-                  BenchRules.BENCH_UNIT,
-                  "'%s' of %s is in %s here, but in %s in signals.json."
-                      .formatted(path, topic, written.get(), known.get()),
-                  section.at(UNIT))
-              .withHint("Leave one of them out, or write the same unit.")
-              .withChanges(
-                  List.of(
-                      new ModelChange(
-                          "Change the unit to '%s', as in signals.json".formatted(known.get()),
-                          section.at(UNIT),
-                          "",
-                          UNIT,
-                          written.get(),
-                          known.get(),
-                          false))));
+      String field = "'" + path + "' of " + topic;
+      section.find(BenchInputs.differing(section, field, written.get(), known.get()));
     }
     return written.or(() -> known).filter(text -> Unit.parse(text).isPresent());
   }

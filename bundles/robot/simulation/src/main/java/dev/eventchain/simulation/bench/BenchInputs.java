@@ -2,6 +2,8 @@ package dev.eventchain.simulation.bench;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.ModelChange;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.messages.Unit;
@@ -180,6 +182,18 @@ final class BenchInputs implements Signal.Source {
               .withHint(Unit.respelled(text).map(it -> "Did you mean `" + it + "`?").orElse("")));
     }
     return unit;
+  }
+
+  /** Returns the finding that a section states another unit than the project, with the change. */
+  static Diagnostic differing(ObjectReader section, String field, String written, String known) {
+    SourceLocation place = section.at(UNIT);
+    String title = "Change the unit to '" + known + "', as in signals.json";
+    return Diagnostic.of(
+            BenchRules.BENCH_UNIT,
+            "%s is in %s here, but in %s in signals.json.".formatted(field, written, known),
+            place)
+        .withHint("Leave one of them out, or write the same unit.")
+        .withChanges(List.of(new ModelChange(title, place, "", UNIT, written, known, false)));
   }
 
   private Optional<Term> term(ObjectReader input, String text, Unit unit) {

@@ -42,7 +42,7 @@ import java.util.stream.IntStream;
  */
 final class ScenarioTemplate {
 
-  /** What begins the paths of numbers of the bench. */
+  /** Beginning of the paths of numbers of the bench. */
   static final String BENCH = "bench:";
 
   private static final String PHASE = "phases_ms.";

@@ -1,21 +1,26 @@
 package dev.eventchain.pipeline.campaign;
 
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.ResourceText;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.JsonLayout;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
 import dev.eventchain.pipeline.campaign.plan.CampaignRules;
+import dev.eventchain.pipeline.campaign.plan.CaseList;
+import dev.eventchain.pipeline.results.ResultJson;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 
@@ -84,6 +89,68 @@ public final class Suites {
                   "next-lane",
                   "pedestrian")));
 
+  /** The suites that come with the program, with their sources and numbers of cases. */
+  public record Listing(List<Suite> suites) {
+
+    /**
+     * A suite.
+     *
+     * @param source the protocol that it is after
+     * @param cases the cases of all its campaigns
+     */
+    public record Suite(String name, String source, int cases, List<Part> campaigns) {}
+
+    /**
+     * A campaign of a suite.
+     *
+     * @param scenario the file of its scenario, beside that of the suite
+     */
+    public record Part(String name, String scenario, int cases) {}
+
+    /** Copies the list. */
+    public Listing {
+      suites = List.copyOf(suites);
+    }
+
+    private static Suite suite(String name) {
+      List<Part> parts = campaigns(name).stream().map(Listing::part).toList();
+      int cases = parts.stream().mapToInt(Part::cases).sum();
+      return new Suite(name, KNOWN.get(name).source(), cases, parts);
+    }
+
+    private static Part part(CampaignPlan plan) {
+      return new Part(
+          plan.part().orElseThrow(), plan.scenario(), new CaseList(plan).cases().size());
+    }
+
+    /** Returns the list for people. */
+    public String text() {
+      int width =
+          suites.stream()
+              .flatMap(suite -> suite.campaigns().stream().map(part -> part.name().length() + 2))
+              .reduce(0, Math::max);
+      width = Math.max(width, suites.stream().mapToInt(it -> it.name().length()).max().orElse(0));
+      StringBuilder text = new StringBuilder();
+      for (Suite suite : suites) {
+        text.append(line(suite.name(), width, suite.cases()) + "  " + suite.source() + "\n");
+        for (Part part : suite.campaigns()) {
+          text.append(line("  " + part.name(), width, part.cases())).append('\n');
+        }
+      }
+      return text.toString();
+    }
+
+    private static String line(String name, int width, int cases) {
+      return String.format(
+          Locale.ROOT, "%-" + width + "s  %9s", name, Coverage.counted(cases, "case"));
+    }
+
+    /** Returns the list as JSON. */
+    public String json() {
+      return JsonLayout.of(ResultJson.tree(this)) + "\n";
+    }
+  }
+
   private Suites() {}
 
   /** Returns the names of those that come with the program. */
@@ -91,13 +158,13 @@ public final class Suites {
     return List.copyOf(KNOWN.keySet());
   }
 
-  /** Returns the protocol that a suite is after, which comes with the program. */
-  static String source(String suite) {
-    return KNOWN.get(suite).source();
+  /** Counts the cases of all suites, as a simulation would have them. */
+  public static Listing list() {
+    return new Listing(names().stream().map(Listing::suite).toList());
   }
 
   /** Returns the campaigns of a suite that comes with the program. */
-  static List<CampaignPlan> campaigns(String suite) {
+  private static List<CampaignPlan> campaigns(String suite) {
     String file = suite + ".yaml";
     String text = ResourceText.of(Suites.class, RESOURCES + suite + "/" + file);
     return CampaignReader.read(Path.of(file), SourceText.of(file, text));

@@ -11,7 +11,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -124,11 +123,11 @@ public final class Formatting {
   private void write(Path file, String before, String after) {
     try {
       Path real = file.toRealPath();
-      String mark = isMarked(real) ? BYTE_ORDER_MARK : "";
-      byte[] read = (mark + before).getBytes(StandardCharsets.UTF_8);
+      String present = new String(Files.readAllBytes(real), StandardCharsets.UTF_8);
+      String mark = present.startsWith(BYTE_ORDER_MARK) ? BYTE_ORDER_MARK : "";
       if (!Files.isWritable(real)) {
         throw new IOException("it is read-only");
-      } else if (!Arrays.equals(Files.readAllBytes(real), read)) {
+      } else if (!present.equals(mark + before)) {
         throw new IOException("it has changed meanwhile");
       }
       AtomicFile.write(real, mark + after);
@@ -140,12 +139,5 @@ public final class Formatting {
               "The formatted file cannot be written: " + SourceText.reason(e) + ".",
               SourceLocation.of(file)));
     }
-  }
-
-  private static boolean isMarked(Path file) throws IOException {
-    byte[] mark = BYTE_ORDER_MARK.getBytes(StandardCharsets.UTF_8);
-    byte[] bytes = Files.readAllBytes(file);
-    return bytes.length >= mark.length
-        && Arrays.equals(mark, 0, mark.length, bytes, 0, mark.length);
   }
 }

@@ -51,21 +51,21 @@ class SuitesTest {
 
   @Test
   void theListHasAllCasesOfEachSuite() {
-    SuiteList list = SuiteList.known();
-    assertEquals(Suites.names(), list.suites().stream().map(SuiteList.Suite::name).toList());
-    for (SuiteList.Suite suite : list.suites()) {
+    Suites.Listing list = Suites.list();
+    assertEquals(Suites.names(), list.suites().stream().map(Suites.Listing.Suite::name).toList());
+    for (Suites.Listing.Suite suite : list.suites()) {
       List<CampaignPlan> plans = CampaignReader.read(Suites.file(suite.name(), folder));
       assertEquals(
           plans.stream().mapToInt(plan -> new CaseList(plan).cases().size()).sum(), suite.cases());
       assertEquals(
           plans.stream().map(plan -> plan.part().orElseThrow()).toList(),
-          suite.campaigns().stream().map(SuiteList.Part::name).toList());
+          suite.campaigns().stream().map(Suites.Listing.Part::name).toList());
       assertFalse(suite.source().isBlank());
       assertTrue(
           list.text().contains(suite.cases() + " cases  " + suite.source() + "\n"), list::text);
     }
-    SuiteList.Part first = list.suites().get(3).campaigns().get(0);
-    assertEquals(new SuiteList.Part("crossing", "crossing.yaml", 9), first);
+    Suites.Listing.Part first = list.suites().get(3).campaigns().get(0);
+    assertEquals(new Suites.Listing.Part("crossing", "crossing.yaml", 9), first);
     assertTrue(list.json().contains("\"campaigns\": ["), list.json());
   }
 

@@ -1,4 +1,4 @@
-package dev.eventchain.cli;
+package dev.eventchain.cli.console;
 
 import java.util.Map;
 import picocli.CommandLine.Help.Ansi;
@@ -10,10 +10,10 @@ import picocli.CommandLine.Help.Ansi;
  * @param color true if it supports colours
  * @param columns its width in characters
  */
-record Terminal(boolean live, boolean color, int columns) {
+public record Terminal(boolean live, boolean color, int columns) {
 
   /** No terminal: plain lines. */
-  static final Terminal PLAIN = new Terminal(false, false, 80);
+  public static final Terminal PLAIN = new Terminal(false, false, 80);
 
   private static final int NARROWEST = 20;
 
@@ -21,7 +21,7 @@ record Terminal(boolean live, boolean color, int columns) {
    * Returns the terminal. Java cannot ask whether standard error is one; the launcher passes it in
    * {@code EVENTCHAIN_TERMINAL_COLUMNS}. {@code NO_COLOR} is honoured.
    */
-  static Terminal of(Map<String, String> environment) {
+  public static Terminal of(Map<String, String> environment) {
     String columns = environment.getOrDefault("EVENTCHAIN_TERMINAL_COLUMNS", "");
     if (!columns.matches("[0-9]{1,4}") || "dumb".equals(environment.get("TERM"))) {
       return PLAIN;
@@ -30,7 +30,8 @@ record Terminal(boolean live, boolean color, int columns) {
     return new Terminal(true, color, Math.max(NARROWEST, Integer.parseInt(columns)));
   }
 
-  Ansi ansi() {
+  /** Returns whether help and findings are coloured. */
+  public Ansi ansi() {
     return color ? Ansi.ON : Ansi.OFF;
   }
 }

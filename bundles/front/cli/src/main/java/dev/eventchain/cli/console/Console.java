@@ -1,4 +1,4 @@
-package dev.eventchain.cli;
+package dev.eventchain.cli.console;
 
 import dev.eventchain.pipeline.Today;
 import java.io.PrintWriter;
@@ -10,4 +10,4 @@ import java.io.PrintWriter;
  * @param err progress and findings about the command itself
  * @param terminal the terminal behind {@code err}
  */
-record Console(PrintWriter out, PrintWriter err, Terminal terminal, Today today) {}
+public record Console(PrintWriter out, PrintWriter err, Terminal terminal, Today today) {}

@@ -1,4 +1,4 @@
-package dev.eventchain.cli;
+package dev.eventchain.cli.console;
 
 import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.pipeline.run.Progress;
@@ -11,7 +11,7 @@ import java.util.Locale;
  * Writes progress: on a terminal one line per stage, updated while the stage runs; elsewhere one
  * line after each stage.
  */
-final class ProgressLines implements Progress {
+public final class ProgressLines implements Progress {
 
   private static final String CLEAR_LINE = "\r\u001b[K";
   private static final int TITLE_WIDTH = 10;
@@ -19,7 +19,7 @@ final class ProgressLines implements Progress {
   private final PrintWriter err;
   private final Terminal terminal;
 
-  ProgressLines(PrintWriter err, Terminal terminal) {
+  public ProgressLines(PrintWriter err, Terminal terminal) {
     this.err = err;
     this.terminal = terminal;
   }

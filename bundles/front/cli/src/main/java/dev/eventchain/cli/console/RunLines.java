@@ -1,4 +1,4 @@
-package dev.eventchain.cli;
+package dev.eventchain.cli.console;
 
 import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.pipeline.evaluation.LanguageModelEvaluation;
@@ -10,14 +10,14 @@ import java.util.Locale;
  * Writes the progress of an evaluation: a line for each finished run, and on a terminal one that is
  * updated during runs.
  */
-final class RunLines implements LanguageModelEvaluation.Listener {
+public final class RunLines implements LanguageModelEvaluation.Listener {
 
   private static final String CLEAR_LINE = "\r\u001b[K";
 
   private final PrintWriter err;
   private final Terminal terminal;
 
-  RunLines(PrintWriter err, Terminal terminal) {
+  public RunLines(PrintWriter err, Terminal terminal) {
     this.err = err;
     this.terminal = terminal;
   }
