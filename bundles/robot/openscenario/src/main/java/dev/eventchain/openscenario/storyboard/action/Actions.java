@@ -27,11 +27,25 @@ public final class Actions {
       case "LateralAction" -> lateral(action.choice());
       case "RoutingAction" -> RoutingActions.read(action.choice());
       case "SynchronizeAction" -> Synchronizing.read(action);
-      // The only controller is that of the ego: the software, from its first command on.
-      case "ControllerAction", "ActivateControllerAction" -> PrivateAction.NONE;
+      case "ControllerAction" -> controllers(action);
+      case "ActivateControllerAction" -> controller(action);
       case "TeleportAction" -> TeleportActions.read(action);
       case "VisibilityAction" -> TeleportActions.visibility(action);
       case "AppearanceAction" -> PrivateAction.NONE;
+      default -> throw new IllegalArgumentException(action.name() + " is not supported");
+    };
+  }
+
+  /** Reads all actions of an element, which before 1.1 may have more than one. */
+  private static PrivateAction controllers(ScenarioElement action) {
+    action.children().forEach(Actions::controller);
+    return PrivateAction.NONE;
+  }
+
+  /** Reads an action of a controller: that of the ego is its software, from the first command on. */
+  private static PrivateAction controller(ScenarioElement action) {
+    return switch (action.name()) {
+      case "AssignControllerAction", "ActivateControllerAction" -> PrivateAction.NONE;
       default -> throw new IllegalArgumentException(action.name() + " is not supported");
     };
   }
