@@ -103,7 +103,7 @@ final class ProgramInside {
   /** Calls {@code Main.run}: the program without its process. */
   private static int call(List<String> arguments, StringWriter out, StringWriter err)
       throws ReflectiveOperationException {
-    Class<?> terminal = LOADER.loadClass("dev.eventchain.cli.Terminal");
+    Class<?> terminal = LOADER.loadClass("dev.eventchain.cli.console.Terminal");
     Method of = terminal.getDeclaredMethod("of", Map.class);
     Method run =
         LOADER
