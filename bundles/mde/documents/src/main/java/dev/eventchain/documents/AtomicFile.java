@@ -5,7 +5,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.PosixFileAttributeView;
+import java.nio.file.attribute.PosixFilePermission;
 import java.util.Arrays;
+import java.util.Set;
 import java.util.UUID;
 
 /**
@@ -39,13 +42,24 @@ public final class AtomicFile {
     Path temporary = file.resolveSibling("." + file.getFileName() + "." + UUID.randomUUID());
     try {
       Files.write(temporary, content);
-      if (Files.exists(file) && Files.getFileStore(file).supportsFileAttributeView("posix")) {
-        Files.setPosixFilePermissions(temporary, Files.getPosixFilePermissions(file));
+      if (Files.exists(file)) {
+        keepPermissions(file, temporary);
       }
       Files.move(
           temporary, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
     } finally {
       Files.deleteIfExists(temporary);
+    }
+  }
+
+  /** Nothing is asked of the file store: Java finds none where its mount is not listed, as in chroot. */
+  private static void keepPermissions(Path file, Path temporary) throws IOException {
+    PosixFileAttributeView view = Files.getFileAttributeView(file, PosixFileAttributeView.class);
+    if (view != null) {
+      Set<PosixFilePermission> permissions = view.readAttributes().permissions();
+      if (!permissions.equals(Files.getPosixFilePermissions(temporary))) {
+        Files.setPosixFilePermissions(temporary, permissions);
+      }
     }
   }
 }
