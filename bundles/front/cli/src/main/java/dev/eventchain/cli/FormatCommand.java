@@ -45,7 +45,7 @@ final class FormatCommand extends ProjectCommand {
   @Option(
       names = "--indent",
       paramLabel = "COLUMNS",
-      defaultValue = "2",
+      defaultValue = "" + Formatting.COLUMNS,
       description =
           "The width of a level of indentation, from 1 to 16 (default: ${DEFAULT-VALUE}).")
   private int indent;

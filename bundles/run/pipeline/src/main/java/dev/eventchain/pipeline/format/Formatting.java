@@ -20,6 +20,9 @@ import java.util.Optional;
  */
 public final class Formatting {
 
+  /** The usual width of one level of indentation. */
+  public static final int COLUMNS = 2;
+
   private static final String BYTE_ORDER_MARK = "\uFEFF";
 
   private final int columns;
@@ -114,9 +117,10 @@ public final class Formatting {
       same++;
     }
     SourceLocation place = source.at(same);
+    String indent = columns == COLUMNS ? "" : "--indent " + columns + " ";
     return Diagnostic.of(
             FormatRules.DIFFERS, "The file is not formatted, from this line on.", place)
-        .withHint("Run 'eventchain format " + file + "'.");
+        .withHint("Run 'eventchain format " + indent + file + "'.");
   }
 
   /** Writes a file as a whole, if it is still as it was read. */

@@ -76,8 +76,9 @@ class FormattingTest {
     assertEquals(List.of(), result.changed());
     assertEquals("-- é\n" + RULES, Files.readString(rules));
     assertEquals(List.of(), Formatting.of(List.of(good), 2, false).found());
-    assertEquals(
-        List.of("b.ocl:2:3 format.differs"), found(Formatting.of(List.of(good), 4, false)));
+    Formatting.Result wider = Formatting.of(List.of(good), 4, false);
+    assertEquals(List.of("b.ocl:2:3 format.differs"), found(wider));
+    assertEquals("Run 'eventchain format --indent 4 " + good + "'.", wider.found().get(0).hint());
   }
 
   @Test
