@@ -251,6 +251,23 @@ class ContractFixTest {
         fixes.get(title));
   }
 
+  @Test
+  void aDepthInADescriptionGetsThePolicy() throws Exception {
+    change(text -> text.replaceFirst("<qos name=\"sensor_data\"/>", "<qos depth=\"7\"/>"));
+    Path description = derive();
+    String written = Files.readString(description);
+    String text = written.replaceFirst("\\{\\s*\"depth\": 7\\s*\\}", "7");
+    Files.writeString(description, text);
+    String title = "Request reliability BEST_EFFORT in 'Radar_Tracking'";
+    assertEquals(
+        Map.of(
+            title,
+            text.replaceFirst(
+                "\"qos_profile\": 7",
+                "\"qos_profile\": {\"depth\": 7, \"reliability\": \"BEST_EFFORT\"}")),
+        texts(description, QOS));
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',

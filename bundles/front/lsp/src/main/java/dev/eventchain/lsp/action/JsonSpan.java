@@ -24,8 +24,13 @@ record JsonSpan(
 
   /** Returns the value that begins at an offset; empty if none does, or it is broken. */
   static Optional<JsonSpan> at(String text, int offset) {
-    try (JsonParser parser = JSON.createParser(text.substring(Math.min(offset, text.length())))) {
-      return parser.nextToken() == null ? Optional.empty() : Optional.of(read(parser, offset));
+    // In a list: Jackson refuses a number that stands alone if a comma or a bracket follows it.
+    String inList = "[" + text.substring(Math.min(offset, text.length()));
+    try (JsonParser parser = JSON.createParser(inList)) {
+      parser.nextToken();
+      JsonToken first = parser.nextToken();
+      boolean isNone = first == null || first == JsonToken.END_ARRAY;
+      return isNone ? Optional.empty() : Optional.of(read(parser, offset - 1));
     } catch (IOException e) {
       return Optional.empty();
     }
