@@ -131,6 +131,8 @@ public final class Formatting {
       String mark = present.startsWith(BYTE_ORDER_MARK) ? BYTE_ORDER_MARK : "";
       if (!Files.isWritable(real)) {
         throw new IOException("it is read-only");
+      } else if (present.equals(mark + after)) {
+        return; // by another one at the same time
       } else if (!present.equals(mark + before)) {
         throw new IOException("it has changed meanwhile");
       }

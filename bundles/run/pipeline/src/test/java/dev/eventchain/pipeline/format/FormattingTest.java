@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -197,6 +198,20 @@ class FormattingTest {
         List.of("format.unwritable"), result.found().stream().map(Diagnostic::id).toList());
     assertEquals(List.of(), result.changed());
     assertEquals(RULES, Files.readString(file));
+  }
+
+  /** Such as an editor and a hook; the result is the same. */
+  @Test
+  void whatAnotherOneFormatsAtTheSameTimeIsNoError() throws IOException {
+    for (int i = 0; i < 300; i++) {
+      file("r" + i + ".ocl", RULES);
+    }
+    List<CompletableFuture<Formatting.Result>> both =
+        Stream.generate(() -> CompletableFuture.supplyAsync(() -> format(folder))).limit(2).toList();
+    for (CompletableFuture<Formatting.Result> each : both) {
+      assertEquals(List.of(), found(each.join()));
+    }
+    assertEquals(FORMATTED, Files.readString(folder.resolve("r299.ocl")));
   }
 
   @Test
