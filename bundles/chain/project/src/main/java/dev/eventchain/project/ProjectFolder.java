@@ -267,9 +267,7 @@ public class ProjectFolder {
    */
   public static Set<Path> checkedTogether(Path document) {
     return around(document)
-        .map(
-            project ->
-                Set.of(project.constraintsFile(), project.defaultOutput().resolve(GENERATED)))
+        .map(it -> Set.of(it.constraintsFile(), it.defaultOutput().resolve(GENERATED)))
         .filter(together -> together.contains(document))
         .orElse(Set.of(document));
   }

@@ -13,7 +13,7 @@ import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.EventChain;
-import dev.eventchain.pipeline.campaign.FactorPaths;
+import dev.eventchain.pipeline.campaign.plan.FactorPaths;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.ProjectLayout;
 import dev.eventchain.project.SoftwareBase;

@@ -42,9 +42,7 @@ import java.util.stream.IntStream;
  */
 final class ScenarioTemplate {
 
-  /** Beginning of the paths of numbers of the bench. */
-  static final String BENCH = "bench:";
-
+  private static final String BENCH = NumberPath.BENCH;
   private static final String PHASE = "phases_ms.";
   private static final String PLAYED = "openscenario";
   private static final String PLAYED_FILE = "file";

@@ -17,6 +17,9 @@ import java.util.regex.Pattern;
  */
 public final class NumberPath {
 
+  /** Beginning of the paths of numbers of the bench. */
+  public static final String BENCH = "bench:";
+
   private static final Pattern STEP = Pattern.compile("([^.\\[\\]]+)|\\[([^\\[\\]]+)]");
   private static final Pattern INDEX = Pattern.compile("\\d{1,6}");
 

@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.plan;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
@@ -7,8 +7,6 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
-import dev.eventchain.pipeline.campaign.plan.CampaignRules;
-import dev.eventchain.pipeline.campaign.plan.NumberPath;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
@@ -33,7 +31,7 @@ public final class FactorPaths {
 
   /** As {@link #ofScenario}, of the bench of a project. */
   public static Map<String, String> ofBench(SourceText text) {
-    return of(text, ScenarioTemplate.BENCH);
+    return of(text, NumberPath.BENCH);
   }
 
   private static Map<String, String> of(SourceText text, String prefix) {

@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.plan;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
