@@ -21,7 +21,8 @@ import java.util.regex.Pattern;
 /** Criteria on which points depend, among those of the cases for which points are counted. */
 final class CriteriaOfPoints {
 
-  private static final Pattern NUMBER = Pattern.compile("-?[0-9][0-9.eE+-]*");
+  /** A number of its own, and not of a name such as {@code AEB-3} or {@code car2}. */
+  private static final Pattern NUMBER = Pattern.compile("(?<![\\w\\[-])-?[0-9][0-9.eE+-]*");
 
   private final CampaignPlan plan;
   private final Points points;
