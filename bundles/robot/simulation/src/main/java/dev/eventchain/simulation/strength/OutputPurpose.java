@@ -5,6 +5,8 @@ import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Stream;
 
 /**
@@ -32,6 +34,21 @@ final class OutputPurpose {
     return node.getOutput().stream()
         .filter(data -> isMarked(data, requirement))
         .flatMap(data -> TopicIndex.nameOf(data, node).stream());
+  }
+
+  /**
+   * Returns the topics that serve other requirements of the component: a design that does in one
+   * component what another one does in two is not tested more. None is marked with the requirement;
+   * and there are none if it notices nothing of any, since nobody knows then which are its own.
+   *
+   * @param own the topics of which it notices faults
+   * @param others those of which other ones notice some
+   */
+  Set<String> ofOthers(String requirement, Set<String> own, Set<String> others) {
+    Set<String> found = new TreeSet<>(own.isEmpty() ? Set.of() : others);
+    found.removeAll(own);
+    markedWith(requirement).forEach(found::remove);
+    return found;
   }
 
   private boolean isOn(String topic, Data data) {

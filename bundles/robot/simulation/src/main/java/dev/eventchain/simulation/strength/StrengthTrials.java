@@ -261,16 +261,9 @@ public final class StrengthTrials {
                     .stream());
   }
 
-  /**
-   * Returns the topics of a component that serve its other requirements: a design that does in one
-   * component what another one does in two is not tested more. None, if the requirement notices
-   * nothing of any: then nobody knows which of them are its own.
-   */
   private Set<String> ofOthers(String id, SoftwareNode node) {
-    Set<String> own = noticed(node, id::equals);
-    Set<String> others = noticed(node, each -> !each.equals(id));
-    others.removeAll(own);
-    return own.isEmpty() ? Set.of() : others;
+    return new OutputPurpose(node)
+        .ofOthers(id, noticed(node, id::equals), noticed(node, each -> !each.equals(id)));
   }
 
   private Set<String> noticed(SoftwareNode node, Predicate<String> which) {

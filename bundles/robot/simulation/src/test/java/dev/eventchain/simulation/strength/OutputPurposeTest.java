@@ -9,6 +9,7 @@ import dev.eventchain.model.eventchain.EventchainFactory;
 import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 /** Tests which requirements of a component the faults of each of its outputs count for. */
@@ -55,5 +56,25 @@ class OutputPurposeTest {
   void aRequirementThatNothingElseServesIsServedByAllOutputs() {
     output("/emergency", "AEB-3");
     assertTrue(mayServe("/emergency", "AEB-4"));
+  }
+
+  private Set<String> ofOthers(Set<String> own) {
+    return new OutputPurpose(node).ofOthers("AEB-3", own, Set.of("/brake_force", "/warning"));
+  }
+
+  @Test
+  void anOutputOfWhichOnlyOtherRequirementsNoticeFaultsIsTheirs() {
+    output("/brake_force");
+    output("/warning");
+    assertEquals(Set.of("/warning"), ofOthers(Set.of("/brake_force")));
+    assertEquals(Set.of(), ofOthers(Set.of()));
+  }
+
+  /** Otherwise, the design would ask for it, and nobody would say that it is not tested. */
+  @Test
+  void anOutputThatIsMarkedWithARequirementStaysItsOwn() {
+    output("/brake_force", "AEB-3");
+    output("/warning", "AEB-3", "AEB-4");
+    assertEquals(Set.of(), ofOthers(Set.of("/brake_force")));
   }
 }
