@@ -229,6 +229,11 @@ class VerdictCorrectionTest {
     Files.delete(project.resolve("out/measurements.json"));
     assertFalse(run().expect(4).err().contains(SAME), "a result is gone");
     assertTrue(Files.exists(project.resolve("out/measurements.json")));
+    Files.writeString(
+        project.resolve("eventchain-suppressions.yaml"),
+        "- {id: ocl.violated, rule: SPEED, reason: known, expires: 2999-12-31}\n");
+    assertFalse(run().expect(4).err().contains(SAME), "results depend on suppressions");
+    run().expect(4).says(SAME);
   }
 
   @InTurn

@@ -17,8 +17,8 @@ import java.util.Optional;
 
 /**
  * The failed simulation of a run that waits for a person who corrects what failed: the next command
- * goes on from it, as long as its inputs and results are the same. It is a record of its own, which
- * nothing else reads, so that it can never pass for a result.
+ * goes on from it, as long as its inputs, the suppressions in force and its results are the same.
+ * It is a record of its own, which nothing else reads, so that it can never pass for a result.
  */
 final class StandingFailure {
 
@@ -27,8 +27,14 @@ final class StandingFailure {
   private final RunContext run;
   private Optional<StageRecord> last = Optional.empty();
 
-  /** Content of the file: the record of the stage, and what language models are told about it. */
-  record Kept(StageRecord record, FailedVerdict verdict) {}
+  /**
+   * Content of the file.
+   *
+   * @param record the record of the stage
+   * @param suppressions those in force, on which its results depend, too
+   * @param verdict what language models are told about it
+   */
+  record Kept(StageRecord record, String suppressions, FailedVerdict verdict) {}
 
   StandingFailure(RunContext run) {
     this.run = run;
@@ -44,9 +50,13 @@ final class StandingFailure {
     if (reason == DiagnosticException.Reason.WAITING && last.isPresent() && isSame()) {
       run.models()
           .told()
-          .map(verdict -> ResultJson.bytes(new Kept(last.get(), verdict)))
+          .map(verdict -> ResultJson.bytes(new Kept(last.get(), suppressions(), verdict)))
           .ifPresent(json -> run.output().write(FILE, json, OutputFolder.OnEdit.OVERWRITE));
     }
+  }
+
+  private String suppressions() {
+    return run.options().suppressions().inForce().toString();
   }
 
   /** Returns whether criteria decided, in simulated time, and no component that did not work. */
@@ -64,13 +74,13 @@ final class StandingFailure {
         && !run.models().isEvaluated();
   }
 
-  /** Returns the failure that was kept, if it was one of these inputs and counts as one now. */
+  /** Returns the failure that was kept, if it was one of these inputs and suppressions. */
   Optional<StageRecord> recall(Fingerprint inputs) {
     Optional<Kept> kept =
         read()
             .filter(each -> inputs.isOf(each.record()))
-            .filter(each -> each.record().isAsWritten(run.output()))
-            .filter(each -> run.anyErrorCounts(each.record().diagnostics()));
+            .filter(each -> each.suppressions().equals(suppressions()))
+            .filter(each -> each.record().isAsWritten(run.output()));
     kept.ifPresent(each -> run.models().failed(each.verdict()));
     last = kept.map(Kept::record);
     return last.map(StandingFailure::again);
