@@ -34,7 +34,9 @@ enum ThresholdEffect {
   private static final Pattern DOUBTFUL =
       Pattern.compile(
           "\\b(?:and|or|but|other|only|again|first|within|for|without|later|earlier|sooner|more"
-              + "|less|fewer|most|least|off|zero|false|open\\w*|clos\\w*|unlock\\w*|releas\\w*"
+              + "|less|fewer|most|least|off|zero|false|inactive\\w*|passive|idle|neutral|low"
+              + "|minim\\w*|mut(?:e[ds]?|ing)|hid\\w*|block\\w*|interrupt\\w*|abort\\w*"
+              + "|terminat\\w*|disengag\\w*|clear\\w*|open\\w*|clos\\w*|unlock\\w*|releas\\w*"
               + "|disabl\\w*|deactivat\\w*|stop\\w*|suppress\\w*|inhibit\\w*|end\\w*|reset\\w*"
               + "|remov\\w*|cancel\\w*|silen\\w*|prevent\\w*|limit\\w*|reduc\\w*)\\b");
 
@@ -49,7 +51,7 @@ enum ThresholdEffect {
   static ThresholdEffect of(String rest, List<String> others) {
     String words = plain(rest);
     boolean decided =
-        !rest.matches(".*\\d.*")
+        rest.chars().noneMatch(Character::isDigit)
             && !DOUBTFUL.matcher(words).find()
             && CONDITIONS.matcher(words).results().count() <= 1
             && others.stream().noneMatch(other -> RESTRICTS.matcher(plain(other)).matches());

@@ -31,6 +31,8 @@ final class ThresholdGaps {
   private final String type;
   private final double bound;
   private final double reach;
+  private final double least;
+  private final double most;
 
   /**
    * Creates the gaps at a threshold.
@@ -46,6 +48,9 @@ final class ThresholdGaps {
       double largest = bounds.stream().mapToDouble(Math::abs).max().orElse(0);
       size = largest < SAME ? 1 / NEAR : largest;
     }
+    double[] range = RANGES.getOrDefault(type, new double[] {-Double.MAX_VALUE, Double.MAX_VALUE});
+    this.least = range[0];
+    this.most = range[1];
     this.reach = isWhole(type) ? Math.max(size * NEAR, 1) : size * NEAR;
   }
 
@@ -57,15 +62,18 @@ final class ThresholdGaps {
   /** Returns the gaps that values of tests leave, in words. */
   List<String> in(List<Double> values, String input) {
     double same = Math.max(Math.abs(bound) * SAME, SAME);
-    double[] range = RANGES.getOrDefault(type, new double[] {-Double.MAX_VALUE, Double.MAX_VALUE});
     List<String> missing = new ArrayList<>();
-    if (bound > range[0] && values.stream().noneMatch(v -> v < bound - same && isNear(v))) {
+    if (bound > least
+        && bound - reach <= most
+        && values.stream().noneMatch(v -> v < bound - same && isNear(v))) {
       missing.add("with '%s' just below %s%s".formatted(input, bound, distance()));
     }
     if (isPossible() && values.stream().noneMatch(v -> Math.abs(v - bound) <= same)) {
       missing.add("with '%s' at %s".formatted(input, bound));
     }
-    if (bound < range[1] && values.stream().noneMatch(v -> v > bound + same && isNear(v))) {
+    if (bound < most
+        && bound + reach >= least
+        && values.stream().noneMatch(v -> v > bound + same && isNear(v))) {
       missing.add("with '%s' just above %s%s".formatted(input, bound, distance()));
     }
     return missing;
@@ -76,7 +84,7 @@ final class ThresholdGaps {
   }
 
   private boolean isPossible() {
-    return !isWhole(type) || bound == Math.rint(bound);
+    return !isWhole(type) || (bound == Math.rint(bound) && bound >= least && bound <= most);
   }
 
   /** Returns whether a gap in words says how near a value has to be. */

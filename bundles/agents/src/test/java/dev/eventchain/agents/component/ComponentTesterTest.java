@@ -146,6 +146,8 @@ class ComponentTesterTest {
         "It shall switch the warning off while the TTC is above 2 s | (2000.0, Infinity) unknown warning",
         "It shall set the braking force to 0 while the TTC is above 2 s | (2000.0, Infinity) unknown braking_force",
         "It shall set the braking force to 30 % while the TTC is below 2 s | (-Infinity, 2000.0) unknown braking_force",
+        "The warning shall be inactive while the TTC is above 2 s | (2000.0, Infinity) unknown warning",
+        "The braking shall be blocked while the TTC is above 2 s | (2000.0, Infinity) unknown braking_force",
         "It shall brake if TTC < 3 m |",
         "It shall hold the brake for at least 3 s |"
       })
