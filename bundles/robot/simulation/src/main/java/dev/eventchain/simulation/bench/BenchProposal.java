@@ -67,8 +67,8 @@ final class BenchProposal {
   private final Map<String, Double> rates;
   private final StringBuilder text = new StringBuilder();
 
-  /** The first number or Boolean that could not be guessed. */
-  private Optional<Field> unknown = Optional.empty();
+  /** How the first number or Boolean that could not be guessed gets into its message. */
+  private Optional<String> inputs = Optional.empty();
 
   /**
    * Creates a proposal.
@@ -91,7 +91,7 @@ final class BenchProposal {
     int head = text.length();
     section("provides:", Direction.PROVIDED);
     section("consumes:", Direction.CONSUMED);
-    unknown.ifPresent(field -> text.insert(head, inputs(field)));
+    inputs.ifPresent(lines -> text.insert(head, lines));
     return text.toString();
   }
 
@@ -109,16 +109,19 @@ final class BenchProposal {
   }
 
   /** Returns how values that are not of the road get into messages, for one of them. */
-  private static String inputs(Field field) {
+  private static String inputs(Field field, FieldType.Kind kind) {
     String name = "my." + field.path().replaceAll("\\W", "_");
-    String unit = field.unit().matches("1?") ? "" : "unit: \"" + field.unit() + "\", ";
+    boolean isStated = !field.unit().matches("1?") && Unit.parse(field.unit()).isPresent();
     return """
         # What the road has not is an input, whose values scenarios set under `inputs`. Declare it here, and
-        # give its name to the field in the place of the question mark:
+        # give %s to the field in the place of the question mark:
         #   inputs:
         #     %s: {%svalue: 0}
         """
-        .formatted(name, unit);
+        .formatted(
+            kind == FieldType.Kind.BOOL ? "`" + name + " > 0`" : "its name",
+            name,
+            isStated ? "unit: \"" + field.unit() + "\", " : "");
   }
 
   private void section(String heading, Direction direction) {
@@ -164,8 +167,8 @@ final class BenchProposal {
     List<String> fields = new ArrayList<>();
     for (Field field : single) {
       Optional<String> source = source(signal, field);
-      if (source.isEmpty() && unknown.isEmpty() && kind(signal, field.path()).isPresent()) {
-        unknown = Optional.of(field);
+      if (source.isEmpty()) {
+        inputs = inputs.or(() -> kind(signal, field.path()).map(kind -> inputs(field, kind)));
       }
       fields.add(
           source

@@ -1,6 +1,7 @@
 package dev.eventchain.simulation.bench;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -15,6 +16,7 @@ import dev.eventchain.model.eventchain.EventchainFactory;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
@@ -93,5 +95,24 @@ class BenchCheckTest {
     assertEquals(
         List.of("Say under `provides` of bench.yaml where its fields come from."),
         hints("/unknown", "/else", lamp));
+  }
+
+  /** What a proposal says of a value that it cannot guess has to be a bench once it is done. */
+  @Test
+  void proposalsSayHowAValueOfAnyTypeGetsIntoItsMessage() {
+    String door = proposal("std_msgs/msg/Bool", "bool", "");
+    assertTrue(door.contains("# give `my.data > 0` to the field"), door);
+    assertTrue(door.contains("#     my.data: {value: 0}\n"), door);
+    String heat = proposal("std_msgs/msg/Float32", "float32", "K");
+    assertTrue(heat.contains("# give its name to the field"), heat);
+    assertTrue(heat.contains("#     my.data: {unit: \"K\", value: 0}\n"), heat);
+    String ticks = proposal("std_msgs/msg/Float32", "float32", "tick\nx: 1");
+    assertTrue(ticks.contains("#     my.data: {value: 0}\n"), ticks);
+  }
+
+  private static String proposal(String message, String type, String unit) {
+    Field field = new Field("data", type, unit, SourceLocation.NONE);
+    Signal signal = signal("/cabin/value", message, Direction.PROVIDED, field);
+    return Bench.proposal(List.of(signal), MESSAGES, Map.of());
   }
 }
