@@ -43,7 +43,7 @@ public final class FormulaTokens {
    */
   private static final Pattern UNIT =
       Pattern.compile(
-          "\\s*((?:1(?=/)|%|\u00b0|[A-Za-z]\\w*(?:\\^[0-9]+)?)(?:/[A-Za-z]\\w*(?:\\^[0-9]+)?)*)");
+          "\\s*((?:1(?=/[A-Za-z])|%|\u00b0|[A-Za-z]\\w*(?:\\^[0-9]+)?)(?:/[A-Za-z]\\w*(?:\\^[0-9]+)?)*)");
 
   enum Kind {
     NUMBER,
