@@ -5,8 +5,10 @@ import dev.eventchain.diagnostics.ModelChange;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.messages.FieldType;
 import dev.eventchain.messages.Unit;
 import dev.eventchain.model.Signal;
+import dev.eventchain.model.eventchain.ComponentImplementation;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventchainPackage.Literals;
 import java.util.HashMap;
@@ -97,7 +99,7 @@ final class UnitContracts {
             .formatted(
                 endpoint.name(), data.getFieldName(), topic.name(), here, reference.name(), there);
     SourceLocation at = findings.at(data, Literals.DATA__UNIT);
-    String hint = clash.hint() + generated(clash, data, here, there);
+    String hint = clash.hint() + generated(clash, endpoint, data, here, there);
     Rule rule = ContractRule.UNIT_MISMATCH.rule();
     findings.add(
         new Diagnostic(rule, clash.severity(), message, at, hint, "", List.of())
@@ -106,12 +108,18 @@ final class UnitContracts {
   }
 
   /**
-   * Returns how the generated node would convert, if it does not yet. A language model is shown no
-   * sentence that names files, so that prompts do not depend on this one.
+   * Returns how the generated node would convert, if there is one that can and does not yet. A
+   * language model is shown no sentence that names files, so that prompts do not depend on this
+   * one.
    */
-  private static String generated(Clash clash, Data data, String here, String there) {
+  private static String generated(
+      Clash clash, Endpoint endpoint, Data data, String here, String there) {
     boolean isConvertible =
-        clash.severity() == Severity.ERROR && clash.change() == Change.WITH_CODE;
+        clash.severity() == Severity.ERROR
+            && clash.change() == Change.WITH_CODE
+            && endpoint.node().getImplementation() == ComponentImplementation.COMPONENT
+            && data.getType() != null
+            && data.getType().matches(FieldType.NUMBER);
     return isConvertible && data.getComponentUnit() == null
         ? " Or let the generated node convert: unit '%s' and component_unit '%s' in chain.json and components.json (unit and componentUnit in a model)."
             .formatted(there, here)
