@@ -45,7 +45,17 @@ class Made(NamedTuple):
         """Return what tells it from other ways of making the node."""
         if self.call is None or not (self.call.args or self.call.keywords):
             return (id(self.node.definition),)
-        return id(self.node.definition), id(self.place.function), ast.dump(self.call)
+        return id(self.node.definition), id(self.place.function), ast.dump(self.call), _given(self.place, self.passed)
+
+
+def _given(place: Place, passed: Passed) -> tuple[object, ...]:
+    """Return what the parameters of a function are given, and those of the functions that call it."""
+    if place.function is None:
+        return ()
+    given = passed.get(place.function, {}).items()
+    return tuple(
+        (name, id(caller.function), ast.dump(value), _given(caller, passed)) for name, (value, caller) in given
+    )
 
 
 def constructors(node: NodeClass) -> Iterator[tuple[Module, Function]]:

@@ -7,6 +7,8 @@ setup(
             "own = made_nodes.relays:main",
             "sides = made_nodes.sides:main",
             "plain = made_nodes.plain:main",
+            "front = made_nodes.shared:front",
+            "rear = made_nodes.shared:rear",
             "asked = made_nodes.asked:main",
         ]
     },
