@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.regex.Pattern;
 
 /** Parameters that a launch file gives a node: those with a name and a value. */
 final class LaunchParameters {
@@ -20,6 +21,14 @@ final class LaunchParameters {
   static final String SIMULATED = "use_sim_time";
 
   private static final ObjectMapper JSON = new ObjectMapper();
+
+  /** Texts that YAML, by which launch files infer types, may take for something else than here. */
+  private static final Pattern UNCLEAR =
+      Pattern.compile(
+          "|[\\[{'\"!&*|>%@`].*|(?i:yes|no|on|off|null|~|[-+]?\\.(inf|nan))"
+              + "|[-+]?0[0-9xob_].*|[-+]?[0-9][0-9_:]*[_:][0-9_:.]*",
+          Pattern.DOTALL);
+
   private static final String SAY = "'parameters' of its node in components.json say them.";
 
   private LaunchParameters() {}
@@ -38,7 +47,7 @@ final class LaunchParameters {
       Optional<JsonNode> known =
           attribute(each, "json")
               .map(LaunchParameters::json)
-              .or(() -> value.apply(each).map(LaunchParameters::inferred));
+              .or(() -> value.apply(each).flatMap(LaunchParameters::inferred));
       if (name.isPresent() && known.isPresent()) {
         if (!name.get().equals(SIMULATED)) {
           found.put(name.get(), known.get());
@@ -48,8 +57,8 @@ final class LaunchParameters {
         ask.accept("Which parameters does the file" + file + " give this node? " + SAY);
       } else {
         String which =
-            name.map(it -> "What is the parameter '" + it + "'").orElse("Which parameters has");
-        ask.accept(which + " of this node? " + SAY);
+            name.map(it -> "What is the parameter '" + it + "' of").orElse("Which parameters has");
+        ask.accept(which + " this node? " + SAY);
       }
     }
     return found;
@@ -67,15 +76,17 @@ final class LaunchParameters {
     }
   }
 
-  /** Returns a value as launch files infer its type from a text. */
-  private static JsonNode inferred(String text) {
-    if (text.matches("[Tt]rue|TRUE|[Ff]alse|FALSE")) {
-      return BooleanNode.valueOf(text.equalsIgnoreCase("true"));
+  /** Returns a value as launch files infer its type from a text; empty if that is not clear. */
+  private static Optional<JsonNode> inferred(String text) {
+    if (UNCLEAR.matcher(text).matches()) {
+      return Optional.empty();
+    } else if (text.matches("[Tt]rue|TRUE|[Ff]alse|FALSE")) {
+      return Optional.of(BooleanNode.valueOf(text.equalsIgnoreCase("true")));
     } else if (text.matches("[-+]?[0-9]{1,18}")) {
-      return LongNode.valueOf(Long.parseLong(text));
+      return Optional.of(LongNode.valueOf(Long.parseLong(text)));
     } else if (text.matches("[-+]?([0-9]+\\.[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)?")) {
-      return DoubleNode.valueOf(Double.parseDouble(text));
+      return Optional.of(DoubleNode.valueOf(Double.parseDouble(text)));
     }
-    return TextNode.valueOf(text);
+    return Optional.of(TextNode.valueOf(text));
   }
 }

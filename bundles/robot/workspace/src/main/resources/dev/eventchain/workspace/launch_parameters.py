@@ -8,6 +8,8 @@ from collections.abc import Callable, Iterator
 
 from constants import Constants, Place, UnknownValueError
 
+_CHANGES = (ast.Store, ast.Del)
+
 Json = dict[str, object]
 
 
@@ -36,18 +38,28 @@ class LaunchParameters:
         return [found for each in node.elts for found in self._entry(self._definition(each))]
 
     def _definition(self, node: ast.expr) -> ast.expr:
-        if isinstance(node, ast.Name):
+        if isinstance(node, ast.Name) and not self._is_changed(node.id):
             try:
                 return self._constants.definition(node, self._place)[0]
             except UnknownValueError:
                 return node
         return node
 
+    def _is_changed(self, name: str) -> bool:
+        """Return whether the file calls a method of a list or dictionary, or sets one of its elements."""
+        return any(
+            (isinstance(node, ast.Attribute) or (isinstance(node, ast.Subscript) and isinstance(node.ctx, _CHANGES)))
+            and isinstance(node.value, ast.Name)
+            and node.value.id == name
+            for node in ast.walk(self._place.module.tree)
+        )
+
     def _entry(self, node: ast.expr) -> Iterator[Json]:
         if isinstance(node, ast.Dict):
             yield from self._values(node, "")
         else:
-            yield _element(node, {"from": self._text(node)})
+            file = self._text(node)
+            yield _element(node, {"name": None} if file is None else {"from": file})
 
     def _values(self, node: ast.Dict, above: str) -> Iterator[Json]:
         for key, value in zip(node.keys, node.values, strict=True):

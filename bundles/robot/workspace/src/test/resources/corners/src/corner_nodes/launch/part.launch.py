@@ -36,4 +36,7 @@ def generate_launch_description():
             ],
         )
     )
+    changed = {"limit": 1.5}
+    changed["limit"] = 2.5
+    ld.add_action(Node(package="corner_nodes", executable="kept", name="with_changed", parameters=[changed]))
     return ld
