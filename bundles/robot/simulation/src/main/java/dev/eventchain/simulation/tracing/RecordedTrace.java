@@ -3,6 +3,7 @@ package dev.eventchain.simulation.tracing;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -102,7 +103,7 @@ public final class RecordedTrace {
       Matcher event = EVENT.matcher(line);
       Matcher discard = LOST.matcher(line);
       if (stamp.lookingAt()) {
-        time = Long.valueOf(plain(stamp.group(1)));
+        time = number(stamp.group(1));
       } else if (event.matches()) {
         event(event.group(1), time, message.subList(i + 1, message.size()));
         break;
@@ -123,7 +124,15 @@ public final class RecordedTrace {
     if (discard.group(2) == null) {
       lost.add("an unknown number of " + discard.group(1));
     } else {
-      discarded.merge(discard.group(1), Long.valueOf(plain(discard.group(2))), Long::sum);
+      discarded.merge(discard.group(1), number(discard.group(2)), Long::sum);
+    }
+  }
+
+  private long number(String text) {
+    try {
+      return Long.parseLong(plain(text));
+    } catch (NumberFormatException e) {
+      throw unreadable("'" + Printable.line(text) + "' is no number that it can have", place);
     }
   }
 

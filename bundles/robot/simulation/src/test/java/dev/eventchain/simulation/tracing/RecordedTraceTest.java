@@ -82,6 +82,14 @@ class RecordedTraceTest {
   }
 
   @Test
+  void numbersThatAreNoneAreRefused() {
+    String large = "9,999,999,999,999,999,999";
+    refused("Stream beginning:\n[1 cycles, " + large + " ns from origin]\n", large);
+    refused("[1 cycles, - ns from origin]\n", "'-' is no number");
+    refused("Discarded events (" + large + " events)\n", large);
+  }
+
+  @Test
   void eventsOfOtherInstrumentationAreSkipped() throws IOException {
     String text = Files.readString(TRACE).replace("Event `ros2:", "Event `other:");
     RecordedTrace trace = TraceText.read(text.replaceAll("    vtid: .*\n", ""));
