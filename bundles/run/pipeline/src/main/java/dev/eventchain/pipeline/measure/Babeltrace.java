@@ -52,17 +52,9 @@ final class Babeltrace {
       errors = Files.createTempFile("eventchain-trace-", ".log");
       process = start(command, errors, folder);
       process.getOutputStream().close();
-      RecordedTrace read;
       try (BufferedReader text = process.inputReader(StandardCharsets.UTF_8)) {
-        read = RecordedTrace.read(text, SourceLocation.of(folder));
+        return read(text, process, errors, folder);
       }
-      int code = process.waitFor();
-      if (code != 0) {
-        throw RecordedTrace.unreadable(
-            "babeltrace2 ended with exit code %d: %s".formatted(code, last(errors)),
-            SourceLocation.of(folder));
-      }
-      return read;
     } catch (IOException e) {
       throw RecordedTrace.unreadable(SourceText.reason(e), SourceLocation.of(folder));
     } catch (InterruptedException e) {
@@ -71,6 +63,32 @@ final class Babeltrace {
     } finally {
       end(process, errors);
     }
+  }
+
+  /** Reads what babeltrace2 writes; if it fails, its own reason is the one to be told. */
+  private static RecordedTrace read(
+      BufferedReader text, Process process, Path errors, Path folder)
+      throws IOException, InterruptedException {
+    RecordedTrace read = null;
+    DiagnosticException refused = null;
+    try {
+      read = RecordedTrace.read(text, SourceLocation.of(folder));
+    } catch (DiagnosticException e) {
+      if (text.read() >= 0) {
+        throw e;
+      }
+      refused = e;
+    }
+    int code = process.waitFor();
+    if (code != 0) {
+      throw RecordedTrace.unreadable(
+          "babeltrace2 ended with exit code %d: %s".formatted(code, last(errors)),
+          SourceLocation.of(folder));
+    }
+    if (refused != null) {
+      throw refused;
+    }
+    return read;
   }
 
   private static Process start(List<String> command, Path errors, Path folder) {
