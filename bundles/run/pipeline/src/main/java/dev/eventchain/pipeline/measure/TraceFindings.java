@@ -54,6 +54,7 @@ final class TraceFindings {
       return findings.found;
     }
     findings.missing();
+    findings.idle();
     findings.messages();
     model.chain().getSoftware().forEach(findings::times);
     findings.latencies();
@@ -111,6 +112,18 @@ final class TraceFindings {
                 .withHint(
                     "Trace rcl, rclcpp and rmw while the node works, and give its topics the names of the model."));
       }
+    }
+  }
+
+  /** Reports that no component did anything: without constraints, nothing else is an error then. */
+  private void idle() {
+    if (measured.components().stream().allMatch(each -> each.times().activations() == 0)) {
+      found.add(
+          Diagnostic.of(
+                  MeasureRules.TRACE_UNMATCHED,
+                  "No component of the chain did anything in the trace, so that nothing was measured.",
+                  trace)
+              .withHint("Trace the nodes while data pass through the chain."));
     }
   }
 

@@ -183,6 +183,19 @@ class TraceMeasuringTest {
         found.toString());
   }
 
+  /** A model without constraints has none that could be unmeasured. */
+  @Test
+  void componentsThatAllDoNothingAreNoPass() throws IOException {
+    change(project.resolve("model/chain.xmi"), "(?s)<latencyConstraints.*?/>", "");
+    change(trace, "topic_name: ", "topic_name: /other");
+    change(trace, "callback_start", "callback_began");
+    assertTrue(
+        found()
+            .contains(
+                "error trace.unmatched No component of the chain did anything in the trace, so that nothing was measured."));
+    assertFalse(passed());
+  }
+
   /** The driver of the radar has a thread of its own, whose events are left out. */
   @Test
   void publishersThatAreNotTracedAreSaid() throws IOException {
@@ -243,5 +256,7 @@ class TraceMeasuringTest {
         failure(Reason.INPUT, "sh", "-c", "cat \"$1\"/drive.txt; echo no CTF >&2; exit 7");
     assertEquals("trace.unreadable", failed.id());
     assertTrue(failed.message().contains("exit code 7: no CTF"), failed.message());
+    Diagnostic other = failure(Reason.INPUT, "sh", "-c", "echo no folder of CTF >&2; exit 1");
+    assertTrue(other.message().contains("exit code 1: no folder of CTF"), other.message());
   }
 }
