@@ -98,6 +98,14 @@ final class RstBlocks extends TextBlocks {
     }
   }
 
+  /** Skips the literal block below a paragraph that ends with two colons. */
+  @Override
+  void end(int indent, String last) {
+    if (last.endsWith("::")) {
+      skipBelow(indent);
+    }
+  }
+
   private void heading() {
     String style = "";
     if (LINE.matcher(lines.get(next)).matches()) {

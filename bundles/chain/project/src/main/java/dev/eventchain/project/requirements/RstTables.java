@@ -13,7 +13,7 @@ import java.util.regex.Pattern;
 /** Reads the tables of reStructuredText: grids, simple ones, lists and CSV. */
 final class RstTables {
 
-  private static final Pattern CELL = Pattern.compile("\\s*(\\*)?\\s*-(?:\\s+(.*))?");
+  private static final Pattern CELL = Pattern.compile("\\s*(\\*)?\\s*(-)(?:\\s+(.*))?");
   private static final String SPANS =
       "Name a cell for each column, and each row on its own; or use a list-table.";
 
@@ -126,12 +126,13 @@ final class RstTables {
           break;
         }
         head = rows.all.size();
-      } else if (line.isBlank() || isRule(line, '-', 1)) {
+      } else if (isRule(line, '-', 1)) {
         rows.end();
-      } else {
+      } else if (!line.isBlank()) {
         rows.addSimple(text.number(text.next), line);
       }
     }
+    checkWidths(text, first, source, reading);
     if (text.next == text.lines.size()) {
       reading.unread(
           "This table has no end.", source.at(text.number(first), 1), "End it with a line of '='.");
@@ -139,6 +140,37 @@ final class RstTables {
     rows.end();
     text.next++;
     rows.table(text.number(first), Math.max(head, 1)).ifPresent(text.blocks::add);
+  }
+
+  /** Reports texts that go beyond their column, where a row begins with an id. */
+  private static void checkWidths(RstBlocks text, int first, SourceText source, Reading reading) {
+    List<int[]> columns = columns(text.lines.get(first));
+    int rules = 0;
+    boolean named = false;
+    for (int i = first; i < Math.min(text.next, text.lines.size()); i++) {
+      String line = text.lines.get(i);
+      rules += isRule(line, '=', 2) ? 1 : 0;
+      if (TextBlocks.indent(line) < columns.get(0)[1]) {
+        named = beginsWithId(line);
+      }
+      if (rules == 2 && named && isWide(line, columns)) {
+        reading.unread(
+            "A text of this row goes beyond its column.",
+            source.at(text.number(i), 1),
+            "Make the column wider, by more '=' above and below.");
+      }
+    }
+  }
+
+  private static boolean isWide(String line, List<int[]> columns) {
+    for (int i = 1; i < columns.size(); i++) {
+      int from = Math.min(columns.get(i - 1)[1], line.length());
+      int to = Math.min(columns.get(i)[0], line.length());
+      if (!line.substring(from, to).isBlank()) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Returns where the columns of a simple table are, of which the last one has no end. */
@@ -161,17 +193,20 @@ final class RstTables {
     List<TextBlock.Row> rows = new ArrayList<>();
     List<String> cells = new ArrayList<>();
     int start = 0;
+    int mark = 0;
     for (int i = 0; i < content.size(); i++) {
       Matcher cell = CELL.matcher(content.get(i));
-      if (cell.matches() && cell.group(1) != null) {
+      boolean begins = cell.matches() && (cell.group(1) != null || cell.start(2) == mark);
+      if (begins && cell.group(1) != null) {
         if (!cells.isEmpty()) {
           rows.add(new TextBlock.Row(start, List.copyOf(cells)));
         }
         cells.clear();
         start = before + i + 1;
+        mark = cell.start(2);
       }
-      if (cell.matches()) {
-        cells.add(cell.group(2) == null ? "" : cell.group(2).strip());
+      if (begins) {
+        cells.add(cell.group(3) == null ? "" : cell.group(3).strip());
       } else if (!content.get(i).isBlank() && !cells.isEmpty()) {
         int last = cells.size() - 1;
         cells.set(last, (cells.get(last) + " " + content.get(i).strip()).strip());
@@ -197,11 +232,21 @@ final class RstTables {
                   source.at(line, 1))
               .withHint("If they are requirements, write them here."));
     }
+    if (options.containsKey("delim") && content.stream().anyMatch(RstTables::beginsWithId)) {
+      reading.unread(
+          "The cells of this table are not divided by commas, which is not read.",
+          source.at(line, 1),
+          "Divide them by commas, without ':delim:'.");
+    }
     String text = String.join("\n", content.stream().map(String::strip).toList());
     for (CsvRow row : csv(text)) {
       rows.add(new TextBlock.Row(before + row.line(), plain(row.cells())));
     }
     return directive(rows, source, reading);
+  }
+
+  private static boolean beginsWithId(String text) {
+    return TextIds.isId(text.strip().split("[^A-Za-z0-9_./-]", 2)[0]);
   }
 
   /** Returns the rows of a text, in which quotes may follow blanks. */

@@ -59,7 +59,11 @@ abstract class TextBlocks {
       own.add(lines.get(next++).strip());
     }
     blocks.add(new TextBlock.Lines(number(first), indent(lines.get(first)), isEntry, own));
+    end(isEntry ? entry.start(1) : indent(lines.get(first)), own.get(own.size() - 1));
   }
+
+  /** Goes on behind what belongs to a paragraph and is no text; its last line may say so. */
+  void end(int indent, String last) {}
 
   /** Returns the number of a line in its file. */
   final int number(int index) {
