@@ -10,7 +10,7 @@ import java.util.stream.Stream;
 final class MarkdownBlocks extends TextBlocks {
 
   private static final Pattern HEADING = Pattern.compile(" {0,3}(#{1,6})\\s+(.*?)[\\s#]*");
-  private static final Pattern FENCE = Pattern.compile("\\s*(```+|~~~+).*");
+  private static final Pattern FENCE = Pattern.compile("\\s*(```+(?=[^`]*$)|~~~+).*");
   private static final Pattern UNDERLINE = Pattern.compile(" {0,3}(=+|-{3,})\\s*");
   private static final Pattern BAR = Pattern.compile("(?<!\\\\)\\|");
 

@@ -49,7 +49,8 @@ final class TextIds {
 
   /** Returns the id with which a heading begins, and all behind it. */
   static Optional<Named> ofHeading(String text) {
-    String plain = text.replaceFirst("\\s*\\{#[^}]*\\}$", "").replaceAll("<[^>]*>", "").strip();
+    String plain =
+        unescaped(text).replaceFirst("\\s*\\{#[^}]*\\}$", "").replaceAll("<[^>]*>", "").strip();
     Matcher found = HEADING.matcher(plain);
     return found.matches()
         ? Optional.of(new Named(found.group(1), found.group(2)))
@@ -58,7 +59,7 @@ final class TextIds {
 
   /** Returns the id with which a line begins that goes on with its text. */
   static Optional<Named> ofLine(String text) {
-    Matcher found = LINE.matcher(text);
+    Matcher found = LINE.matcher(unescaped(text));
     if (!found.matches()) {
       return Optional.empty();
     }
@@ -86,9 +87,15 @@ final class TextIds {
     return found.matches() ? Optional.of(found.group(1)) : Optional.empty();
   }
 
+  /** Returns a text without the backslashes in front of characters that ids may have. */
+  private static String unescaped(String text) {
+    return text.replaceAll("\\\\([_.-])", "$1");
+  }
+
   /** Returns a text without emphasis, links, roles and anchors. */
   static String plain(String text) {
-    return text.replaceAll("<[^>]*>", "")
+    return unescaped(text)
+        .replaceAll("<[^>]*>", "")
         .replaceAll("\\[([^\\]]*)\\](\\([^)]*\\))?", "$1")
         .replaceAll(":[A-Za-z:_-]+:`([^`]*)`", "$1")
         .replaceAll("[*`]", "")

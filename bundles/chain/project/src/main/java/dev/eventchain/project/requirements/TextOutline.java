@@ -3,13 +3,37 @@ package dev.eventchain.project.requirements;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * Items of a text in its order: a heading with an id is followed by its text, up to the next one; a
  * line with an id goes on in what is indented below it.
  */
 final class TextOutline {
+
+  /** Headings of what is no text of a requirement, whose own heading is the text then. */
+  private static final Set<String> BESIDES =
+      Set.of(
+          "rationale",
+          "motivation",
+          "justification",
+          "background",
+          "discussion",
+          "note",
+          "notes",
+          "comment",
+          "comments",
+          "remarks",
+          "source",
+          "history",
+          "references",
+          "example",
+          "examples",
+          "verification",
+          "validation",
+          "tests");
 
   private final SourceText source;
   private final Reading reading;
@@ -64,7 +88,11 @@ final class TextOutline {
   private void heading(TextBlock.Heading found) {
     entry = null;
     Optional<TextIds.Named> named = TextIds.ofHeading(found.text());
-    boolean continues = heading != null && heading.text.isEmpty() && found.level() > heading.depth;
+    boolean continues =
+        heading != null
+            && heading.text.isEmpty()
+            && found.level() > heading.depth
+            && (heading.title.isBlank() || !BESIDES.contains(found.text().toLowerCase(Locale.ROOT)));
     if (named.isPresent()) {
       if (TextIds.isAnother(named.get())) {
         reading.unread(
