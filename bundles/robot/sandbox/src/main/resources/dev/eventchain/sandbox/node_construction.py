@@ -1,7 +1,8 @@
 """Construction of a node that is hosted as it is: the arguments that the file of its class makes it with.
 
-They are read from the call of the class outside of classes, such as in `main`, and none of the code is run. An argument
-is known if it is made of literals and of names that are given once, in the function of the call or in the file.
+They are read from the call of the class outside of classes, such as in `main`, or else in other classes, and none of
+the code is run. An argument is known if it is made of literals and of names that are given once, in the function of the
+call or in the file.
 """
 
 from __future__ import annotations
@@ -146,9 +147,14 @@ def _listed(names: Iterable[str]) -> str:
 # Calls
 
 
-def _calls(tree: ast.Module, class_name: str) -> Iterator[tuple[ast.Call, Function | None]]:
-    """Return the calls of a class outside of classes, each with the innermost function that it is in."""
-    pending: list[tuple[ast.AST, Function | None]] = [(node, None) for node in tree.body]
+def _calls(tree: ast.Module, class_name: str) -> list[tuple[ast.Call, Function | None]]:
+    """Return the calls of a class outside of classes, or else in other ones, each with the innermost function."""
+    others = [each for cls in _classes(tree) if cls.name != class_name for each in cls.body]
+    return list(_calls_in(tree.body, class_name)) or list(_calls_in(others, class_name))
+
+
+def _calls_in(body: Iterable[ast.AST], class_name: str) -> Iterator[tuple[ast.Call, Function | None]]:
+    pending: list[tuple[ast.AST, Function | None]] = [(node, None) for node in body]
     while pending:
         node, function = pending.pop(0)
         if isinstance(node, ast.ClassDef):
@@ -292,10 +298,10 @@ def _given_in(body: Iterable[ast.AST], name: str) -> list[ast.expr | None]:
 
 
 def _bound(node: ast.AST) -> tuple[str, ...]:
-    """Return the name that a definition, an import or a handler of exceptions binds."""
+    """Return the name that a definition, an import, a handler of exceptions or a pattern binds."""
     if isinstance(node, ast.alias):
         return (node.asname or node.name.partition(".")[0],)
-    if isinstance(node, (*_FUNCTIONS, ast.ClassDef, ast.ExceptHandler)):
+    if isinstance(node, (*_FUNCTIONS, ast.ClassDef, ast.ExceptHandler, ast.MatchAs, ast.MatchStar)):
         return (node.name or "",)
     return ()
 
