@@ -147,20 +147,45 @@ public record TraceMeasurement(
           .forEach(it -> unmatched.add(new Unmatched(it.topic(), nameOf(component), it.count())));
     }
 
-    /** Returns the nodes of a component's name; in the root namespace if there is one. */
+    /**
+     * Returns the nodes of a component's name; of several, that in the root namespace, or else that
+     * with the component's topics.
+     */
     private List<Node> nodes(SoftwareNode component) {
-      Set<String> names =
-          new TreeSet<>(List.of(nameOf(component), RosNames.nodeName(nameOf(component))));
+      String name = RosNames.nodeName(nameOf(component));
       List<Node> named =
-          activity.nodes.stream().filter(it -> names.contains(it.name())).distinct().toList();
+          activity.nodes.stream()
+              .filter(it -> name.equals(RosNames.nodeName(it.name())) || name.equals(joined(it)))
+              .distinct()
+              .toList();
       List<Node> root = named.stream().filter(it -> it.namespace().equals("/")).toList();
-      return root.isEmpty() ? named : root;
+      List<Node> near =
+          root.isEmpty() ? named.stream().filter(it -> hasTopics(it, component)).toList() : root;
+      return near.isEmpty() ? named : near;
+    }
+
+    /** Returns the name of a node with that of its namespace in front, as that of a component. */
+    private static String joined(Node node) {
+      return RosNames.nodeName(node.fullName().substring(1).replace('/', '_'));
+    }
+
+    private boolean hasTopics(Node node, SoftwareNode component) {
+      return activity.publishers.stream()
+              .filter(it -> it.node().equals(node))
+              .map(RosActivity.Publisher::topic)
+              .collect(Collectors.toSet())
+              .containsAll(topicsOf(component, TopicIndex.Topic::publishers))
+          && activity.subscriptions.stream()
+              .filter(it -> it.node().equals(node))
+              .map(RosActivity.Subscription::topic)
+              .collect(Collectors.toSet())
+              .containsAll(topicsOf(component, TopicIndex.Topic::subscribers));
     }
 
     private static String reason(SoftwareNode component, List<Node> nodes) {
       return nodes.isEmpty()
           ? "no node is called '" + RosNames.nodeName(nameOf(component)) + "'"
-          : "several nodes are called so, none of them in the root namespace";
+          : "several nodes are called so, and none of them alone is in the root namespace or has its topics";
     }
 
     private static String nameOf(SoftwareNode component) {

@@ -266,7 +266,7 @@ class TraceMeasurementTest {
     TraceMeasurement measured = measured(trace);
     assertEquals("/car/Radar_Tracking", measured.components().get(0).node());
     assertEquals(
-        Map.of("Brake_Request", "several nodes are called so, none of them in the root namespace"),
+        Map.of("Brake_Request", "several nodes are called so, and none of them alone is in the root namespace or has its topics"),
         measured.missing());
     assertEquals(
         Map.of(
@@ -275,5 +275,23 @@ class TraceMeasurementTest {
             "Brake_Request",
             "no node is called 'brake_request'"),
         measured(new TraceText()).missing());
+  }
+
+  /** As init calls the nodes of a workspace: the second one by its namespace, too. */
+  @Test
+  void nodesOfNamespacesAreTheComponentsWithTheirTopics() {
+    EventChain chain = FACTORY.createEventChain();
+    node(chain, "Range_Driver", "/front/echo", "/front/range");
+    node(chain, "Rear_Range_Driver", "/rear/echo", "/rear/range");
+    TraceMeasurement measured =
+        TraceMeasurement.of(
+            chain,
+            new TraceText()
+                .node(1, "range_driver", "/rear", "/rear/echo", "/rear/range")
+                .node(2, "range_driver", "/front", "/front/echo", "/front/range")
+                .read());
+    assertEquals(
+        List.of("/front/range_driver", "/rear/range_driver"),
+        measured.components().stream().map(TraceMeasurement.Component::node).toList());
   }
 }
