@@ -52,7 +52,10 @@ public final class AtomicFile {
     }
   }
 
-  /** Nothing is asked of the file store: Java finds none where its mount is not listed, as in chroot. */
+  /**
+   * Nothing is asked of the file store: Java finds none where its mount is not listed, as in
+   * chroot.
+   */
   private static void keepPermissions(Path file, Path temporary) throws IOException {
     PosixFileAttributeView view = Files.getFileAttributeView(file, PosixFileAttributeView.class);
     if (view != null) {

@@ -92,7 +92,8 @@ final class TextOutline {
         heading != null
             && heading.text.isEmpty()
             && found.level() > heading.depth
-            && (heading.title.isBlank() || !BESIDES.contains(found.text().toLowerCase(Locale.ROOT)));
+            && (heading.title.isBlank()
+                || !BESIDES.contains(found.text().toLowerCase(Locale.ROOT)));
     if (named.isPresent()) {
       if (TextIds.isAnother(named.get())) {
         reading.unread(

@@ -143,7 +143,8 @@ public record Strength(
    * @param criterion the criterion that noticed it, or came nearest; empty if none could be judged
    * @param margin the margin of that criterion with the fault; empty if it has no size
    * @param elsewhere true if the fault is of an output that is not marked with this requirement, of
-   *     which another one notices faults, and this one none, while it notices some of another output
+   *     which another one notices faults, and this one none, while it notices some of another
+   *     output
    */
   public record Reaction(
       String component,

@@ -266,7 +266,9 @@ class TraceMeasurementTest {
     TraceMeasurement measured = measured(trace);
     assertEquals("/car/Radar_Tracking", measured.components().get(0).node());
     assertEquals(
-        Map.of("Brake_Request", "several nodes are called so, and none of them alone is in the root namespace or has its topics"),
+        Map.of(
+            "Brake_Request",
+            "several nodes are called so, and none of them alone is in the root namespace or has its topics"),
         measured.missing());
     assertEquals(
         Map.of(

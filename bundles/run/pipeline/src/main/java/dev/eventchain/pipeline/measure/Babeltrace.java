@@ -66,8 +66,7 @@ final class Babeltrace {
   }
 
   /** Reads what babeltrace2 writes; if it fails, its own reason is the one to be told. */
-  private static RecordedTrace read(
-      BufferedReader text, Process process, Path errors, Path folder)
+  private static RecordedTrace read(BufferedReader text, Process process, Path errors, Path folder)
       throws IOException, InterruptedException {
     RecordedTrace read = null;
     DiagnosticException refused = null;

@@ -146,11 +146,11 @@ class CampaignWorldTest {
         points: {source: P, most: 2, criteria: ["always %1$s"]}
         """;
     Files.writeString(
-        scenario, SCENARIO.replace("{name: car,", "{name: car2, gap_m: 90, speed_kmh: 0}, {name: car1,"));
+        scenario,
+        SCENARIO.replace("{name: car,", "{name: car2, gap_m: 90, speed_kmh: 0}, {name: car1,"));
     String gap = "actor('%s').gap > %s m";
     assertEquals(
-        List.of(),
-        found(text.formatted(gap.formatted("car1", "-1"), gap.formatted("car2", "-1"))));
+        List.of(), found(text.formatted(gap.formatted("car1", "-1"), gap.formatted("car2", "-1"))));
     assertEquals(
         1, found(text.formatted(gap.formatted("car1", "-1"), gap.formatted("car1", "-2"))).size());
   }

@@ -207,7 +207,9 @@ class FormattingTest {
       file("r" + i + ".ocl", RULES);
     }
     List<CompletableFuture<Formatting.Result>> both =
-        Stream.generate(() -> CompletableFuture.supplyAsync(() -> format(folder))).limit(2).toList();
+        Stream.generate(() -> CompletableFuture.supplyAsync(() -> format(folder)))
+            .limit(2)
+            .toList();
     for (CompletableFuture<Formatting.Result> each : both) {
       assertEquals(List.of(), found(each.join()));
     }

@@ -42,7 +42,9 @@ public final class Actions {
     return PrivateAction.NONE;
   }
 
-  /** Reads an action of a controller: that of the ego is its software, from the first command on. */
+  /**
+   * Reads an action of a controller: that of the ego is its software, from the first command on.
+   */
   private static PrivateAction controller(ScenarioElement action) {
     return switch (action.name()) {
       case "AssignControllerAction", "ActivateControllerAction" -> PrivateAction.NONE;
