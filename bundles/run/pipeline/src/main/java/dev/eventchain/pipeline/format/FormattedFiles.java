@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import java.io.IOException;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
@@ -16,8 +17,10 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /**
  * The files that a command formats: named ones, and those in named folders that people write. In
@@ -100,13 +103,22 @@ final class FormattedFiles {
 
   private void addFolder(Path named, Path real) throws IOException {
     List<Path> inside = new ArrayList<>();
-    Files.walkFileTree(real, new Walk(real, inside));
+    if (Stream.iterate(real, Objects::nonNull, Path::getParent)
+        .noneMatch(FormattedFiles::isOfRuns)) {
+      Files.walkFileTree(real, new Walk(real, inside));
+    }
     if (inside.isEmpty()) {
       found.add(nothing(named, "There is nothing to format in this folder."));
     }
     inside.stream()
         .sorted()
         .forEach(each -> files.putIfAbsent(each, named.resolve(real.relativize(each))));
+  }
+
+  /** Returns whether a folder is that of the results or the recordings of a project. */
+  private static boolean isOfRuns(Path folder) {
+    return (folder.endsWith(ProjectLayout.OUTPUT) || folder.endsWith(ProjectLayout.RECORDINGS))
+        && Files.isRegularFile(new ProjectFolder(folder.getParent()).configurationFile());
   }
 
   /** Walk through what people write below a folder. */
@@ -128,12 +140,9 @@ final class FormattedFiles {
 
     private static boolean isPassedOver(Path folder) {
       String name = folder.getFileName().toString();
-      boolean isOfProject =
-          (name.equals("out") || name.equals("recordings"))
-              && Files.isRegularFile(new ProjectFolder(folder.getParent()).configurationFile());
       return name.startsWith(".")
           || BUILT.contains(name)
-          || isOfProject
+          || isOfRuns(folder)
           || Files.isDirectory(folder.resolve(WRITTEN));
     }
 

@@ -142,6 +142,13 @@ class FormattingTest {
     assertEquals(
         List.of("out/own.ocl", "p/eventchain.yaml", "p/scenarios/a.yaml"),
         names(format(folder).files()));
+    for (String name : List.of("p/out", "p/out/x", "p/recordings")) {
+      file(name + "/y/z.ocl", RULES);
+      assertEquals(
+          List.of("format.nothing"),
+          format(folder.resolve(name)).found().stream().map(Diagnostic::id).toList());
+      assertEquals(RULES, Files.readString(folder.resolve(name + "/y/z.ocl")));
+    }
   }
 
   @Test
