@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import math
 import operator
 from collections.abc import Callable
 from typing import NamedTuple
@@ -68,7 +69,10 @@ class Constants:
             keys = [self.text(each, place) for each in node.keys if each is not None]
             if len(keys) == len(node.keys):
                 return {key: self.data(each, place) for key, each in zip(keys, node.values, strict=True)}
-        return self.value(node, place)
+        value = self.value(node, place)
+        if isinstance(value, float) and not math.isfinite(value):
+            raise UnknownValueError("it is no finite number")
+        return value
 
     def value(self, node: ast.expr, place: Place, depth: int = 0) -> Value:
         """Return the value of an expression; raise UnknownValueError if it is not constant."""

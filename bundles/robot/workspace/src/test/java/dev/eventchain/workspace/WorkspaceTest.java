@@ -106,6 +106,25 @@ class WorkspaceTest {
     assertTrue(asked(found, "Which parameters does the file 'limits.yaml' give this node?"));
   }
 
+  @Test
+  void aParameterThatIsNoFiniteNumberIsAskedFor(@TempDir Path folder) throws IOException {
+    Files.writeString(
+        Files.createDirectories(folder.resolve("src/braking/launch")).resolve("far.launch.py"),
+        """
+        from launch import LaunchDescription
+        from launch_ros.actions import Node
+
+        def generate_launch_description():
+            parameters = [{"most": 1e999, "least": 2.5}]
+            return LaunchDescription([Node(package="braking", executable="brake", parameters=parameters)])
+        """);
+    FoundSoftware found =
+        launching(folder, "<include file='$(find-pkg-share braking)/launch/far.launch.py'/>");
+    assertEquals(
+        "{least=2.5}", found.nodes().get(0).python().orElseThrow().parameters().toString());
+    assertTrue(asked(found, "What is the parameter 'most' of this node?"));
+  }
+
   private static FoundSoftware launching(Path folder, String started) throws IOException {
     copy("ws", folder);
     Files.delete(folder.resolve("src/braking/launch/aeb.launch.py"));
