@@ -22,7 +22,7 @@ import java.util.regex.Pattern;
 final class CriteriaOfPoints {
 
   /** A number of its own, and not of a name such as {@code AEB-3} or {@code car2}. */
-  private static final Pattern NUMBER = Pattern.compile("(?<![\\w\\[-])-?[0-9][0-9.eE+-]*");
+  private static final Pattern NUMBER = Pattern.compile("(?<![\\w-])-?[0-9][0-9.eE+-]*");
 
   private final CampaignPlan plan;
   private final Points points;

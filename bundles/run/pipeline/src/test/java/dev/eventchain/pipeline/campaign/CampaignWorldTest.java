@@ -141,18 +141,18 @@ class CampaignWorldTest {
         scenario: ahead
         factors: {speed: {path: ego.speed_kmh, values: [30, 60]}}
         criteria:
-          - {where: [speed < 50], accept: {formulas: [{formula: "always %1$s"}]}}
-          - {where: [speed > 50], accept: {formulas: [{formula: "always %2$s"}]}}
-        points: {source: P, most: 2, criteria: ["always %1$s"]}
+          - {where: [speed < 50], accept: {formulas: [{formula: "%1$s"}]}}
+          - {where: [speed > 50], accept: {formulas: [{formula: "%2$s"}]}}
+        points: {source: P, most: 2, criteria: ["%1$s"]}
         """;
     Files.writeString(
         scenario,
         SCENARIO.replace("{name: car,", "{name: car2, gap_m: 90, speed_kmh: 0}, {name: car1,"));
-    String gap = "actor('%s').gap > %s m";
-    assertEquals(
-        List.of(), found(text.formatted(gap.formatted("car1", "-1"), gap.formatted("car2", "-1"))));
-    assertEquals(
-        1, found(text.formatted(gap.formatted("car1", "-1"), gap.formatted("car1", "-2"))).size());
+    String gap = "always[%s, 5] actor('%s').gap > %s m";
+    String first = gap.formatted("1", "car1", "-1");
+    assertEquals(List.of(), found(text.formatted(first, gap.formatted("1", "car2", "-1"))));
+    assertEquals(1, found(text.formatted(first, gap.formatted("1", "car1", "-2"))).size());
+    assertEquals(1, found(text.formatted(first, gap.formatted("2", "car1", "-1"))).size());
   }
 
   /** Of more than 201 limits, some are tried before the first case, and all when it is made. */
