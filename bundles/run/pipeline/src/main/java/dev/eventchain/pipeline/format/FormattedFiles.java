@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline.format;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.FileRules;
@@ -9,11 +10,13 @@ import dev.eventchain.project.ProjectLayout;
 import java.io.IOException;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -30,8 +33,10 @@ final class FormattedFiles {
 
   private static final Set<String> BUILT = Set.of("node_modules", "target", "__pycache__");
 
-  /** The folder of the records of what the program has written into the one around it. */
-  private static final String WRITTEN = ".eventchain";
+  /** The records of what the program has written into a folder, where people may write, too. */
+  private static final String WRITTEN = ".eventchain/files.json";
+
+  private static final ObjectMapper JSON = new ObjectMapper();
 
   private final List<Diagnostic> found;
 
@@ -126,6 +131,7 @@ final class FormattedFiles {
 
     private final Path root;
     private final List<Path> inside;
+    private final Set<Path> written = new HashSet<>();
 
     Walk(Path root, List<Path> inside) {
       this.root = root;
@@ -134,22 +140,36 @@ final class FormattedFiles {
 
     @Override
     public FileVisitResult preVisitDirectory(Path folder, BasicFileAttributes attributes) {
-      boolean skipped = !folder.equals(root) && isPassedOver(folder);
-      return skipped ? FileVisitResult.SKIP_SUBTREE : FileVisitResult.CONTINUE;
+      if (!folder.equals(root) && isPassedOver(folder)) {
+        return FileVisitResult.SKIP_SUBTREE;
+      }
+      addWritten(folder);
+      return FileVisitResult.CONTINUE;
+    }
+
+    private void addWritten(Path folder) {
+      Path records = folder.resolve(WRITTEN);
+      if (Files.isRegularFile(records)) {
+        try {
+          JSON.readTree(records.toFile())
+              .fieldNames()
+              .forEachRemaining(name -> written.add(folder.resolve(name)));
+        } catch (IOException | InvalidPathException e) {
+          // With broken records, no file counts as written by the program.
+        }
+      }
     }
 
     private static boolean isPassedOver(Path folder) {
       String name = folder.getFileName().toString();
-      return name.startsWith(".")
-          || BUILT.contains(name)
-          || isOfRuns(folder)
-          || Files.isDirectory(folder.resolve(WRITTEN));
+      return name.startsWith(".") || BUILT.contains(name) || isOfRuns(folder);
     }
 
     @Override
     public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
       if (attributes.isRegularFile()
           && !file.getFileName().toString().startsWith(".")
+          && !written.contains(file)
           && TextFormat.of(file)
               .filter(it -> it != TextFormat.YAML || ProjectFolder.around(file).isPresent())
               .isPresent()) {

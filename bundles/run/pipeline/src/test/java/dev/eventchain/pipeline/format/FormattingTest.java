@@ -135,12 +135,13 @@ class FormattingTest {
       file(name + ".yaml", "a:   1  \n");
       file(name + ".ocl", RULES);
     }
-    file("elsewhere/.eventchain/files.json", "{}");
-    file("elsewhere/written.ocl", RULES);
+    file("elsewhere/.eventchain/files.json", "{\"a/written.ocl\": \"0\"}");
+    file("elsewhere/a/written.ocl", RULES);
+    file("elsewhere/own.ocl", FORMATTED);
     file("elsewhere.yaml", "a:   1  \n");
     file("out/own.ocl", FORMATTED);
     assertEquals(
-        List.of("out/own.ocl", "p/eventchain.yaml", "p/scenarios/a.yaml"),
+        List.of("elsewhere/own.ocl", "out/own.ocl", "p/eventchain.yaml", "p/scenarios/a.yaml"),
         names(format(folder).files()));
     for (String name : List.of("p/out", "p/out/x", "p/recordings")) {
       file(name + "/y/z.ocl", RULES);
