@@ -5,7 +5,6 @@ import dev.eventchain.cli.console.ProgressLines;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.campaign.CampaignOutcome;
-import dev.eventchain.pipeline.campaign.SearchOptions;
 import dev.eventchain.pipeline.campaign.Searches;
 import dev.eventchain.pipeline.project.Project;
 import java.nio.file.Path;
@@ -71,7 +70,8 @@ final class SearchCommand extends ProjectCommand {
         Searches.run(
             project,
             upToGeneration(project, llm),
-            new SearchOptions(accept.search(this, project, file), Optional.ofNullable(only), keep),
+            new Searches.Options(
+                accept.search(this, project, file), Optional.ofNullable(only), keep),
             new ProgressLines(console.err(), console.terminal()));
     if (format() == DiagnosticFormat.TEXT) {
       console.out().print(result.text());

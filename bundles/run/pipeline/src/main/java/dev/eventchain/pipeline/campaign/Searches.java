@@ -40,6 +40,15 @@ public final class Searches {
   private final SearchSettings settings;
   private final boolean keeps;
 
+  /**
+   * Options of a search.
+   *
+   * @param file the campaign file
+   * @param only the campaign of a file of several
+   * @param keeps true to make the finds scenarios of the project
+   */
+  public record Options(Path file, Optional<String> only, boolean keeps) {}
+
   /** Results of a search and of the making of simple finds. */
   private record Results(
       SearchWork.Result search, List<SearchFinds.Find> finds, List<CampaignCase> asked) {}
@@ -60,7 +69,7 @@ public final class Searches {
    *     machine
    */
   public static CampaignOutcome run(
-      Project project, RunOptions settings, SearchOptions options, Progress progress) {
+      Project project, RunOptions settings, Options options, Progress progress) {
     return CampaignScene.of(
         project,
         settings,
