@@ -104,6 +104,7 @@ class Monitor_node(rclpy.node.Node):
         )
         message = status_msgs.msg.Status()
         message.level = bytes((output["raised"],))
+        message.count = output["count"]
         self.publisher_raised.publish(message)
         message = status_msgs.msg.Status()
         value = bytes((output["name_of_an_output_that_is_so_long_that_it_does_not_fit_into_a_line_with_its_message_and_brackets"],))

@@ -39,6 +39,7 @@ def values_on_raised(message: status_msgs.msg.Status) -> list[Any]:
     """Read what a message carries that the node publishes."""
     return [
         plain(message.level),
+        plain(message.count),
     ]
 
 
@@ -93,6 +94,7 @@ INPUTS = {
 OUTPUTS = {
     "raised": b"\x02"[0],
     "name_of_an_output_that_is_so_long_that_it_does_not_fit_into_a_line_with_its_message_and_brackets": b"\x03"[0],
+    "count": 4,
 }
 
 
@@ -181,6 +183,7 @@ def test_the_outputs_are_published(world: World, tested: NodeClass) -> None:
         values_on_raised,
         [
             b"\x02",
+            OUTPUTS["count"],
         ],
     )
     world.wait_for_values(
