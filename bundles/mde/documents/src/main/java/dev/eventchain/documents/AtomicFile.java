@@ -1,10 +1,12 @@
 package dev.eventchain.documents;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFileAttributeView;
 import java.nio.file.attribute.PosixFilePermission;
 import java.util.Arrays;
@@ -41,9 +43,11 @@ public final class AtomicFile {
     // Not createTempFile: its files are private to their owner, but these are shared.
     Path temporary = file.resolveSibling("." + file.getFileName() + "." + UUID.randomUUID());
     try {
-      Files.write(temporary, content);
-      if (Files.exists(file)) {
-        keepPermissions(file, temporary);
+      try (OutputStream out = Files.newOutputStream(temporary, StandardOpenOption.CREATE_NEW)) {
+        if (Files.exists(file)) {
+          keepPermissions(file, temporary); // before anything of a private file can be read
+        }
+        out.write(content);
       }
       Files.move(
           temporary, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);

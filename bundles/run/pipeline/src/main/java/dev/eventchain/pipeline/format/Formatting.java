@@ -117,10 +117,11 @@ public final class Formatting {
       same++;
     }
     SourceLocation place = source.at(same);
+    String name = file.toString().matches("[\\w./+@-]+") ? file.toString() : "\"" + file + "\"";
     String indent = columns == COLUMNS ? "" : "--indent " + columns + " ";
     return Diagnostic.of(
             FormatRules.DIFFERS, "The file is not formatted, from this line on.", place)
-        .withHint("Run 'eventchain format " + indent + file + "'.");
+        .withHint("Run 'eventchain format " + indent + name + "'.");
   }
 
   /** Writes a file as a whole, if it is still as it was read. */
