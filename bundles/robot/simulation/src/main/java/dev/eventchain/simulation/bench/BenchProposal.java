@@ -67,7 +67,7 @@ final class BenchProposal {
   private final Map<String, Double> rates;
   private final StringBuilder text = new StringBuilder();
 
-  /** How the first number or Boolean that could not be guessed gets into its message. */
+  /** The lines for the first number or Boolean that could not be guessed. */
   private Optional<String> inputs = Optional.empty();
 
   /**
