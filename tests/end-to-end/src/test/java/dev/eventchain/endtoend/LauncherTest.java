@@ -66,7 +66,7 @@ class LauncherTest {
     assertVersionAlone(version());
     assertEquals(made, Files.getLastModifiedTime(archive()));
     assertTrue(loadedFrom(archive).contains("dev.eventchain.cli.Main source: shared objects file"));
-    assertTrue(loadedFrom(archive).contains("ObjectMapper source: shared objects file"));
+    assertTrue(loadedFrom(archive).contains("pipeline.run.Stage source: shared objects file"));
     assertEquals(List.of(), leftOvers());
   }
 
