@@ -16,7 +16,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 
 /**
  * Index of the topics of an event chain with their publishers and subscribers. The data of a
@@ -110,6 +114,23 @@ public final class TopicIndex {
    */
   public Optional<Topic> find(String name) {
     return Optional.ofNullable(topics.get(name));
+  }
+
+  /** Returns the full names of the topics that a node reads, in their order. */
+  public SortedSet<String> readBy(SoftwareNode node) {
+    return of(node, Topic::subscribers);
+  }
+
+  /** Returns the full names of the topics that a node writes, in their order. */
+  public SortedSet<String> writtenBy(SoftwareNode node) {
+    return of(node, Topic::publishers);
+  }
+
+  private SortedSet<String> of(SoftwareNode node, Function<Topic, List<Endpoint>> side) {
+    return topics.values().stream()
+        .filter(topic -> side.apply(topic).stream().anyMatch(end -> end.node() == node))
+        .map(Topic::name)
+        .collect(Collectors.toCollection(TreeSet::new));
   }
 
   /**

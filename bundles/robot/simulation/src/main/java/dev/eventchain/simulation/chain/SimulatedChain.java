@@ -257,20 +257,12 @@ public final class SimulatedChain {
 
   /** Returns the full names of the topics that a node reads. */
   public Set<String> topicsReadBy(SoftwareNode node) {
-    return topicsOf(node, TopicIndex.Topic::subscribers);
+    return topics.readBy(node);
   }
 
   /** Returns the full names of the topics that a node writes. */
   public Set<String> topicsWrittenBy(SoftwareNode node) {
-    return topicsOf(node, TopicIndex.Topic::publishers);
-  }
-
-  private Set<String> topicsOf(
-      SoftwareNode node, Function<TopicIndex.Topic, List<TopicIndex.Endpoint>> side) {
-    return topics.topics().stream()
-        .filter(topic -> side.apply(topic).stream().anyMatch(end -> end.node() == node))
-        .map(TopicIndex.Topic::name)
-        .collect(Collectors.toCollection(TreeSet::new));
+    return topics.writtenBy(node);
   }
 
   /** Returns the components of the chain that write a topic, simulated or not. */

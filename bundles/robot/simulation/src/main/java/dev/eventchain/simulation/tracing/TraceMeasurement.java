@@ -23,9 +23,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.TreeSet;
-import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.zip.CRC32;
@@ -129,8 +126,8 @@ public record TraceMeasurement(
       ComponentActivity found =
           new ComponentActivity(
               nodes.get(0),
-              topicsOf(component, TopicIndex.Topic::subscribers),
-              topicsOf(component, TopicIndex.Topic::publishers),
+              topics.readBy(component),
+              topics.writtenBy(component),
               activity,
               messages);
       components.add(component(component, nodes.get(0), found));
@@ -174,12 +171,12 @@ public record TraceMeasurement(
               .filter(it -> it.node().equals(node))
               .map(RosActivity.Publisher::topic)
               .collect(Collectors.toSet())
-              .containsAll(topicsOf(component, TopicIndex.Topic::publishers))
+              .containsAll(topics.writtenBy(component))
           && activity.subscriptions.stream()
               .filter(it -> it.node().equals(node))
               .map(RosActivity.Subscription::topic)
               .collect(Collectors.toSet())
-              .containsAll(topicsOf(component, TopicIndex.Topic::subscribers));
+              .containsAll(topics.readBy(component));
     }
 
     private static String reason(SoftwareNode component, List<Node> nodes) {
@@ -190,14 +187,6 @@ public record TraceMeasurement(
 
     private static String nameOf(SoftwareNode component) {
       return component.getName() == null ? "" : component.getName();
-    }
-
-    private Set<String> topicsOf(
-        SoftwareNode node, Function<TopicIndex.Topic, List<TopicIndex.Endpoint>> side) {
-      return topics.topics().stream()
-          .filter(topic -> side.apply(topic).stream().anyMatch(end -> end.node() == node))
-          .map(TopicIndex.Topic::name)
-          .collect(Collectors.toCollection(TreeSet::new));
     }
 
     private static Component component(SoftwareNode component, Node node, ComponentActivity found) {

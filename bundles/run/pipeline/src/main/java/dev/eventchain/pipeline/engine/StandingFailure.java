@@ -104,7 +104,7 @@ final class StandingFailure {
     try {
       byte[] json = Files.readAllBytes(run.file(FILE));
       return Optional.of(ResultJson.read(json, Kept.class, Stage.SIMULATE));
-    } catch (IOException | RuntimeException e) {
+    } catch (IOException e) {
       // Nothing was kept, or by another version of this program: it is only simulated again.
       return Optional.empty();
     }
