@@ -11,8 +11,7 @@ public final class Cancellation {
 
   private static final Cancellation NEVER = new Cancellation(() -> false);
 
-  private static final InheritableThreadLocal<Cancellation> CURRENT =
-      new InheritableThreadLocal<>();
+  private static final WorkScope<Cancellation> CURRENT = new WorkScope<>();
 
   private final BooleanSupplier isUnwanted;
 
@@ -38,23 +37,12 @@ public final class Cancellation {
    * @throws CancelledException if the work has ended early by itself
    */
   public static <T> T during(BooleanSupplier isUnwanted, Supplier<T> work) {
-    Cancellation outer = CURRENT.get();
-    CURRENT.set(new Cancellation(isUnwanted));
-    try {
-      return work.get();
-    } finally {
-      if (outer == null) {
-        CURRENT.remove();
-      } else {
-        CURRENT.set(outer);
-      }
-    }
+    return CURRENT.during(new Cancellation(isUnwanted), work);
   }
 
   /** Returns that of the current work, also for threads that it did not start. */
   public static Cancellation current() {
-    Cancellation current = CURRENT.get();
-    return current == null ? NEVER : current;
+    return CURRENT.current().orElse(NEVER);
   }
 
   /** Returns whether the result of the work is not wanted any more. */

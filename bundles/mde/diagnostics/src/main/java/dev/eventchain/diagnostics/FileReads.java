@@ -14,10 +14,10 @@ import java.util.function.Supplier;
  */
 public final class FileReads {
 
-  private static final InheritableThreadLocal<FileReads> CURRENT = new InheritableThreadLocal<>();
+  private static final WorkScope<FileReads> CURRENT = new WorkScope<>();
 
   /** Files that the whole work reads, whatever parts of it record or leave out. */
-  private static final InheritableThreadLocal<Set<Path>> ALL = new InheritableThreadLocal<>();
+  private static final WorkScope<Set<Path>> ALL = new WorkScope<>();
 
   private final SortedSet<Path> files = Collections.synchronizedSortedSet(new TreeSet<>());
 
@@ -32,24 +32,15 @@ public final class FileReads {
 
   /** Notes that the current work reads a file, whether the file exists or not. */
   public static void note(Path file) {
-    FileReads current = CURRENT.get();
-    if (current != null) {
-      current.files.add(file.toAbsolutePath().normalize());
-    }
-    Set<Path> all = ALL.get();
-    if (all != null) {
-      all.add(file.toAbsolutePath().normalize());
-    }
+    CURRENT.current().ifPresent(work -> work.files.add(file.toAbsolutePath().normalize()));
+    ALL.current().ifPresent(all -> all.add(file.toAbsolutePath().normalize()));
   }
 
   /** Does work and records what it reads, which the surrounding work has read, too. */
   public static <T> Recorded<T> record(Supplier<T> work) {
     FileReads reads = new FileReads();
-    FileReads outer = CURRENT.get();
-    T value = reads.during(work, outer);
-    if (outer != null) {
-      outer.files.addAll(reads.files);
-    }
+    T value = CURRENT.during(reads, work);
+    CURRENT.current().ifPresent(outer -> outer.files.addAll(reads.files));
     return new Recorded<>(value, Collections.unmodifiableSortedSet(new TreeSet<>(reads.files)));
   }
 
@@ -70,29 +61,11 @@ public final class FileReads {
    * @param files receives the files, absolute and normalized; thread-safe
    */
   public static <T> T recordAll(Set<Path> files, Supplier<T> work) {
-    ALL.set(files);
-    try {
-      return work.get();
-    } finally {
-      ALL.remove();
-    }
+    return ALL.during(files, work);
   }
 
   /** Does work that reads nothing on which the result of the surrounding work depends. */
   public static <T> T unrecorded(Supplier<T> work) {
-    return new FileReads().during(work, CURRENT.get());
-  }
-
-  private <T> T during(Supplier<T> work, FileReads outer) {
-    CURRENT.set(this);
-    try {
-      return work.get();
-    } finally {
-      if (outer == null) {
-        CURRENT.remove();
-      } else {
-        CURRENT.set(outer);
-      }
-    }
+    return CURRENT.during(new FileReads(), work);
   }
 }

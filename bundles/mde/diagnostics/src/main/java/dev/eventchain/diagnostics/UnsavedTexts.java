@@ -12,8 +12,7 @@ import java.util.function.Supplier;
  */
 public final class UnsavedTexts {
 
-  private static final InheritableThreadLocal<Map<Path, String>> CURRENT =
-      new InheritableThreadLocal<>();
+  private static final WorkScope<Map<Path, String>> CURRENT = new WorkScope<>();
 
   private UnsavedTexts() {}
 
@@ -24,24 +23,14 @@ public final class UnsavedTexts {
    *     not change meanwhile
    */
   public static <T> T during(Map<Path, String> texts, Supplier<T> work) {
-    Map<Path, String> outer = CURRENT.get();
-    CURRENT.set(texts);
-    try {
-      return work.get();
-    } finally {
-      if (outer == null) {
-        CURRENT.remove();
-      } else {
-        CURRENT.set(outer);
-      }
-    }
+    return CURRENT.during(texts, work);
   }
 
   /** Returns the text that the current work reads instead of a file; empty if it reads the file. */
   public static Optional<String> of(Path file) {
-    Map<Path, String> current = CURRENT.get();
-    return current == null || current.isEmpty()
-        ? Optional.empty()
-        : Optional.ofNullable(current.get(file.toAbsolutePath().normalize()));
+    return CURRENT
+        .current()
+        .filter(texts -> !texts.isEmpty())
+        .map(texts -> texts.get(file.toAbsolutePath().normalize()));
   }
 }
