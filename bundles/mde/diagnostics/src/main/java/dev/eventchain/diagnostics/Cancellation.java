@@ -11,7 +11,8 @@ public final class Cancellation {
 
   private static final Cancellation NEVER = new Cancellation(() -> false);
 
-  private static final WorkScope<Cancellation> CURRENT = new WorkScope<>();
+  private static final InheritableThreadLocal<Cancellation> CURRENT =
+      new InheritableThreadLocal<>();
 
   private final BooleanSupplier isUnwanted;
 
@@ -37,12 +38,12 @@ public final class Cancellation {
    * @throws CancelledException if the work has ended early by itself
    */
   public static <T> T during(BooleanSupplier isUnwanted, Supplier<T> work) {
-    return CURRENT.during(new Cancellation(isUnwanted), work);
+    return WorkScope.during(CURRENT, new Cancellation(isUnwanted), work);
   }
 
   /** Returns that of the current work, also for threads that it did not start. */
   public static Cancellation current() {
-    return CURRENT.current().orElse(NEVER);
+    return WorkScope.current(CURRENT).orElse(NEVER);
   }
 
   /** Returns whether the result of the work is not wanted any more. */

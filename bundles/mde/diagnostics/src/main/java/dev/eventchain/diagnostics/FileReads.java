@@ -14,10 +14,10 @@ import java.util.function.Supplier;
  */
 public final class FileReads {
 
-  private static final WorkScope<FileReads> CURRENT = new WorkScope<>();
+  private static final InheritableThreadLocal<FileReads> CURRENT = new InheritableThreadLocal<>();
 
   /** Files that the whole work reads, whatever parts of it record or leave out. */
-  private static final WorkScope<Set<Path>> ALL = new WorkScope<>();
+  private static final InheritableThreadLocal<Set<Path>> ALL = new InheritableThreadLocal<>();
 
   private final SortedSet<Path> files = Collections.synchronizedSortedSet(new TreeSet<>());
 
@@ -32,15 +32,15 @@ public final class FileReads {
 
   /** Notes that the current work reads a file, whether the file exists or not. */
   public static void note(Path file) {
-    CURRENT.current().ifPresent(work -> work.files.add(file.toAbsolutePath().normalize()));
-    ALL.current().ifPresent(all -> all.add(file.toAbsolutePath().normalize()));
+    WorkScope.current(CURRENT).ifPresent(work -> work.files.add(file.toAbsolutePath().normalize()));
+    WorkScope.current(ALL).ifPresent(all -> all.add(file.toAbsolutePath().normalize()));
   }
 
   /** Does work and records what it reads, which the surrounding work has read, too. */
   public static <T> Recorded<T> record(Supplier<T> work) {
     FileReads reads = new FileReads();
-    T value = CURRENT.during(reads, work);
-    CURRENT.current().ifPresent(outer -> outer.files.addAll(reads.files));
+    T value = WorkScope.during(CURRENT, reads, work);
+    WorkScope.current(CURRENT).ifPresent(outer -> outer.files.addAll(reads.files));
     return new Recorded<>(value, Collections.unmodifiableSortedSet(new TreeSet<>(reads.files)));
   }
 
@@ -61,11 +61,11 @@ public final class FileReads {
    * @param files receives the files, absolute and normalized; thread-safe
    */
   public static <T> T recordAll(Set<Path> files, Supplier<T> work) {
-    return ALL.during(files, work);
+    return WorkScope.during(ALL, files, work);
   }
 
   /** Does work that reads nothing on which the result of the surrounding work depends. */
   public static <T> T unrecorded(Supplier<T> work) {
-    return CURRENT.during(new FileReads(), work);
+    return WorkScope.during(CURRENT, new FileReads(), work);
   }
 }

@@ -12,7 +12,8 @@ import java.util.function.Supplier;
  */
 public final class UnsavedTexts {
 
-  private static final WorkScope<Map<Path, String>> CURRENT = new WorkScope<>();
+  private static final InheritableThreadLocal<Map<Path, String>> CURRENT =
+      new InheritableThreadLocal<>();
 
   private UnsavedTexts() {}
 
@@ -23,13 +24,12 @@ public final class UnsavedTexts {
    *     not change meanwhile
    */
   public static <T> T during(Map<Path, String> texts, Supplier<T> work) {
-    return CURRENT.during(texts, work);
+    return WorkScope.during(CURRENT, texts, work);
   }
 
   /** Returns the text that the current work reads instead of a file; empty if it reads the file. */
   public static Optional<String> of(Path file) {
-    return CURRENT
-        .current()
+    return WorkScope.current(CURRENT)
         .filter(texts -> !texts.isEmpty())
         .map(texts -> texts.get(file.toAbsolutePath().normalize()));
   }

@@ -4,30 +4,28 @@ import java.util.Optional;
 import java.util.function.Supplier;
 
 /**
- * Value that holds while some work is done, also for the threads that the work starts.
- *
- * @param <T> the type of the value
+ * Values that hold while some work is done; in inheritable ones, also for the threads it starts.
  */
-final class WorkScope<T> {
+final class WorkScope {
 
-  private final InheritableThreadLocal<T> value = new InheritableThreadLocal<>();
+  private WorkScope() {}
 
   /** Returns the value of the innermost work; empty outside of any. */
-  Optional<T> current() {
-    return Optional.ofNullable(value.get());
+  static <T> Optional<T> current(ThreadLocal<T> scope) {
+    return Optional.ofNullable(scope.get());
   }
 
   /** Does work with a value. The one of the surrounding work holds again after it. */
-  <R> R during(T inner, Supplier<R> work) {
-    T outer = value.get();
-    value.set(inner);
+  static <T, R> R during(ThreadLocal<T> scope, T value, Supplier<R> work) {
+    T outer = scope.get();
+    scope.set(value);
     try {
       return work.get();
     } finally {
       if (outer == null) {
-        value.remove();
+        scope.remove();
       } else {
-        value.set(outer);
+        scope.set(outer);
       }
     }
   }
