@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.eventchain.catalogue.signal.CatalogueSignal;
 import dev.eventchain.catalogue.signal.CatalogueSource;
-import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.model.Signal;
 import java.io.IOException;

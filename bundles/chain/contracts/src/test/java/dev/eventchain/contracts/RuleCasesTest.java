@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.EventChainMetamodel;

@@ -4,9 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.model.WrittenRequirement;

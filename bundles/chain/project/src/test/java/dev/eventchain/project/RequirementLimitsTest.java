@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -3,7 +3,7 @@ package dev.eventchain.cli;
 import dev.eventchain.cli.console.Console;
 import dev.eventchain.cli.console.ProgressLines;
 import dev.eventchain.diagnostics.Coverage;
-import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.campaign.CampaignEngine;
 import dev.eventchain.pipeline.campaign.CampaignOptions;

@@ -2,7 +2,7 @@ package dev.eventchain.cli;
 
 import dev.eventchain.cli.console.Console;
 import dev.eventchain.diagnostics.Coverage;
-import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.pipeline.AnyModel;
 import dev.eventchain.pipeline.Outcome;
 import java.nio.file.Path;

@@ -3,7 +3,7 @@ package dev.eventchain.cli;
 import dev.eventchain.cli.console.Console;
 import dev.eventchain.cli.console.RunLines;
 import dev.eventchain.diagnostics.Coverage;
-import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.evaluation.EvaluationOptions;
 import dev.eventchain.pipeline.evaluation.EvaluationOutcome;

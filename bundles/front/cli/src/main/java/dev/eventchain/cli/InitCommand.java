@@ -1,7 +1,7 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.cli.console.Console;
-import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.pipeline.ExitCode;
 import dev.eventchain.pipeline.ProjectBench;
 import dev.eventchain.pipeline.project.Configuration;

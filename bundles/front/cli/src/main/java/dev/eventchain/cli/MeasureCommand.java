@@ -1,8 +1,8 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.cli.console.Console;
-import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.pipeline.ExitCode;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.measure.TraceMeasuring;

@@ -2,7 +2,7 @@ package dev.eventchain.cli;
 
 import dev.eventchain.cli.console.Console;
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.pipeline.ExitCode;
 import dev.eventchain.pipeline.MessageDefinitions;
 import java.nio.file.Path;

@@ -1,7 +1,7 @@
 package dev.eventchain.cli;
 
-import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.pipeline.ReportTarget;
 import dev.eventchain.pipeline.Today;
 import dev.eventchain.project.SuppressionFile;

@@ -2,8 +2,8 @@ package dev.eventchain.cli;
 
 import dev.eventchain.cli.console.Console;
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.pipeline.ExitCode;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.requirements.RequirementChanges;

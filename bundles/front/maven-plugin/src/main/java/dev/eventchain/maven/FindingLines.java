@@ -1,8 +1,8 @@
 package dev.eventchain.maven;
 
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.FindingExcerpt;
 import dev.eventchain.diagnostics.Printable;
+import dev.eventchain.diagnostics.format.FindingExcerpt;
 import java.util.List;
 import org.apache.maven.plugin.logging.Log;
 

@@ -36,7 +36,7 @@ public record Coverage(List<String> files, long elements, List<Check> checks) {
     }
 
     /** Returns the name of all checks of this kind. */
-    String title() {
+    public String title() {
       return title;
     }
   }
@@ -76,7 +76,7 @@ public record Coverage(List<String> files, long elements, List<Check> checks) {
     }
 
     /** Returns the display name. */
-    String name() {
+    public String name() {
       return rule.isEmpty() ? id : rule;
     }
   }

@@ -16,7 +16,7 @@ public final class Printable {
   /**
    * Returns text for a terminal, where no line after the first passes for output of this program.
    */
-  static String lines(String text) {
+  public static String lines(String text) {
     return clean(text).replace("\n", "\n    | ");
   }
 
@@ -48,7 +48,7 @@ public final class Printable {
    * Returns a part of a source line, cleaned as by {@link #clean} but with each character in its
    * place.
    */
-  static String excerpt(String line) {
+  public static String excerpt(String line) {
     StringBuilder result = new StringBuilder(line.length());
     for (int i = 0; i < line.length(); i++) {
       result.append(isHarmless(line, i) ? line.charAt(i) : REPLACEMENT);

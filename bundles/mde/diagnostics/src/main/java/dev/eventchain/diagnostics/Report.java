@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * Report of a command about its input, rendered by every {@link DiagnosticFormat}.
+ * Report of a command about its input, rendered alike by all formats of {@code format}.
  *
  * @param version the version of the program
  * @param exitCode the exit code of the command
@@ -45,13 +45,13 @@ public record Report(
   }
 
   /** Returns a report with findings alone. */
-  static Report of(List<Diagnostic> diagnostics) {
+  public static Report of(List<Diagnostic> diagnostics) {
     int exitCode = Diagnostic.anyError(diagnostics) ? 1 : 0;
     return new Report("", exitCode, Coverage.NONE, diagnostics, List.of());
   }
 
   /** Returns whether the command did its work, whatever the findings. */
-  boolean successful() {
+  public boolean successful() {
     return exitCode < FIRST_FAILURE;
   }
 
@@ -86,7 +86,7 @@ public record Report(
   }
 
   /** Returns the number of findings of a severity. */
-  long count(Severity severity) {
+  public long count(Severity severity) {
     return diagnostics.stream().filter(found -> found.severity() == severity).count();
   }
 }

@@ -66,7 +66,7 @@ public record SourceLocation(String file, int line, int column, String element, 
   }
 
   /** Returns the displayed name of a file: the same on every system, and for {@code ./x}. */
-  static String nameOf(Path file) {
+  public static String nameOf(Path file) {
     String name = file.normalize().toString().replace('\\', '/');
     return name.isEmpty() ? "." : name;
   }

@@ -49,7 +49,7 @@ public record Trial(
     }
 
     /** Returns the name of all tests of this kind. */
-    String title() {
+    public String title() {
       return title;
     }
   }

@@ -1,2 +1,2 @@
-/** Findings, their locations, and the formats of reports. */
+/** Findings, their places, and what is read while some work is done. */
 package dev.eventchain.diagnostics;

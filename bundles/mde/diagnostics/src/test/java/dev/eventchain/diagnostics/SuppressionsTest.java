@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Suppressions.Entry;
+import dev.eventchain.diagnostics.format.Reports;
 import java.time.LocalDate;
 import java.util.List;
 import org.junit.jupiter.api.Test;

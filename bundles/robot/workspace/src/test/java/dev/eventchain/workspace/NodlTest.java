@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.messages.MessageCatalog;
 import java.io.IOException;

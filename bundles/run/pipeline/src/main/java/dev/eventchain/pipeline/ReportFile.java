@@ -1,10 +1,10 @@
 package dev.eventchain.pipeline;
 
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.Report;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.documents.AtomicFile;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

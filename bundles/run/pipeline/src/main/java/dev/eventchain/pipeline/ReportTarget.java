@@ -1,8 +1,8 @@
 package dev.eventchain.pipeline;
 
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.Report;
+import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.pipeline.evidence.Evidence;
 import dev.eventchain.pipeline.evidence.format.EvidenceFormat;
 import dev.eventchain.pipeline.run.RunResult;

@@ -1,7 +1,7 @@
 package dev.eventchain.mcp.tools;
 
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.mcp.program.Program;
 import dev.eventchain.mcp.project.Boundary;
 import dev.eventchain.mcp.project.McpRules;

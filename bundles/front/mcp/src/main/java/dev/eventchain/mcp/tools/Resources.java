@@ -1,8 +1,8 @@
 package dev.eventchain.mcp.tools;
 
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.RulePage;
+import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.mcp.program.Ended;
 import dev.eventchain.mcp.program.Program;
 import dev.eventchain.mcp.project.Boundary;

@@ -1,9 +1,9 @@
 package dev.eventchain.pipeline.evidence.format;
 
-import dev.eventchain.diagnostics.JunitLinks;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.Trial;
 import dev.eventchain.diagnostics.Xml;
+import dev.eventchain.diagnostics.format.JunitLinks;
 import dev.eventchain.pipeline.evidence.Evidence;
 import dev.eventchain.pipeline.evidence.Evidence.Result;
 import dev.eventchain.pipeline.evidence.Evidence.Test;

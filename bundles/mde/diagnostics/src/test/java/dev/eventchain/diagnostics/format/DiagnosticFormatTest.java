@@ -1,9 +1,15 @@
-package dev.eventchain.diagnostics;
+package dev.eventchain.diagnostics.format;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Printable;
+import dev.eventchain.diagnostics.Report;
+import dev.eventchain.diagnostics.Rule;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceLocation;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;

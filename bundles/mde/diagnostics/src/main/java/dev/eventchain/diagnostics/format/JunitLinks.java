@@ -1,5 +1,8 @@
-package dev.eventchain.diagnostics;
+package dev.eventchain.diagnostics.format;
 
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.Trial;
+import dev.eventchain.diagnostics.Xml;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;

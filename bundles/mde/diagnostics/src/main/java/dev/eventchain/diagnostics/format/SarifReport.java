@@ -1,5 +1,12 @@
-package dev.eventchain.diagnostics;
+package dev.eventchain.diagnostics.format;
 
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Printable;
+import dev.eventchain.diagnostics.Report;
+import dev.eventchain.diagnostics.Sha256;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.Suppressions;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.List;

@@ -1,5 +1,10 @@
-package dev.eventchain.diagnostics;
+package dev.eventchain.diagnostics.format;
 
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.diagnostics.Trial;
+import dev.eventchain.diagnostics.Xml;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

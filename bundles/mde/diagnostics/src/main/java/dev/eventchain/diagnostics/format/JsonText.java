@@ -1,4 +1,4 @@
-package dev.eventchain.diagnostics;
+package dev.eventchain.diagnostics.format;
 
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;

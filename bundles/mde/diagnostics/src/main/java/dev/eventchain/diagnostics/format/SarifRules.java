@@ -1,5 +1,13 @@
-package dev.eventchain.diagnostics;
+package dev.eventchain.diagnostics.format;
 
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Printable;
+import dev.eventchain.diagnostics.Report;
+import dev.eventchain.diagnostics.Rule;
+import dev.eventchain.diagnostics.RulePage;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceLocation;
 import java.io.IOException;
 import java.util.LinkedHashMap;
 import java.util.Map;

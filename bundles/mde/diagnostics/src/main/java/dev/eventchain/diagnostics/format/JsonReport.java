@@ -1,5 +1,11 @@
-package dev.eventchain.diagnostics;
+package dev.eventchain.diagnostics.format;
 
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Report;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.Suppressions;
 import java.io.IOException;
 
 /** Report as JSON, in this program's own format with all data. */

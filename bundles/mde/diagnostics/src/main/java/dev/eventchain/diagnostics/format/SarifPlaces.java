@@ -1,5 +1,7 @@
-package dev.eventchain.diagnostics;
+package dev.eventchain.diagnostics.format;
 
+import dev.eventchain.diagnostics.Printable;
+import dev.eventchain.diagnostics.SourceLocation;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;

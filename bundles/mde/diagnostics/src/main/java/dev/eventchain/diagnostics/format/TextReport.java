@@ -1,5 +1,10 @@
-package dev.eventchain.diagnostics;
+package dev.eventchain.diagnostics.format;
 
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Printable;
+import dev.eventchain.diagnostics.Report;
+import dev.eventchain.diagnostics.SourceLocation;
 import java.util.List;
 
 /** Report as plain text. */

@@ -1,4 +1,4 @@
-package dev.eventchain.diagnostics;
+package dev.eventchain.diagnostics.format;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
@@ -10,6 +10,11 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.networknt.schema.JsonSchema;
 import com.networknt.schema.JsonSchemaFactory;
 import com.networknt.schema.SpecVersion;
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Report;
+import dev.eventchain.diagnostics.Rule;
+import dev.eventchain.diagnostics.SourceLocation;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.StringReader;
@@ -30,7 +35,7 @@ import org.xml.sax.SAXException;
 class ReportFilesTest {
 
   private static final Path EXPECTED =
-      Path.of("src/test/resources/dev/eventchain/diagnostics/reports");
+      Path.of("src/test/resources/dev/eventchain/diagnostics/format/reports");
 
   @ParameterizedTest
   @EnumSource

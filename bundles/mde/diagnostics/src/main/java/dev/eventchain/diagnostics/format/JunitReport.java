@@ -1,5 +1,11 @@
-package dev.eventchain.diagnostics;
+package dev.eventchain.diagnostics.format;
 
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Report;
+import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.diagnostics.Trial;
+import dev.eventchain.diagnostics.Xml;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.IdentityHashMap;

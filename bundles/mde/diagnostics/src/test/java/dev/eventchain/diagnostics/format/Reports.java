@@ -1,14 +1,22 @@
-package dev.eventchain.diagnostics;
+package dev.eventchain.diagnostics.format;
 
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Coverage.Check;
 import dev.eventchain.diagnostics.Coverage.Kind;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Report;
+import dev.eventchain.diagnostics.Rule;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.diagnostics.Trial;
 import java.time.LocalDate;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
 /** Reports that tests render. */
-final class Reports {
+public final class Reports {
 
   private static final SourceLocation NODE =
       new SourceLocation(
@@ -17,7 +25,7 @@ final class Reports {
   private Reports() {}
 
   /** Returns a report with every kind of content. */
-  static Report full() {
+  public static Report full() {
     Diagnostic violated =
         Diagnostic.of(Rule.error("ocl.violated"), "Node 'TTC' [see](http://x) has no output.", NODE)
             .withHint("Give it an output.")

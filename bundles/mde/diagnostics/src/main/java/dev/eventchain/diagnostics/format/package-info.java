@@ -1,0 +1,2 @@
+/** Formats of reports: text, JSON, SARIF and JUnit XML. */
+package dev.eventchain.diagnostics.format;
