@@ -2,8 +2,6 @@ package dev.eventchain.output;
 
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
-import com.fasterxml.jackson.core.JsonParser;
-import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.util.DefaultIndenter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import dev.eventchain.diagnostics.ContentHash;
@@ -14,9 +12,9 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -27,31 +25,26 @@ import java.util.TreeSet;
  * still recognised as generated.
  */
 final class FileRecords {
-  private static final String RECORDS = OutputPath.RESERVED + "/files.json";
-  private static final String JOURNAL = OutputPath.RESERVED + "/files.journal";
   private static final int PIECE = 1 << 16;
   private static final JsonFactory JSON = new JsonFactory();
 
   private final OutputStorage storage;
-  private final Map<String, String> hashes = new TreeMap<>();
-  private final Map<String, Set<String>> journal = new HashMap<>();
-  private final boolean damaged;
-  private final boolean absent;
-  private byte[] stored = {};
+  private final StoredRecords former;
+  private final Map<String, String> hashes;
+  private final Map<String, Set<String>> journal;
   private boolean journalIsCut;
 
   FileRecords(OutputStorage storage) throws IOException {
     this.storage = storage;
-    Optional<byte[]> content = storage.read(RECORDS);
-    damaged = content.isPresent() && !parse(content.get());
-    stored = content.orElse(stored);
-    absent = content.isEmpty() && storage.read(JOURNAL).isEmpty();
-    readJournal();
+    former = StoredRecords.of(storage);
+    hashes = new TreeMap<>(former.hashes());
+    journal = new HashMap<>(former.journal());
+    journalIsCut = former.journalIsCut();
   }
 
   /** Returns whether there were no records: nothing was written, or the records were removed. */
   boolean absent() {
-    return absent;
+    return former.absent();
   }
 
   /** Returns the fingerprint of the content last written to a file; empty if there is none. */
@@ -60,10 +53,11 @@ final class FileRecords {
   }
 
   /**
-   * Returns whether the records of earlier runs were unreadable; then no file counts as generated.
+   * Returns whether the records of earlier runs were unreadable; then only files that were recorded
+   * before the damage count as generated.
    */
   boolean damaged() {
-    return damaged;
+    return former.damaged();
   }
 
   /** Returns the files that earlier runs and this one wrote, sorted. */
@@ -86,7 +80,9 @@ final class FileRecords {
   /** Notes in the journal that a content with this fingerprint is about to be written. */
   void announce(String path, String fingerprint) throws IOException {
     String line = fingerprint + " " + path + "\n";
-    storage.append(JOURNAL, (journalIsCut ? "\n" + line : line).getBytes(StandardCharsets.UTF_8));
+    storage.append(
+        StoredRecords.JOURNAL,
+        (journalIsCut ? "\n" + line : line).getBytes(StandardCharsets.UTF_8));
     journalIsCut = false;
   }
 
@@ -105,45 +101,10 @@ final class FileRecords {
   /** Writes the records if they changed, and deletes the journal. */
   void save() throws IOException {
     byte[] content = bytes();
-    if (!java.util.Arrays.equals(content, stored)) {
-      storage.replace(RECORDS, content);
+    if (former.content().filter(it -> Arrays.equals(content, it)).isEmpty()) {
+      storage.replace(StoredRecords.RECORDS, content);
     }
-    storage.delete(JOURNAL);
-  }
-
-  private boolean parse(byte[] content) {
-    try (JsonParser parser = JSON.createParser(content)) {
-      if (parser.nextToken() != JsonToken.START_OBJECT) {
-        return false;
-      }
-      while (parser.nextToken() == JsonToken.FIELD_NAME) {
-        String path = parser.currentName();
-        if (parser.nextToken() != JsonToken.VALUE_STRING) {
-          return false;
-        }
-        if (!OutputPath.of(path).refused()) {
-          hashes.put(path, parser.getText());
-        }
-      }
-      return true;
-    } catch (IOException e) {
-      return false;
-    }
-  }
-
-  private void readJournal() throws IOException {
-    String lines = storage.read(JOURNAL).map(b -> new String(b, StandardCharsets.UTF_8)).orElse("");
-    // A full disk may have truncated the last line.
-    journalIsCut = !lines.isEmpty() && !lines.endsWith("\n");
-    lines
-        .lines()
-        .filter(line -> line.indexOf(' ') == 64)
-        .filter(line -> !OutputPath.of(line.substring(65)).refused())
-        .forEach(
-            line ->
-                journal
-                    .computeIfAbsent(line.substring(65), path -> new TreeSet<>())
-                    .add(line.substring(0, 64)));
+    storage.delete(StoredRecords.JOURNAL);
   }
 
   private byte[] bytes() throws IOException {

@@ -11,6 +11,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * Output folder, through which all files are written. No file name leads out of it. A file appears
@@ -110,6 +111,17 @@ public final class OutputFolder implements AutoCloseable {
     } catch (IOException e) {
       throw OutputFindings.unwritable("memory", e);
     }
+  }
+
+  /**
+   * Returns the files that runs have written below a folder, as its records say, also while another
+   * run is writing there.
+   *
+   * @return names relative to the folder, sorted; none if it is no output folder
+   * @throws IOException if the records cannot be read
+   */
+  public static Set<String> writtenBelow(Path folder) throws IOException {
+    return StoredRecords.below(folder).files();
   }
 
   /** As {@link #write(String, byte[], OnEdit)}, keeping files with manual changes. */

@@ -1,10 +1,10 @@
 package dev.eventchain.pipeline.format;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.FileRules;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.output.OutputFolder;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.ProjectLayout;
 import java.io.IOException;
@@ -32,11 +32,6 @@ import java.util.stream.Stream;
 final class FormattedFiles {
 
   private static final Set<String> BUILT = Set.of("node_modules", "target", "__pycache__");
-
-  /** The records of what the program has written into a folder, where people may write, too. */
-  private static final String WRITTEN = ".eventchain/files.json";
-
-  private static final ObjectMapper JSON = new ObjectMapper();
 
   private final List<Diagnostic> found;
 
@@ -148,15 +143,10 @@ final class FormattedFiles {
     }
 
     private void addWritten(Path folder) {
-      Path records = folder.resolve(WRITTEN);
-      if (Files.isRegularFile(records)) {
-        try {
-          JSON.readTree(records.toFile())
-              .fieldNames()
-              .forEachRemaining(name -> written.add(folder.resolve(name)));
-        } catch (IOException | InvalidPathException e) {
-          // With broken records, no file counts as written by the program.
-        }
+      try {
+        OutputFolder.writtenBelow(folder).forEach(name -> written.add(folder.resolve(name)));
+      } catch (IOException | InvalidPathException e) {
+        // With unreadable records, no file counts as written by the program.
       }
     }
 

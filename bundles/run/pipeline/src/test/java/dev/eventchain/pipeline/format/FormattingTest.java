@@ -137,6 +137,8 @@ class FormattingTest {
     }
     file("elsewhere/.eventchain/files.json", "{\"a/written.ocl\": \"0\"}");
     file("elsewhere/a/written.ocl", RULES);
+    file("elsewhere/.eventchain/files.journal", "0".repeat(64) + " b/announced.ocl\n");
+    file("elsewhere/b/announced.ocl", RULES);
     file("elsewhere/own.ocl", FORMATTED);
     file("elsewhere.yaml", "a:   1  \n");
     file("out/own.ocl", FORMATTED);
