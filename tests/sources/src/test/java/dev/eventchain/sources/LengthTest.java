@@ -1,4 +1,4 @@
-package dev.eventchain.architecture;
+package dev.eventchain.sources;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -42,8 +42,8 @@ class LengthTest {
 
   @Test
   void filesAreShort() throws IOException {
-    List<Path> sources = sources(".java");
-    sources.addAll(sources(".py"));
+    List<Path> sources = new ArrayList<>(SourceFiles.ofBundles(".java"));
+    sources.addAll(SourceFiles.ofBundles(".py"));
     SortedMap<String, Long> longer = new TreeMap<>();
     for (Path source : sources) {
       try (Stream<String> lines = Files.lines(source)) {
@@ -69,7 +69,7 @@ class LengthTest {
                   null,
                   null,
                   null,
-                  files.getJavaFileObjectsFromPaths(sources(".java")));
+                  files.getJavaFileObjectsFromPaths(SourceFiles.ofBundles(".java")));
       SourcePositions positions = Trees.instance(task).getSourcePositions();
       for (CompilationUnitTree file : task.parse()) {
         new BodyLengths(file, positions, longer).scan(file, null);
@@ -95,26 +95,6 @@ class LengthTest {
     }
     listed.keySet().removeIf(kind.negate());
     assertEquals(listed, longer, "longer than usual; see " + EXCEPTIONS);
-  }
-
-  /** Returns the hand-written code that ships. */
-  static List<Path> sources(String suffix) throws IOException {
-    try (Stream<Path> files = Files.walk(BundleFolders.BUNDLES)) {
-      List<Path> found =
-          new ArrayList<>(
-              files
-                  .filter(file -> file.toString().endsWith(suffix))
-                  .filter(file -> isMain(BundleFolders.BUNDLES.relativize(file)))
-                  .sorted()
-                  .toList());
-      assertTrue(found.size() > 20, "only " + found);
-      return found;
-    }
-  }
-
-  private static boolean isMain(Path file) {
-    String path = file.toString().replace('\\', '/');
-    return path.matches("([^/]+/){1,3}(src/main|python)/.*") && !path.contains("/target/");
   }
 
   /** Collects methods with too long bodies. */

@@ -1,4 +1,4 @@
-package dev.eventchain.architecture;
+package dev.eventchain.sources;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -9,7 +9,6 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -26,7 +25,7 @@ class TurnsTest {
     List<String> tests =
         Files.readAllLines(TURNS).stream()
             .filter(line -> !line.startsWith("#"))
-            .map(line -> line.split(" ")[1])
+            .map(line -> line.substring(line.indexOf(' ') + 1))
             .toList();
     assertTrue(tests.size() > 100, "only " + tests);
     assertEquals(List.of(), tests.stream().filter(test -> !isInTurn(test, sources)).toList());
@@ -38,20 +37,16 @@ class TurnsTest {
     String source = sources.getOrDefault(type, "");
     int method = source.indexOf(" " + test.substring(type.length() + 1) + "(");
     int above = Math.max(0, source.lastIndexOf("\n\n", method));
-    return method > 0 && source.substring(above, method).contains("@InTurn")
+    return (method > 0 && source.substring(above, method).contains("@InTurn"))
         || source.contains("isDayOf(\"" + test + "\")");
   }
 
   /** Returns the sources by the names of their classes; two classes may have the same. */
   private static Map<String, String> sourcesOfTests() throws IOException {
     Map<String, String> sources = new HashMap<>();
-    for (Path root : List.of(BundleFolders.BUNDLES, Path.of(".."))) {
-      try (Stream<Path> files = Files.walk(root)) {
-        for (Path file : files.filter(each -> each.toString().endsWith("Test.java")).toList()) {
-          String type = file.getFileName().toString().replace(".java", "");
-          sources.merge(type, Files.readString(file), String::concat);
-        }
-      }
+    for (Path file : SourceFiles.ofJava()) {
+      String type = file.getFileName().toString().replace(".java", "");
+      sources.merge(type, Files.readString(file), String::concat);
     }
     return sources;
   }

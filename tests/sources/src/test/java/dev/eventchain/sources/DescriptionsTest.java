@@ -1,4 +1,4 @@
-package dev.eventchain.architecture;
+package dev.eventchain.sources;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -31,7 +31,7 @@ class DescriptionsTest {
   void noneBeginsWithAQuestionWord(String suffix) throws IOException {
     List<String> questions = new ArrayList<>();
     int descriptions = 0;
-    for (Path source : LengthTest.sources(suffix)) {
+    for (Path source : SourceFiles.ofBundles(suffix)) {
       String text = Files.readString(source);
       Matcher beginning = BEGINNING.matcher(text);
       while (beginning.find()) {

@@ -1,22 +1,18 @@
-package dev.eventchain.architecture;
+package dev.eventchain.sources;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /** Tests that what several bundles have to know is written in one of them. */
 class OneOwnerTest {
-
-  private static final Path BUNDLES = Path.of("..", "..", "bundles");
 
   /** Names of {@code chain.json} that mean nothing else, and so can be found in sources. */
   private static final List<String> OF_CHAINS =
@@ -32,32 +28,22 @@ class OneOwnerTest {
   @Test
   void namesOfChainDescriptionsAreInTheirTable() throws IOException {
     Map<String, List<String>> owners = new TreeMap<>();
-    try (Stream<Path> files = Files.walk(BUNDLES)) {
-      files
-          .filter(file -> file.toString().matches(".*/src/main/java/.*\\.java"))
-          .forEach(file -> addTo(owners, file));
+    for (Path file : SourceFiles.ofBundles(".java")) {
+      addTo(owners, file);
     }
     Map<String, List<String>> expected = new TreeMap<>();
     OF_CHAINS.forEach(name -> expected.put(name, List.of("ChainNames.java")));
     assertEquals(expected, owners);
   }
 
-  private static void addTo(Map<String, List<String>> owners, Path file) {
-    String text = text(file);
+  private static void addTo(Map<String, List<String>> owners, Path file) throws IOException {
+    String text = Files.readString(file);
     for (String name : OF_CHAINS) {
       if (text.contains(name)) {
         owners
             .computeIfAbsent(name, key -> new ArrayList<>())
             .add(String.valueOf(file.getFileName()));
       }
-    }
-  }
-
-  private static String text(Path file) {
-    try {
-      return Files.readString(file);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
     }
   }
 }
