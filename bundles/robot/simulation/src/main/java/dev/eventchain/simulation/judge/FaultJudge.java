@@ -145,21 +145,8 @@ public final class FaultJudge {
     return result(wanted, Outcome.untested(endedEarly(end)));
   }
 
-  /** Returns the result of a wanted detection, which reads no signal. */
   private static CriterionResult result(Detected wanted, Outcome outcome) {
-    return new CriterionResult(
-        text(wanted),
-        outcome.tested(),
-        outcome.passed(),
-        outcome.detail(),
-        outcome.margin(),
-        outcome.decided(),
-        outcome.otherwise(),
-        List.of(),
-        List.of(),
-        wanted.location(),
-        List.of(),
-        Optional.empty());
+    return ScenarioJudge.result(text(wanted), wanted.location(), outcome);
   }
 
   private static String text(Detected wanted) {

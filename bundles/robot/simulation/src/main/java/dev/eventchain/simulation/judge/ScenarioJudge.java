@@ -1,6 +1,7 @@
 package dev.eventchain.simulation.judge;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.LatencyKind;
 import dev.eventchain.simulation.chain.SimulatedChain;
@@ -266,18 +267,24 @@ public final class ScenarioJudge {
   }
 
   static CriterionResult result(Scenario scenario, Expectation criterion, Outcome outcome) {
+    return result(criterion.text(), criterion.location(), outcome)
+        .judging(criterion.requirements(), scenario.judgedBy(criterion), criterion.limits());
+  }
+
+  /** Returns the result of a criterion that judges no requirement and compares no signal. */
+  static CriterionResult result(String text, SourceLocation location, Outcome outcome) {
     return new CriterionResult(
-        criterion.text(),
+        text,
         outcome.tested(),
         outcome.passed(),
         outcome.detail(),
         outcome.margin(),
         outcome.decided(),
         outcome.otherwise(),
-        scenario.judgedBy(criterion),
-        criterion.limits(),
-        criterion.location(),
-        criterion.requirements(),
+        List.of(),
+        List.of(),
+        location,
+        List.of(),
         Optional.empty());
   }
 
