@@ -129,8 +129,7 @@ public record ScenarioVerdict(
     }
 
     /** Returns the same result of a criterion that judges the words of requirements. */
-    public CriterionResult judging(
-        List<String> ids, List<Judged> words, List<Limit> comparedWith) {
+    public CriterionResult judging(List<String> ids, List<Judged> words, List<Limit> comparedWith) {
       return new CriterionResult(
           text,
           tested,
