@@ -2,7 +2,7 @@
 
 They are read from the call of the class outside of classes, such as in `main`, or else in other classes, and none of
 the code is run. An argument is known if it is made of literals and of names that are given once, in the function of the
-call or in the file.
+call, in one around it, or in the file.
 """
 
 from __future__ import annotations
@@ -25,6 +25,8 @@ _OPERATORS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
 }
 
 Function = ast.FunctionDef | ast.AsyncFunctionDef
+Functions = tuple[Function | ast.Lambda, ...]
+"""Functions around a place, innermost first."""
 
 
 class Construction(NamedTuple):
@@ -60,8 +62,8 @@ def read(tree: ast.Module, class_name: str) -> Construction | None:
 
     """
     found: Construction | None = None
-    for call, function in _calls(tree, class_name):
-        made = _construction(call, _Scope(tree, function), class_name)
+    for call, functions in _calls(tree, class_name):
+        made = _construction(call, _Scope(tree, functions), class_name)
         if found is None:
             found = made
         elif repr(found[1:]) != repr(made[1:]):
@@ -147,21 +149,21 @@ def _listed(names: Iterable[str]) -> str:
 # Calls
 
 
-def _calls(tree: ast.Module, class_name: str) -> list[tuple[ast.Call, Function | None]]:
-    """Return the calls of a class outside of classes, or else in other ones, each with the innermost function."""
+def _calls(tree: ast.Module, class_name: str) -> list[tuple[ast.Call, Functions]]:
+    """Return the calls of a class outside of classes, or else in other ones, each with the functions around it."""
     others = [each for cls in _classes(tree) if cls.name != class_name for each in cls.body]
     return list(_calls_in(tree.body, class_name)) or list(_calls_in(others, class_name))
 
 
-def _calls_in(body: Iterable[ast.AST], class_name: str) -> Iterator[tuple[ast.Call, Function | None]]:
-    pending: list[tuple[ast.AST, Function | None]] = [(node, None) for node in body]
+def _calls_in(body: Iterable[ast.AST], class_name: str) -> Iterator[tuple[ast.Call, Functions]]:
+    pending: list[tuple[ast.AST, Functions]] = [(node, ()) for node in body]
     while pending:
-        node, function = pending.pop(0)
+        node, functions = pending.pop(0)
         if isinstance(node, ast.ClassDef):
             continue
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == class_name:
-            yield node, function
-        inner = node if isinstance(node, _FUNCTIONS) else function
+            yield node, functions
+        inner = (node, *functions) if isinstance(node, (*_FUNCTIONS, ast.Lambda)) else functions
         pending[:0] = [(child, inner) for child in ast.iter_child_nodes(node)]
 
 
@@ -187,9 +189,9 @@ def _unknown(class_name: str, node: ast.AST) -> str:
 class _Scope:
     """Names where a call is."""
 
-    def __init__(self, tree: ast.Module, function: Function | None) -> None:
+    def __init__(self, tree: ast.Module, functions: Functions) -> None:
         self._tree = tree
-        self._function = function
+        self._functions = functions
 
     def value(self, node: ast.expr, class_name: str) -> Any:
         try:
@@ -234,15 +236,14 @@ class _Scope:
         return apply(_number(left), _number(right))
 
     def _named(self, name: str, depth: int) -> Any:
-        scope: _Scope = self
-        if self._function is not None:
-            given = _given_in(self._function.body, name)
-            if name in _all_parameters(self._function):
-                return self._default(self._function, name, given, depth)
-            if not given:
-                scope, given = _Scope(self._tree, None), _given_in(self._tree.body, name)
-        else:
-            given = _given_in(self._tree.body, name)
+        scope, given = _Scope(self._tree, ()), _given_in(self._tree.body, name)
+        for number, function in enumerate(self._functions):
+            local = [] if isinstance(function, ast.Lambda) else _given_in(function.body, name)
+            if name in _all_parameters(function):
+                return self._default(number, name, local, depth)
+            if local:
+                scope, given = _Scope(self._tree, self._functions[number:]), local
+                break
         if len(given) != 1 or given[0] is None or _is_global(self._tree, name):
             raise _UnknownError
         value = scope._value(given[0], depth + 1)
@@ -250,14 +251,17 @@ class _Scope:
             raise _UnknownError  # it may be changed before the call
         return value
 
-    def _default(self, function: Function, name: str, given: list[ast.expr | None], depth: int) -> Any:
+    def _default(self, number: int, name: str, given: list[ast.expr | None], depth: int) -> Any:
         """Return the default of a parameter of a function that nothing in the file calls with arguments."""
+        function = self._functions[number]
+        if isinstance(function, ast.Lambda):
+            raise _UnknownError
         calls = (each for each in ast.walk(self._tree) if isinstance(each, ast.Call))
         own = [each for each in calls if isinstance(each.func, ast.Name) and each.func.id == function.name]
         default = _defaults(function).get(name)
         if given or default is None or any(each.args or each.keywords for each in own):
             raise _UnknownError
-        return _Scope(self._tree, None)._value(default, depth + 1)
+        return _Scope(self._tree, self._functions[number + 1 :])._value(default, depth + 1)
 
 
 class _UnknownError(Exception):
@@ -344,7 +348,7 @@ def _parameters(constructor: Function) -> list[str]:
     return [each.arg for each in (*constructor.args.posonlyargs, *constructor.args.args)][1:]
 
 
-def _all_parameters(function: Function) -> set[str]:
+def _all_parameters(function: Function | ast.Lambda) -> set[str]:
     taken = function.args
     named = [*taken.posonlyargs, *taken.args, *taken.kwonlyargs, taken.vararg, taken.kwarg]
     return {each.arg for each in named if each is not None}
