@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.fixtures.Repository;
 import dev.eventchain.m2t.TemplateModule;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.EventChainMetamodel;
@@ -39,8 +40,9 @@ import org.eclipse.emf.ecore.EPackage;
  */
 public final class AebProject {
 
-  private static final Path RESOURCES = Path.of("src/test/resources");
-  public static final Path EXAMPLE = Path.of("../../../examples/aeb");
+  private static final Path RESOURCES =
+      Repository.ROOT.resolve("bundles/robot/simulation/src/test/resources");
+  public static final Path EXAMPLE = Repository.ROOT.resolve("examples/aeb");
   public static final Bench BENCH = bench(declared());
 
   private static final Set<String> SCENARIOS =
@@ -145,13 +147,13 @@ public final class AebProject {
   private static final class Generated {
     private static final TemplateModule MODULE =
         TemplateModule.compile(
-            Path.of("../../../templates/ros2-python/main.mtl"),
+            Repository.ROOT.resolve("templates/ros2-python/main.mtl"),
             List.of(EventchainPackage.eINSTANCE, messages()));
     private static final Map<String, byte[]> FILES = filesOf(load());
 
     /** Returns the metamodel of message definitions, which the templates name. */
     private static EPackage messages() {
-      Path folder = Path.of("../../../metamodel");
+      Path folder = Repository.ROOT.resolve("metamodel");
       return EventChainMetamodel.store(folder)
           .loadMetamodel(folder.resolve("messages.ecore"))
           .get(0);
@@ -172,9 +174,10 @@ public final class AebProject {
     return folder.resolve("aeb/aeb/components").resolve(name + ".py");
   }
 
-  /** Replaces a component by another file of the test resources. */
+  /** Replaces a component by a file of the test resources of the module that runs. */
   AebProject with(String component, String file) throws IOException {
-    Files.writeString(component(component), Files.readString(RESOURCES.resolve(file)));
+    Path replacement = Path.of("src/test/resources").resolve(file);
+    Files.writeString(component(component), Files.readString(replacement));
     return this;
   }
 

@@ -12,6 +12,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.fixtures.InTurn;
+import dev.eventchain.fixtures.Repository;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.sandbox.Confinement;
 import dev.eventchain.sandbox.PythonEnvironment;
@@ -43,8 +44,9 @@ class RecordingTest {
 
   private static final String SCENARIO = "stopped-vehicle-50";
   private static final String READ = "src/test/resources/recordings/read.py";
-  private static final String ENVIRONMENT =
-      "../sandbox/src/main/resources/dev/eventchain/sandbox/environment.py";
+  private static final Path ENVIRONMENT =
+      Repository.ROOT.resolve(
+          "bundles/robot/sandbox/src/main/resources/dev/eventchain/sandbox/environment.py");
 
   @TempDir Path folder;
 
@@ -66,7 +68,8 @@ class RecordingTest {
   /** Reads a recording with rosbags and mcap-ros2-support, which must agree. */
   private JsonNode read(Path file) throws Exception {
     ProcessBuilder builder =
-        new ProcessBuilder("python3", ENVIRONMENT, "--development", "--run", READ, file.toString());
+        new ProcessBuilder(
+            "python3", ENVIRONMENT.toString(), "--development", "--run", READ, file.toString());
     Process process = builder.redirectErrorStream(true).start();
     String output = new String(process.getInputStream().readAllBytes(), UTF_8);
     assertEquals(0, process.waitFor(), output);
