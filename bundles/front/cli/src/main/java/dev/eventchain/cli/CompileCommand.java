@@ -46,7 +46,7 @@ final class CompileCommand extends ProjectCommand {
 
   @Override
   Outcome work() {
-    if (output() != null || overwrite()) {
+    if (namesOutput()) {
       throw wrongUsage("nothing is written: leave out -o and --overwrite");
     }
     List<Path> templates = new ArrayList<>();

@@ -43,7 +43,7 @@ final class DescribeCommand extends ProjectCommand {
 
   @Override
   Outcome work() {
-    if (output() != null || overwrite()) {
+    if (namesOutput()) {
       throw wrongUsage("nothing is written: leave out -o and --overwrite");
     }
     String text = AnyModel.describe(metamodels, references.folders());

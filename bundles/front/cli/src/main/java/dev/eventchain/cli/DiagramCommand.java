@@ -9,6 +9,7 @@ import dev.eventchain.pipeline.diagram.Diagrams.Kind;
 import dev.eventchain.pipeline.files.WrittenFiles;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.run.Stages;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumSet;
@@ -76,7 +77,7 @@ final class DiagramCommand extends ProjectCommand {
     List<Path> ecores = classes ? List.of(input) : given.metamodels;
     List<Path> models = classes && wanted.size() == 1 ? List.of() : List.of(input);
     return drawn(
-        Diagrams.draw(wanted, ecores, given.references.folders(), models, output(), overwrite()));
+        Diagrams.draw(wanted, ecores, given.references.folders(), models, output(), onEdit()));
   }
 
   private Outcome drawProject(Project project) {
@@ -91,8 +92,7 @@ final class DiagramCommand extends ProjectCommand {
     Path model = project.model(results).orElseThrow();
     Set<Kind> wanted = kindsOr(Kind.values());
     return drawn(
-        Diagrams.draw(
-            wanted, List.of(), ReferenceFolders.NONE, List.of(model), folder, overwrite()));
+        Diagrams.draw(wanted, List.of(), ReferenceFolders.NONE, List.of(model), folder, onEdit()));
   }
 
   private Outcome makeModel(Project project, Path results) {

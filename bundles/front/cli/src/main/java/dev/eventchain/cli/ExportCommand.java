@@ -52,6 +52,6 @@ final class ExportCommand extends ProjectCommand {
     Project project = Project.open(folder);
     Path target = to == null ? output() : to;
     return Outcome.of(
-        ProjectExport.write(project, scenarios, target, overwrite()), suppressions(project));
+        ProjectExport.write(project, scenarios, target, onEdit()), suppressions(project));
   }
 }

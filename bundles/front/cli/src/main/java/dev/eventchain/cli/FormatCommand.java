@@ -56,7 +56,7 @@ final class FormatCommand extends ProjectCommand {
 
   @Override
   Outcome work() {
-    if (output() != null || overwrite()) {
+    if (namesOutput()) {
       throw wrongUsage("files are formatted where they are: leave out -o and --overwrite");
     }
     if (indent < 1 || indent > WIDEST) {

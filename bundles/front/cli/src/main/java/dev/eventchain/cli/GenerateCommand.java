@@ -7,6 +7,7 @@ import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.files.WrittenFiles;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.run.Stages;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -139,7 +140,7 @@ final class GenerateCommand extends ProjectCommand {
             new AnyModel.Template(template, with.sources, with.services, properties),
             new AnyModel.Target(
                 printsResult() ? Optional.empty() : Optional.of(output()),
-                overwrite(),
+                onEdit(),
                 trace,
                 Optional.empty(),
                 refused),

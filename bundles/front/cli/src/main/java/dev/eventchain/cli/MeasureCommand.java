@@ -8,6 +8,7 @@ import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.measure.TraceMeasuring;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.run.Stages;
 import java.nio.file.Path;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
@@ -59,7 +60,7 @@ final class MeasureCommand extends ProjectCommand {
     Path model = project.model(output).orElseThrow();
     Suppressions suppressions = suppressions(project);
     TraceMeasuring measured =
-        TraceMeasuring.of(project, model, output, trace, timeLimit(), suppressions, overwrite());
+        TraceMeasuring.of(project, model, output, trace, timeLimit(), suppressions, onEdit());
     if (format() == DiagnosticFormat.TEXT) {
       console.out().print(measured.text());
     }

@@ -9,6 +9,7 @@ import dev.eventchain.pipeline.mutation.MutationOutcome;
 import dev.eventchain.pipeline.mutation.MutationTesting;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.run.Stages;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;

@@ -8,12 +8,15 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Report;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.diagnostics.format.DiagnosticFormat;
+import dev.eventchain.output.OutputFolder.OnEdit;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.Pipeline;
 import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Answers;
 import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.RunResult;
 import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.run.Stages;
 import dev.eventchain.project.ProjectFolder;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -139,8 +142,14 @@ abstract class ProjectCommand implements Callable<Integer> {
     return Duration.ofSeconds(timeLimit);
   }
 
-  final boolean overwrite() {
-    return overwrite;
+  /** Returns what becomes of files in the output folder that were edited by hand. */
+  final OnEdit onEdit() {
+    return overwrite ? OnEdit.OVERWRITE : OnEdit.KEEP;
+  }
+
+  /** Returns whether there are options about an output folder. */
+  final boolean namesOutput() {
+    return output != null || overwrite;
   }
 
   final ParameterException wrongUsage(String message) {
@@ -201,18 +210,11 @@ abstract class ProjectCommand implements Callable<Integer> {
       Project project, Path results, Stages stages, LlmOptions llm, ScenarioOptions scenarios) {
     return new RunOptions(
         results,
-        stages.first(),
-        stages.last(),
-        stages.again(),
-        Optional.ofNullable(llm.llm),
-        llm.record,
-        overwrite,
-        given(scenarios::selection),
-        given(scenarios::driver),
-        scenarios.mcap,
+        stages,
+        new Answers(Optional.ofNullable(llm.llm), llm.record),
+        onEdit(),
+        given(scenarios::simulation),
         Optional.ofNullable(scenarios.compare),
-        Optional.ofNullable(scenarios.faults),
-        given(scenarios::strength),
         suppressions(project),
         timeLimit());
   }

@@ -3,6 +3,7 @@ package dev.eventchain.cli;
 import dev.eventchain.cli.console.Console;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.run.Stages;
 import java.nio.file.Path;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;

@@ -1,8 +1,8 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.pipeline.project.StrengthExtent;
-import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.ScenarioSelection;
+import dev.eventchain.pipeline.run.SimulationOptions;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -38,7 +38,7 @@ final class ScenarioOptions {
    *
    * @throws IllegalArgumentException if the options contradict each other
    */
-  ScenarioSelection selection() {
+  private ScenarioSelection selection() {
     if (!names.isEmpty() && !files.isEmpty()) {
       throw new IllegalArgumentException(
           "--scenario is about the project's scenarios, and --scenario-file about others");
@@ -84,7 +84,7 @@ final class ScenarioOptions {
    *
    * @throws IllegalArgumentException if the options contradict each other
    */
-  RunOptions.Driver driver() {
+  private SimulationOptions.Driver driver() {
     if (attach && driver != Transport.DDS) {
       throw new IllegalArgumentException("--attach needs --driver dds");
     }
@@ -92,11 +92,11 @@ final class ScenarioOptions {
       throw new IllegalArgumentException("--real-time needs --driver dds");
     }
     if (attach) {
-      return RunOptions.Driver.DDS_ATTACHED;
+      return SimulationOptions.Driver.DDS_ATTACHED;
     }
     return driver == Transport.LOCKSTEP
-        ? RunOptions.Driver.LOCKSTEP
-        : realTime ? RunOptions.Driver.DDS_IN_REAL_TIME : RunOptions.Driver.DDS;
+        ? SimulationOptions.Driver.LOCKSTEP
+        : realTime ? SimulationOptions.Driver.DDS_IN_REAL_TIME : SimulationOptions.Driver.DDS;
   }
 
   @Option(
@@ -138,11 +138,21 @@ final class ScenarioOptions {
    *
    * @throws IllegalArgumentException if the options contradict each other
    */
-  Optional<StrengthExtent> strength() {
+  private Optional<StrengthExtent> strength() {
     if (noStrength && strength != null && strength != StrengthExtent.OFF) {
       throw new IllegalArgumentException("--no-strength contradicts --strength=" + strength.word());
     }
     return noStrength ? Optional.of(StrengthExtent.OFF) : Optional.ofNullable(strength);
+  }
+
+  /**
+   * Returns what they say together.
+   *
+   * @throws IllegalArgumentException if they contradict each other
+   */
+  SimulationOptions simulation() {
+    return new SimulationOptions(
+        selection(), driver(), mcap, Optional.ofNullable(faults), strength());
   }
 
   /** Returns whether none of them is given. */

@@ -10,6 +10,7 @@ import dev.eventchain.pipeline.campaign.Campaigns;
 import dev.eventchain.pipeline.campaign.Suites;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.run.Stages;
 import java.nio.file.Path;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;

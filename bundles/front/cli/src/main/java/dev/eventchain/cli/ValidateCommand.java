@@ -7,6 +7,7 @@ import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.run.Stages;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;

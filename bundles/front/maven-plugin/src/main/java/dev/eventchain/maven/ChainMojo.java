@@ -1,14 +1,16 @@
 package dev.eventchain.maven;
 
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.output.OutputFolder.OnEdit;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.Pipeline;
 import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Answers;
 import dev.eventchain.pipeline.run.RunOptions;
-import dev.eventchain.pipeline.run.RunOptions.Driver;
 import dev.eventchain.pipeline.run.RunResult;
-import dev.eventchain.pipeline.run.ScenarioSelection;
+import dev.eventchain.pipeline.run.SimulationOptions;
 import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.run.Stages;
 import dev.eventchain.project.ProjectLayout;
 import java.io.File;
 import java.nio.file.Files;
@@ -43,8 +45,9 @@ abstract class ChainMojo extends EventchainMojo {
   @Parameter(property = "eventchain.overwrite", defaultValue = "false")
   private boolean overwrite;
 
-  final boolean overwrite() {
-    return overwrite;
+  /** Returns what becomes of results that were edited by hand. */
+  final OnEdit onEdit() {
+    return overwrite ? OnEdit.OVERWRITE : OnEdit.KEEP;
   }
 
   /** Returns the folder of the event chain; empty if neither the pom nor the module has one. */
@@ -69,14 +72,14 @@ abstract class ChainMojo extends EventchainMojo {
 
   /** Runs stages of the chain, except for those that are up to date. */
   final Outcome run(Path folder, Stage last) {
-    return run(folder, last, Driver.LOCKSTEP, Optional.empty());
+    return run(folder, last, SimulationOptions.DEFAULT);
   }
 
-  /** As above, with a driver and faults. */
-  final Outcome run(Path folder, Stage last, Driver driver, Optional<Path> faults) {
+  /** As above, with options of the simulation. */
+  final Outcome run(Path folder, Stage last, SimulationOptions simulation) {
     Path output = resultsOf(folder);
     try {
-      return run(Project.open(folder), output, Stage.DESIGN, last, driver, faults);
+      return run(Project.open(folder), output, Stages.upTo(last), simulation);
     } catch (DiagnosticException e) {
       // The chain or its suppressions cannot be read, so the subject of a verdict is unknown.
       if (last.compareTo(Stage.SIMULATE) >= 0) {
@@ -91,25 +94,18 @@ abstract class ChainMojo extends EventchainMojo {
     Project project = Project.open(folder);
     Path output = resultsOf(folder);
     Stage first = project.isReadyToValidate(output) ? Stage.VALIDATE : Stage.DESIGN;
-    return run(project, output, first, Stage.VALIDATE, Driver.LOCKSTEP, Optional.empty());
+    Stages stages = new Stages(first, Stage.VALIDATE, false);
+    return run(project, output, stages, SimulationOptions.DEFAULT);
   }
 
-  private Outcome run(
-      Project project, Path output, Stage first, Stage last, Driver driver, Optional<Path> faults) {
+  private Outcome run(Project project, Path output, Stages stages, SimulationOptions simulation) {
     RunOptions options =
         new RunOptions(
             output,
-            first,
-            last,
-            false,
-            Optional.ofNullable(llm),
-            false,
-            overwrite,
-            ScenarioSelection.ALL,
-            driver,
-            false,
-            Optional.empty(),
-            faults,
+            stages,
+            new Answers(Optional.ofNullable(llm), false),
+            onEdit(),
+            simulation,
             Optional.empty(),
             suppressions(project.suppressions()),
             timeLimit());

@@ -91,10 +91,7 @@ public final class GenerateMojo extends ModelMojo {
                 Places.shown(services),
                 Places.shown(properties)),
             new AnyModel.Target(
-                Optional.of(Places.shown(outputDirectory)),
-                overwrite(),
-                trace,
-                Optional.of(name())),
+                Optional.of(Places.shown(outputDirectory)), onEdit(), trace, Optional.of(name())),
             new AnyModel.Check(lenient, suppressions, timeLimit()));
     if (!files.printed().isEmpty()) {
       files.printed().lines().forEach(getLog()::info);

@@ -1,7 +1,9 @@
 package dev.eventchain.maven;
 
 import dev.eventchain.pipeline.Outcome;
-import dev.eventchain.pipeline.run.RunOptions.Driver;
+import dev.eventchain.pipeline.run.ScenarioSelection;
+import dev.eventchain.pipeline.run.SimulationOptions;
+import dev.eventchain.pipeline.run.SimulationOptions.Driver;
 import dev.eventchain.pipeline.run.Stage;
 import java.io.File;
 import java.nio.file.Path;
@@ -33,6 +35,10 @@ public class SimulateMojo extends ChainMojo {
 
   final Outcome simulate(Stage last) {
     Path folder = chain().orElseGet(() -> Places.shown(basedir()));
-    return run(folder, last, driver, Optional.ofNullable(faults).map(Places::shown));
+    Optional<Path> file = Optional.ofNullable(faults).map(Places::shown);
+    return run(
+        folder,
+        last,
+        new SimulationOptions(ScenarioSelection.ALL, driver, false, file, Optional.empty()));
   }
 }

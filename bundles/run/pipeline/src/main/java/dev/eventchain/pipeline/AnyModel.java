@@ -96,7 +96,7 @@ public final class AnyModel {
    *
    * @param folder the output folder; without one, a block that writes a file is an error, and only
    *     printed text is returned
-   * @param overwrite true to replace files that a person has edited
+   * @param onEdit what becomes of files that a person has edited
    * @param trace true to write {@code trace.json}, too, which gives the origin of each line
    * @param producer the identifier of this generation among others into the same folder; files that
    *     its previous run wrote, and this one does not, are removed. Without it, they stay
@@ -105,7 +105,7 @@ public final class AnyModel {
    */
   public record Target(
       Optional<Path> folder,
-      boolean overwrite,
+      OnEdit onEdit,
       boolean trace,
       Optional<String> producer,
       List<String> refused) {
@@ -116,9 +116,8 @@ public final class AnyModel {
     }
 
     /** A target in which files may have any names. */
-    public Target(
-        Optional<Path> folder, boolean overwrite, boolean trace, Optional<String> producer) {
-      this(folder, overwrite, trace, producer, List.of());
+    public Target(Optional<Path> folder, OnEdit onEdit, boolean trace, Optional<String> producer) {
+      this(folder, onEdit, trace, producer, List.of());
     }
 
     /** Returns a finding for each file whose name is refused. */
@@ -317,7 +316,7 @@ public final class AnyModel {
         return;
       }
       files.found(result.diagnostics());
-      files.write(output, result.files(), target.overwrite() ? OnEdit.OVERWRITE : OnEdit.KEEP);
+      files.write(output, result.files(), target.onEdit());
       Set<String> produced = new TreeSet<>(result.files().keySet());
       if (target.trace()) {
         byte[] content = TraceFile.content(result.trace(), "", List.of());

@@ -8,6 +8,7 @@ import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.output.OutputFolder.OnEdit;
 import dev.eventchain.pipeline.files.WrittenFiles;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -105,7 +106,8 @@ class AnyModelTest {
             List.of(folder.resolve("shop.ecore")),
             ReferenceFolders.NONE),
         new AnyModel.Template(template, List.of(), services, List.of()),
-        new AnyModel.Target(Optional.of(folder.resolve("out")), false, false, Optional.empty()),
+        new AnyModel.Target(
+            Optional.of(folder.resolve("out")), OnEdit.KEEP, false, Optional.empty()),
         new AnyModel.Check(false, Suppressions.NONE, Duration.ofSeconds(30)));
   }
 
@@ -150,7 +152,7 @@ class AnyModelTest {
             new AnyModel.Template(template, List.of(), List.of(), List.of()),
             new AnyModel.Target(
                 Optional.of(folder.resolve("out")),
-                true,
+                OnEdit.OVERWRITE,
                 false,
                 Optional.empty(),
                 List.of("eventchain.yaml", "recordings", ".*")),

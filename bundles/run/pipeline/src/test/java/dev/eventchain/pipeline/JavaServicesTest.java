@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.output.OutputFolder.OnEdit;
 import java.io.File;
 import java.io.IOException;
 import java.net.URI;
@@ -119,7 +120,8 @@ class JavaServicesTest {
                 List.of(folder.resolve("shop.ecore")),
                 ReferenceFolders.NONE),
             new AnyModel.Template(template, List.of(), List.of(classes), List.of()),
-            new AnyModel.Target(Optional.of(folder.resolve("out")), false, false, Optional.empty()),
+            new AnyModel.Target(
+                Optional.of(folder.resolve("out")), OnEdit.KEEP, false, Optional.empty()),
             new AnyModel.Check(false, Suppressions.NONE, Duration.ofSeconds(30)))
         .diagnostics();
   }

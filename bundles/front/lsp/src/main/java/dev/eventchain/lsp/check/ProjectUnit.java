@@ -11,6 +11,7 @@ import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.run.Stages;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.SuppressionFile;
 import java.nio.file.Path;
@@ -49,24 +50,10 @@ record ProjectUnit(Path folder, Duration timeLimit) implements CheckUnit.OfProje
   }
 
   private RunOptions options(Project project) {
-    Path output = project.defaultOutput();
-    RunOptions usual = RunOptions.of(output).in(output, Stage.VALIDATE, Stage.VALIDATE);
-    return new RunOptions(
-        output,
-        Stage.VALIDATE,
-        Stage.VALIDATE,
-        true,
-        usual.llm(),
-        usual.record(),
-        usual.overwrite(),
-        usual.scenarios(),
-        usual.driver(),
-        usual.mcap(),
-        usual.compare(),
-        usual.faults(),
-        usual.strength(),
-        suppressions(project),
-        timeLimit);
+    return RunOptions.of(project.defaultOutput())
+        .with(Stages.only(Stage.VALIDATE))
+        .accepting(suppressions(project))
+        .within(timeLimit);
   }
 
   private static Suppressions suppressions(Project project) {

@@ -38,7 +38,7 @@ final class AgentReport {
         .addSetting("frequency", configuration.frequency())
         .add(configuration.models(stage.id()))
         .add(configuration.repairs())
-        .add(run.options().llm().orElse(configuration.llm()))
+        .add(run.options().answers().source().orElse(configuration.llm()))
         .addMeans(recordings(run, stage));
   }
 

@@ -46,7 +46,7 @@ record StandingDiagnoses(
    * Continues an earlier run that waited for components of a corrected design: the others are kept.
    */
   static void resume(RunContext run) {
-    if (run.models().diagnoses().isEmpty() && !run.options().again()) {
+    if (run.models().diagnoses().isEmpty() && !run.options().stages().again()) {
       read(run)
           .filter(found -> !found.kept.isEmpty())
           .ifPresent(

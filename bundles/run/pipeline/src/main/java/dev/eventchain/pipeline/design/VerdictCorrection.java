@@ -57,7 +57,9 @@ public final class VerdictCorrection {
   public static boolean mayFollow(RunOptions options) {
     return options.runs(Stage.IMPLEMENT)
         && !options.isPartial()
-        && !options.isAttached(); // changes here do not affect nodes that were started elsewhere
+        && !options
+            .simulation()
+            .isAttached(); // changes here do not affect nodes that were started elsewhere
   }
 
   /**

@@ -94,7 +94,7 @@ public final class Diagrams {
    * @param ecores the model's metamodels; none for event chains
    * @param references where references may lead besides the folders of the files
    * @param models the models to draw; may be empty if only metamodels are drawn
-   * @param overwrite true to replace files that a person has edited
+   * @param onEdit what becomes of files that a person has edited
    * @return the findings; a diagram with an error is not written, but the text of one that PlantUML
    *     cannot lay out
    * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
@@ -105,7 +105,7 @@ public final class Diagrams {
       ReferenceFolders references,
       List<Path> models,
       Path folder,
-      boolean overwrite) {
+      OnEdit onEdit) {
     Diagrams diagrams = new Diagrams(ecores, references, models);
     WrittenFiles files = new WrittenFiles(Optional.of(folder));
     try (OutputFolder output = OutputFolder.open(folder)) {
@@ -113,7 +113,7 @@ public final class Diagrams {
         List<Diagnostic> found = new ArrayList<>();
         Map<String, byte[]> drawn = diagrams.draw(kind, found);
         files.found(found);
-        files.write(output, drawn, overwrite ? OnEdit.OVERWRITE : OnEdit.KEEP);
+        files.write(output, drawn, onEdit);
       }
     }
     return files;

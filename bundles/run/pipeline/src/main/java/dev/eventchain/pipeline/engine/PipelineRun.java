@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.FileReads;
 import dev.eventchain.diagnostics.FileReads.Recorded;
 import dev.eventchain.diagnostics.Suppressions.Parted;
 import dev.eventchain.output.OutputFolder;
+import dev.eventchain.output.OutputFolder.OnEdit;
 import dev.eventchain.pipeline.design.ConstrainStage;
 import dev.eventchain.pipeline.design.DesignStage;
 import dev.eventchain.pipeline.design.ImplementStage;
@@ -256,7 +257,7 @@ public final class PipelineRun {
       if (stage == Stage.SIMULATE && notPassed.isPresent()) {
         throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, notPassed.get());
       }
-      if (stage == run.options().first()) {
+      if (stage == run.options().stages().first()) {
         new EarlierStages(run, memory, WORK).require(stage).forEach(run::find);
         checkScenarios();
       }
@@ -289,7 +290,8 @@ public final class PipelineRun {
    * together with all else.
    */
   private void checkScenarios() {
-    boolean validates = run.options().last() == Stage.VALIDATE && !run.options().readsOnly();
+    boolean validates =
+        run.options().stages().last() == Stage.VALIDATE && !run.options().readsOnly();
     if (run.options().runs(Stage.SIMULATE) || validates) {
       List<Diagnostic> found = SimulationInputs.check(run);
       if (run.anyErrorCounts(found)) {
@@ -303,9 +305,9 @@ public final class PipelineRun {
     if (run.options().onlyReports()) {
       return WORK.get(stage).skippable();
     }
-    boolean anyway = stage == Stage.SIMULATE && run.options().simulatesAnyway();
+    boolean anyway = stage == Stage.SIMULATE && run.options().simulation().simulatesAnyway();
     boolean corrected = run.models().correction().concerns(stage);
-    boolean asked = run.options().again() || anyway || isPartial(stage) || corrected;
+    boolean asked = run.options().stages().again() || anyway || isPartial(stage) || corrected;
     return WORK.get(stage).skippable() && !asked;
   }
 
@@ -324,7 +326,7 @@ public final class PipelineRun {
         .filter(record -> !run.anyErrorCounts(record.diagnostics()))
         .filter(
             record ->
-                !run.options().overwrite()
+                run.options().onEdit() == OnEdit.KEEP
                     || record.outputs().keySet().stream().noneMatch(run.output()::isEdited));
   }
 

@@ -4,7 +4,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.design.VerdictCorrection;
 import dev.eventchain.pipeline.results.ResultJson;
-import dev.eventchain.pipeline.run.RunOptions;
+import dev.eventchain.pipeline.run.SimulationOptions;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.FailedVerdict;
 import dev.eventchain.pipeline.stage.Fingerprint;
@@ -68,7 +68,7 @@ final class StandingFailure {
   }
 
   private boolean isPossible() {
-    return run.options().driver() == RunOptions.Driver.LOCKSTEP
+    return run.options().simulation().driver() == SimulationOptions.Driver.LOCKSTEP
         && VerdictCorrection.mayFollow(run.options())
         && !run.options().onlyReports()
         && !run.models().isEvaluated();

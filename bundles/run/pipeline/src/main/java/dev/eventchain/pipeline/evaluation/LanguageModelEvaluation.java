@@ -4,13 +4,16 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.llm.Spending;
 import dev.eventchain.llm.chat.AnswerTrait;
+import dev.eventchain.output.OutputFolder.OnEdit;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.State;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.project.StrengthExtent;
+import dev.eventchain.pipeline.run.Answers;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.RunOptions;
-import dev.eventchain.pipeline.run.ScenarioSelection;
+import dev.eventchain.pipeline.run.SimulationOptions;
 import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.run.Stages;
 import dev.eventchain.pipeline.stage.Sample;
 import dev.eventchain.project.ProjectLayout;
 import java.nio.file.Path;
@@ -195,18 +198,11 @@ public final class LanguageModelEvaluation {
             : ownFolder ? source + "/" + name : source;
     return new RunOptions(
         folder.path(name),
-        Stage.DESIGN,
-        Stage.REPORT,
-        true,
-        Optional.of(own),
-        true,
-        true,
-        ScenarioSelection.ALL,
-        RunOptions.Driver.LOCKSTEP,
-        false,
+        new Stages(Stage.DESIGN, Stage.REPORT, true),
+        new Answers(Optional.of(own), true),
+        OnEdit.OVERWRITE,
+        SimulationOptions.DEFAULT.with(StrengthExtent.OFF),
         Optional.empty(),
-        Optional.empty(),
-        Optional.of(StrengthExtent.OFF),
         options.suppressions(),
         options.timeLimit());
   }

@@ -30,13 +30,13 @@ public final class ProjectExport {
    * scenarios are exported, those of former ones, too.
    *
    * @param chosen the names of the scenarios; empty for all
-   * @param overwrite true to replace files that a person has edited
+   * @param onEdit what becomes of files that a person has edited
    * @return the findings, with the reason for each scenario that is not written
    * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if a file cannot be read, a
    *     scenario is unknown, or the output cannot be written
    */
   public static WrittenFiles write(
-      Project project, Collection<String> chosen, Path folder, boolean overwrite) {
+      Project project, Collection<String> chosen, Path folder, OnEdit onEdit) {
     List<Diagnostic> found = new ArrayList<>();
     List<Scenario> all =
         Scenario.readFolder(project.scenarios(), ProjectBench.read(project), found::add);
@@ -56,7 +56,7 @@ public final class ProjectExport {
     written.found(found);
     try (OutputFolder output = OutputFolder.open(folder)) {
       output.damage().ifPresent(it -> written.found(List.of(it)));
-      written.write(output, files, overwrite ? OnEdit.OVERWRITE : OnEdit.KEEP);
+      written.write(output, files, onEdit);
       written.found(removed(output, refused));
       if (chosen.isEmpty()) {
         written.found(output.removeFormer(PRODUCER, files.keySet()));

@@ -59,7 +59,7 @@ public final class ValidateStage implements StageWork {
       return run.chain().checks();
     } catch (DiagnosticException e) {
       List<Diagnostic> all = new ArrayList<>(e.diagnostics());
-      if (run.options().last() == Stage.VALIDATE) {
+      if (run.options().stages().last() == Stage.VALIDATE) {
         all.addAll(sources(run, false));
       }
       all.addAll(otherInputs(run, false));
@@ -84,7 +84,7 @@ public final class ValidateStage implements StageWork {
     try {
       read = valid ? ComponentSources.of(run) : ComponentSources.withoutChain(run);
     } catch (DiagnosticException e) {
-      if (run.options().last() == Stage.VALIDATE
+      if (run.options().stages().last() == Stage.VALIDATE
           && e.reason() == DiagnosticException.Reason.INPUT) {
         return e.diagnostics(); // The other inputs are checked all the same.
       }
@@ -95,7 +95,7 @@ public final class ValidateStage implements StageWork {
 
   /** Returns the findings in inputs of later stages; none if these run themselves. */
   private static List<Diagnostic> otherInputs(RunContext run, boolean valid) {
-    if (run.options().last() != Stage.VALIDATE) {
+    if (run.options().stages().last() != Stage.VALIDATE) {
       return List.of();
     }
     List<Diagnostic> found = new ArrayList<>(SimulationInputs.all(run, valid));

@@ -44,7 +44,7 @@ public record TraceMeasuring(String text, WrittenFiles files) {
    * @param trace a folder of LTTng, or the text of babeltrace2
    * @param timeLimit the processor time that the patterns of a data type may take
    * @param suppressions which findings are accepted
-   * @param overwrite true to replace files that a person has edited
+   * @param onEdit what becomes of files that a person has edited
    * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if a file cannot be read or is no
    *     trace, UNAVAILABLE if it takes a program that is not there; earlier results are gone then
    */
@@ -55,7 +55,7 @@ public record TraceMeasuring(String text, WrittenFiles files) {
       Path trace,
       Duration timeLimit,
       Suppressions suppressions,
-      boolean overwrite) {
+      OnEdit onEdit) {
     WrittenFiles written = new WrittenFiles(Optional.of(output.resolve(FOLDER)));
     try (OutputFolder folder = OutputFolder.open(output)) {
       folder.damage().ifPresent(it -> written.found(List.of(it)));
@@ -76,7 +76,7 @@ public record TraceMeasuring(String text, WrittenFiles files) {
         TraceJson json = TraceJson.of(chain.chain(), read, measured);
         files.put(FOLDER + "/measurements.json", ResultJson.indented(json));
       }
-      written.write(folder, files, overwrite ? OnEdit.OVERWRITE : OnEdit.KEEP);
+      written.write(folder, files, onEdit);
       return new TraceMeasuring(TraceTable.of(chain.chain(), measured), written);
     }
   }

@@ -113,7 +113,7 @@ public final class ReportData {
   private void provenance() {
     ObjectNode provenance = data.putObject("provenance");
     Configuration configuration = run.project().configuration();
-    provenance.put("llm", run.options().llm().orElse(configuration.llm()));
+    provenance.put("llm", run.options().answers().source().orElse(configuration.llm()));
     ObjectNode models = provenance.putObject("models");
     for (Stage stage : List.of(Stage.DESIGN, Stage.IMPLEMENT, Stage.MODEL, Stage.CONSTRAIN)) {
       Optional<Answers> answers = report(stage, Answers.class);

@@ -9,7 +9,7 @@ import dev.eventchain.documents.Document;
 import dev.eventchain.documents.UnifiedDiff;
 import dev.eventchain.jsonmodels.JsonDocument;
 import dev.eventchain.pipeline.project.Project;
-import dev.eventchain.pipeline.run.RunOptions.Driver;
+import dev.eventchain.pipeline.run.SimulationOptions.Driver;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.SimulationResult;
 import dev.eventchain.simulation.verdict.Measurements;
@@ -76,7 +76,7 @@ public final class MeasuredTimes {
    */
   static List<Diagnostic> propose(RunContext run, SimulationResult result) {
     run.output().removeAll(DIFF);
-    if (run.options().driver() != Driver.DDS_IN_REAL_TIME) {
+    if (run.options().simulation().driver() != Driver.DDS_IN_REAL_TIME) {
       return List.of();
     }
     Map<String, Double> longest = new LinkedHashMap<>();

@@ -11,7 +11,7 @@ import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.SoftwareNode;
-import dev.eventchain.pipeline.run.RunOptions.Driver;
+import dev.eventchain.pipeline.run.SimulationOptions.Driver;
 import dev.eventchain.pipeline.stage.RunContext;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -61,7 +61,7 @@ final class MissingTimes {
    * @param validation the constraints that were evaluated
    */
   static MissingTimes of(RunContext run, EventChain chain, OclResult validation) {
-    Driver driver = run.options().driver();
+    Driver driver = run.options().simulation().driver();
     MissingTimes missing = new MissingTimes();
     boolean simulatedTime = driver == Driver.LOCKSTEP || driver == Driver.DDS;
     if (simulatedTime && !run.options().isPartial()) {

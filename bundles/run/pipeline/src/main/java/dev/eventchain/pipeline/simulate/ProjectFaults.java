@@ -19,14 +19,15 @@ final class ProjectFaults {
    * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if the file cannot be read
    */
   static FaultPlan selected(RunContext run, EventChain chain, List<Scenario> scenarios) {
-    if (run.options().faults().isEmpty()) {
+    if (run.options().simulation().faults().isEmpty()) {
       return FaultPlan.NONE;
     }
     List<Scenario> all =
         run.options().isPartial()
             ? Scenario.readFolder(run.project().scenarios(), run.chain().bench(), warning -> {})
             : scenarios;
-    FaultPlan plan = FaultPlan.read(run.options().faults().get(), chain, run.chain().bench(), all);
+    FaultPlan plan =
+        FaultPlan.read(run.options().simulation().faults().get(), chain, run.chain().bench(), all);
     Set<String> names = scenarios.stream().map(Scenario::name).collect(Collectors.toSet());
     plan.leftOut(names).ifPresent(run::find);
     return plan.within(names);

@@ -31,7 +31,7 @@ public final class ProjectScenarios {
   }
 
   private static List<Scenario> selected(RunContext run, Consumer<Diagnostic> findings) {
-    ScenarioSelection selection = run.options().scenarios();
+    ScenarioSelection selection = run.options().simulation().scenarios();
     if (!selection.files().isEmpty()) {
       return Scenario.readFiles(
           selection.files(), selection.accept(), run.chain().bench(), findings);

@@ -43,7 +43,7 @@ final class Recordings {
     } else {
       run.output().removeAll(FOLDER);
     }
-    return run.options().mcap()
+    return run.options().simulation().mcap()
         ? request.with(it -> it.withRecordings(run.output().scratch()))
         : request;
   }
@@ -60,7 +60,7 @@ final class Recordings {
 
   /** Moves complete recordings into place, whatever the result of the scenarios. */
   void keep() {
-    if (!run.options().mcap()) {
+    if (!run.options().simulation().mcap()) {
       return;
     }
     Path scratch = run.output().scratch();

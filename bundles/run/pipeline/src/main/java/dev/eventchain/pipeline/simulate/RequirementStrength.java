@@ -10,6 +10,7 @@ import dev.eventchain.pipeline.results.RequirementOutcome.Bound;
 import dev.eventchain.pipeline.results.RequirementOutcome.Nearest;
 import dev.eventchain.pipeline.results.RequirementOutcome.Unnoticed;
 import dev.eventchain.pipeline.run.RunOptions;
+import dev.eventchain.pipeline.run.SimulationOptions;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.SimulationResult;
 import dev.eventchain.simulation.verdict.Strength;
@@ -44,7 +45,10 @@ public final class RequirementStrength {
 
   /** Returns how far strength is to be measured where a run can. */
   static StrengthExtent extent(RunContext run) {
-    return run.options().strength().orElse(run.project().configuration().strength().extent());
+    return run.options()
+        .simulation()
+        .strength()
+        .orElse(run.project().configuration().strength().extent());
   }
 
   /** Returns the budget of the measurement; empty if a run does not measure strength. */
@@ -58,12 +62,16 @@ public final class RequirementStrength {
   static String whyNot(RunContext run) {
     RunOptions options = run.options();
     if (extent(run) == StrengthExtent.OFF) {
-      return options.strength().isPresent() ? "switched off" : "the project does not want it";
+      return options.simulation().strength().isPresent()
+          ? "switched off"
+          : "the project does not want it";
     }
     if (options.isPartial()) {
       return "only some scenarios were simulated";
     }
-    return options.driver() == RunOptions.Driver.LOCKSTEP ? "" : "only the driver lockstep can";
+    return options.simulation().driver() == SimulationOptions.Driver.LOCKSTEP
+        ? ""
+        : "only the driver lockstep can";
   }
 
   /** Returns whether a requirement is not tested although its scenarios passed. */

@@ -57,10 +57,10 @@ public final class SimulateStage implements StageWork {
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     Project project = run.project();
-    fingerprint.add(run.options().driver()).add(Confinement.demanded());
+    fingerprint.add(run.options().simulation().driver()).add(Confinement.demanded());
     fingerprint.add(RequirementStrength.extent(run));
     fingerprint.addSetting("strength", project.configuration().strength().asValue());
-    run.options().faults().ifPresent(fingerprint::addFile);
+    run.options().simulation().faults().ifPresent(fingerprint::addFile);
     fingerprint.addFile(run.model());
     Path scenarios = project.scenarios().toAbsolutePath().normalize();
     for (Path file : Scenario.filesIn(project.scenarios())) {
@@ -198,7 +198,7 @@ public final class SimulateStage implements StageWork {
             .ofAllScenarios(!run.options().isPartial())
             .withSamples(!written.isEmpty() && VerdictCorrection.mayFollow(run.options()))
             .withStrength(RequirementStrength.budget(run));
-    return switch (run.options().driver()) {
+    return switch (run.options().simulation().driver()) {
       case LOCKSTEP -> settings;
       case DDS -> settings.withDriver(SimulationDriver.DDS);
       case DDS_IN_REAL_TIME -> settings.withDriver(SimulationDriver.DDS_IN_REAL_TIME);

@@ -86,9 +86,9 @@ public final class ModelWork {
     Configuration configuration = run.project().configuration();
     ModelAccess access =
         new ModelAccess(
-            run.options().llm().orElse(configuration.llm()),
+            run.options().answers().source().orElse(configuration.llm()),
             run.project().recordings(),
-            run.options().record(),
+            run.options().answers().record(),
             configuration.services(),
             spending,
             System::getenv,

@@ -16,6 +16,7 @@ import dev.eventchain.output.OutputRules;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.RunOptions;
+import dev.eventchain.pipeline.run.SimulationOptions;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.Requirements;
@@ -214,9 +215,7 @@ public final class RunContext {
 
   /** Writes a file; resulting findings go to the current stage. */
   public void write(String name, byte[] content) {
-    OutputFolder.OnEdit onEdit =
-        options.overwrite() ? OutputFolder.OnEdit.OVERWRITE : OutputFolder.OnEdit.KEEP;
-    OutputFolder.Written written = output.write(name, content, onEdit);
+    OutputFolder.Written written = output.write(name, content, options.onEdit());
     if (recordsAreLost && written.outcome() == OutputFolder.Outcome.KEPT) {
       strangers.add(name);
     } else {
@@ -329,7 +328,7 @@ public final class RunContext {
     if (python == null) {
       Consumer<String> said = message -> progress.step(stage, message);
       python =
-          options.driver() == RunOptions.Driver.LOCKSTEP
+          options.simulation().driver() == SimulationOptions.Driver.LOCKSTEP
               ? PythonEnvironment.ensure(said)
               : PythonEnvironment.ensureWithCycloneDds(said);
     }

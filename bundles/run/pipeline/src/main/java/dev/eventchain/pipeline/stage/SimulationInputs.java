@@ -137,7 +137,7 @@ public final class SimulationInputs {
 
   /** Reads the faults of the options, and those in the project's own file. */
   private void faults(List<Scenario> scenarios) {
-    List<Path> files = new ArrayList<>(run.options().faults().stream().toList());
+    List<Path> files = new ArrayList<>(run.options().simulation().faults().stream().toList());
     run.project().faults().ifPresent(files::add);
     for (Path file : files) {
       of(() -> FaultPlan.read(file, run.chain().chain(), run.bench(), scenarios));

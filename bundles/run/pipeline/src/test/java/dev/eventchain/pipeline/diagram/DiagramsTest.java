@@ -13,6 +13,7 @@ import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainFactory;
 import dev.eventchain.model.eventchain.QosProfile;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.output.OutputFolder.OnEdit;
 import dev.eventchain.pipeline.diagram.Diagrams.Kind;
 import dev.eventchain.pipeline.files.WrittenFiles;
 import dev.eventchain.xmi.XmiStore;
@@ -194,7 +195,7 @@ class DiagramsTest {
                 ReferenceFolders.NONE,
                 List.of(),
                 folder.resolve("out"),
-                false)
+                OnEdit.KEEP)
             .diagnostics();
 
     assertEquals(List.of(), found);
@@ -325,7 +326,7 @@ class DiagramsTest {
             ReferenceFolders.NONE,
             List.of(),
             folder.resolve("out"),
-            false);
+            OnEdit.KEEP);
 
     assertEquals(List.of(), files.diagnostics());
     assertTrue(files.summary().endsWith("2 written"), files.summary());
@@ -370,7 +371,12 @@ class DiagramsTest {
   private List<Diagnostic> draw(EventChain chain, Set<Kind> kinds) throws IOException {
     Path model = Files.write(folder.resolve("model.xmi"), XmiStore.toBytes(chain));
     return Diagrams.draw(
-            kinds, List.of(), ReferenceFolders.NONE, List.of(model), folder.resolve("out"), false)
+            kinds,
+            List.of(),
+            ReferenceFolders.NONE,
+            List.of(model),
+            folder.resolve("out"),
+            OnEdit.KEEP)
         .diagnostics();
   }
 

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.output.OutputFolder.OnEdit;
 import dev.eventchain.pipeline.diagram.Diagrams.Kind;
 import dev.eventchain.pipeline.files.WrittenFiles;
 import java.io.ByteArrayOutputStream;
@@ -35,7 +36,7 @@ class UndrawnDiagramTest {
         ReferenceFolders.NONE,
         List.of(FILES.resolve("m.xmi")),
         folder.resolve("out"),
-        false);
+        OnEdit.KEEP);
   }
 
   @Test

@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.fixtures.Projects;
 import dev.eventchain.fixtures.Repository;
+import dev.eventchain.output.OutputFolder.OnEdit;
 import dev.eventchain.pipeline.files.WrittenFiles;
 import dev.eventchain.pipeline.project.Project;
 import java.io.IOException;
@@ -36,7 +37,7 @@ class ProjectExportTest {
   }
 
   private WrittenFiles export(String... names) {
-    return ProjectExport.write(Project.open(project), List.of(names), target, false);
+    return ProjectExport.write(Project.open(project), List.of(names), target, OnEdit.KEEP);
   }
 
   private List<String> files() throws IOException {

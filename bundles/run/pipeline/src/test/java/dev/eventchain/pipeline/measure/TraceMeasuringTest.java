@@ -11,6 +11,7 @@ import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.fixtures.Projects;
 import dev.eventchain.fixtures.Repository;
+import dev.eventchain.output.OutputFolder.OnEdit;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.simulation.tracing.RecordedTrace;
 import java.io.IOException;
@@ -59,7 +60,7 @@ class TraceMeasuringTest {
         trace,
         Duration.ofSeconds(30),
         Suppressions.NONE,
-        false);
+        OnEdit.KEEP);
   }
 
   /** Returns the findings as {@code severity id message}. */
