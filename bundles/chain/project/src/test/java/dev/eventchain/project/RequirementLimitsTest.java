@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -63,6 +65,21 @@ class RequirementLimitsTest {
         assertEquals(DiagnosticException.Reason.INPUT, e.reason());
       }
     }
+  }
+
+  /** Lines as long as they may be, of which each character could end what a pattern looks for. */
+  @ParameterizedTest
+  @ValueSource(strings = {"## # x", "Type * x", "## < x", "| [ x", "## {# x"})
+  void timeGrowsWithTheLengthOfATextOnly(String form) throws IOException {
+    String[] parts = form.split(" ");
+    String line = parts[0] + " " + (parts[1] + " ").repeat(9_900 / (parts[1].length() + 1)) + "x\n";
+    String text = "- REQ-1: It shall be.\n\n" + (line + "\n").repeat((1 << 20) / line.length());
+    ThreadMXBean clock = ManagementFactory.getThreadMXBean();
+    write("a.md", text);
+    long start = clock.getCurrentThreadCpuTime();
+    assertEquals("REQ-1", read("a.md").items().get(0).id());
+    long seconds = (clock.getCurrentThreadCpuTime() - start) / 1_000_000_000;
+    assertTrue(seconds < 5, seconds + " s");
   }
 
   @Test

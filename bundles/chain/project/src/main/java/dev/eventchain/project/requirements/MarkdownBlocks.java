@@ -9,7 +9,7 @@ import java.util.stream.Stream;
 /** Reads the headings, tables, lists and paragraphs of Markdown. */
 final class MarkdownBlocks extends TextBlocks {
 
-  private static final Pattern HEADING = Pattern.compile(" {0,3}(#{1,6})\\s+(.*?)[\\s#]*");
+  private static final Pattern HEADING = Pattern.compile(" {0,3}(#{1,6}+)\\s+(.*)");
   private static final Pattern FENCE = Pattern.compile("\\s*(```+(?=[^`]*$)|~~~+).*");
   private static final Pattern UNDERLINE = Pattern.compile(" {0,3}(=+|-{3,})\\s*");
   private static final Pattern BAR = Pattern.compile("(?<!\\\\)\\|");
@@ -48,7 +48,8 @@ final class MarkdownBlocks extends TextBlocks {
     Matcher fence = FENCE.matcher(lines.get(next));
     if (heading.matches()) {
       int level = heading.group(1).length();
-      blocks.add(new TextBlock.Heading(number(next++), level, heading.group(2)));
+      String text = TextIds.withoutEnd(heading.group(2), "#");
+      blocks.add(new TextBlock.Heading(number(next++), level, text));
     } else if (fence.matches()) {
       skipTo(fence.group(1));
     } else if (isTable(next)) {

@@ -33,7 +33,12 @@ final class TextIds {
       Pattern.compile(
           "\\s*(?:,|&|/|and\\b|to\\b|\\.{2,3}|…|–|-)\\s*[\\[(*`]*(" + ID + ")(?![A-Za-z0-9]).*");
   private static final Pattern FACT =
-      Pattern.compile("[:*_\\s]*([A-Za-z][A-Za-z ]{2,20}?)[*_\\s]*:[*_\\s]*(.*?)[*_\\s]*");
+      Pattern.compile("[:*_\\s]*+([A-Za-z][A-Za-z ]{2,20}?)[*_\\s]*+:[*_\\s]*+(.*)");
+  private static final Pattern TAG = Pattern.compile("<[^<>]*+>");
+  private static final Pattern ANCHOR = Pattern.compile("\\{#[^{}]*+\\}$");
+  private static final Pattern LINK = Pattern.compile("\\[([^\\[\\]]*+)\\](\\([^()]*+\\))?");
+  private static final Pattern ROLE =
+      Pattern.compile("(?::[A-Za-z_-]{1,40}){1,3}:`([^`]*+)`");
   private static final Pattern PREFIX =
       Pattern.compile("(.{0,200}?[A-Za-z])[-_./]?[0-9][0-9A-Za-z._-]{0,200}");
 
@@ -49,9 +54,8 @@ final class TextIds {
 
   /** Returns the id with which a heading begins, and all behind it. */
   static Optional<Named> ofHeading(String text) {
-    String plain =
-        unescaped(text).replaceFirst("\\s*\\{#[^}]*\\}$", "").replaceAll("<[^>]*>", "").strip();
-    Matcher found = HEADING.matcher(plain);
+    String named = ANCHOR.matcher(unescaped(text)).replaceFirst("");
+    Matcher found = HEADING.matcher(TAG.matcher(named).replaceAll("").strip());
     return found.matches()
         ? Optional.of(new Named(found.group(1), found.group(2)))
         : Optional.empty();
@@ -77,7 +81,10 @@ final class TextIds {
   static Optional<Named> ofFact(String line) {
     Matcher found = FACT.matcher(line);
     return found.matches()
-        ? Optional.of(new Named(found.group(1).strip().toLowerCase(Locale.ROOT), found.group(2)))
+        ? Optional.of(
+            new Named(
+                found.group(1).strip().toLowerCase(Locale.ROOT),
+                withoutEnd(found.group(2), "*_")))
         : Optional.empty();
   }
 
@@ -94,11 +101,19 @@ final class TextIds {
 
   /** Returns a text without emphasis, links, roles and anchors. */
   static String plain(String text) {
-    return unescaped(text)
-        .replaceAll("<[^>]*>", "")
-        .replaceAll("\\[([^\\]]*)\\](\\([^)]*\\))?", "$1")
-        .replaceAll(":[A-Za-z:_-]+:`([^`]*)`", "$1")
-        .replaceAll("[*`]", "")
-        .strip();
+    String plain = TAG.matcher(unescaped(text)).replaceAll("");
+    plain = LINK.matcher(plain).replaceAll("$1");
+    return ROLE.matcher(plain).replaceAll("$1").replaceAll("[*`]", "").strip();
+  }
+
+  /** Returns a text without blanks and some characters at its end. */
+  static String withoutEnd(String text, String characters) {
+    int end = text.length();
+    while (end > 0
+        && (Character.isWhitespace(text.charAt(end - 1))
+            || characters.indexOf(text.charAt(end - 1)) >= 0)) {
+      end--;
+    }
+    return text.substring(0, end);
   }
 }
