@@ -2,22 +2,29 @@ package dev.eventchain.pipeline.campaign.plan;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.MissingNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.StreamSupport;
 
 /** The paths by which factors of campaigns name the numbers of a scenario or a bench. */
 public final class FactorPaths {
 
   private static final String NAME = "name";
+  private static final List<JsonNode> MISSING = List.of(MissingNode.getInstance());
 
   private final ObjectNode root;
   private final String prefix;
   private final Map<String, String> found = new LinkedHashMap<>();
+  private final Map<ArrayNode, Map<String, List<JsonNode>>> lists = new IdentityHashMap<>();
 
   private FactorPaths(ObjectNode root, String prefix) {
     this.root = root;
@@ -64,22 +71,25 @@ public final class FactorPaths {
   }
 
   /** Returns an element's name, or its number if it has none, or not for itself. */
-  private static String element(ArrayNode list, int index) {
+  private String element(ArrayNode list, int index) {
     String name = list.get(index).path(NAME).asText();
-    int same = 0;
-    for (JsonNode each : list) {
-      same += each.path(NAME).asText().equals(name) ? 1 : 0;
-    }
-    return name.isBlank() || same > 1 ? String.valueOf(index) : name;
+    return name.isBlank() || named(list).get(name).size() > 1 ? String.valueOf(index) : name;
+  }
+
+  /** Returns the elements of a list by their names. */
+  private Map<String, List<JsonNode>> named(ArrayNode list) {
+    return lists.computeIfAbsent(
+        list,
+        each ->
+            StreamSupport.stream(each.spliterator(), false)
+                .collect(Collectors.groupingBy(element -> element.path(NAME).asText())));
   }
 
   /** Returns whether a path is read as it is meant: keys and names may have any characters. */
   private boolean leadsTo(String path, JsonNode number) {
-    try {
-      NumberPath.Place place = new NumberPath(path).in(root.deepCopy());
-      return number.equals(place.owner().get(place.key()));
-    } catch (NumberPath.WrongPathException e) {
-      return false;
-    }
+    return new NumberPath(path)
+        .find(root, (list, name) -> named(list).getOrDefault(name, MISSING).get(0))
+        .filter(each -> each == number)
+        .isPresent();
   }
 }

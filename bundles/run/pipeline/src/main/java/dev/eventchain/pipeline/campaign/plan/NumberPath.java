@@ -7,6 +7,8 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -72,6 +74,26 @@ public final class NumberPath {
    * @throws WrongPathException with the reason, for users
    */
   public Place in(ObjectNode root) throws WrongPathException {
+    return in(root, NumberPath::value, NumberPath::named);
+  }
+
+  /** Returns what a path leads to, without adding anything; empty if there is nothing. */
+  Optional<JsonNode> find(ObjectNode root, BiFunction<ArrayNode, String, JsonNode> named) {
+    try {
+      Place place = in(root, (owner, key, following) -> owner.get(key), named);
+      return Optional.ofNullable(place.owner().get(place.key()));
+    } catch (WrongPathException e) {
+      return Optional.empty();
+    }
+  }
+
+  /** Lookup of the value of a key, in front of a step. */
+  private interface Values {
+    JsonNode of(ObjectNode owner, String key, String following);
+  }
+
+  private Place in(ObjectNode root, Values values, BiFunction<ArrayNode, String, JsonNode> named)
+      throws WrongPathException {
     if (steps.isEmpty()) {
       throw new WrongPathException("'" + path + "' is no path, such as actors[0].gap_m.");
     }
@@ -80,7 +102,7 @@ public final class NumberPath {
     while (at < steps.size()) {
       String step = steps.get(at);
       if (isElement(step)) {
-        node = element(node, step);
+        node = element(node, step, named);
         at++;
       } else if (node instanceof ObjectNode owner) {
         int next = endOfKey(owner, at);
@@ -88,7 +110,7 @@ public final class NumberPath {
         if (next == steps.size()) {
           return place(owner, key);
         }
-        node = value(owner, key, steps.get(next));
+        node = values.of(owner, key, steps.get(next));
         at = next;
       } else {
         node = null;
@@ -128,14 +150,18 @@ public final class NumberPath {
     return owner.get(key);
   }
 
-  private static JsonNode element(JsonNode list, String step) {
+  private static JsonNode element(
+      JsonNode node, String step, BiFunction<ArrayNode, String, JsonNode> named) {
     String which = step.substring(1, step.length() - 1).strip();
-    if (!(list instanceof ArrayNode)) {
+    if (!(node instanceof ArrayNode list)) {
       return null;
     }
-    if (INDEX.matcher(which).matches()) {
-      return list.get(Integer.parseInt(which));
-    }
+    return INDEX.matcher(which).matches()
+        ? list.get(Integer.parseInt(which))
+        : named.apply(list, which);
+  }
+
+  private static JsonNode named(ArrayNode list, String which) {
     for (JsonNode each : list) {
       if (each.path("name").asText().equals(which)) {
         return each;

@@ -1,8 +1,11 @@
 package dev.eventchain.pipeline.campaign.plan;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.SourceText;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -44,6 +47,22 @@ class FactorPathsTest {
         List.copyOf(
             FactorPaths.ofBench(yaml("inputs:\n  radar.reach: {value: 150}\n  'a[b': 1\n"))
                 .keySet()));
+  }
+
+  /** Time grows with the numbers only: each of these had the whole text copied, which took minutes. */
+  @Test
+  void manyNumbersHaveTheirPaths() {
+    StringBuilder text = new StringBuilder("actors:\n");
+    for (int i = 0; i < 5_000; i++) {
+      text.append("- {name: a").append(i).append(", gap_m: ").append(i).append("}\n");
+    }
+    ThreadMXBean clock = ManagementFactory.getThreadMXBean();
+    long start = clock.getCurrentThreadCpuTime();
+    Map<String, String> paths = FactorPaths.ofScenario(yaml(text.toString()));
+    assertEquals("4999", paths.get("actors[a4999].gap_m"));
+    assertEquals(5_000, paths.size());
+    long seconds = (clock.getCurrentThreadCpuTime() - start) / 1_000_000_000;
+    assertTrue(seconds < 5, seconds + " s");
   }
 
   @Test
