@@ -106,11 +106,7 @@ public final class RequirementStrength {
     Strength.Requirement counted = measured.counted();
     return counted.percent() >= settings.minimumOf(item.id())
         ? Optional.empty()
-        : Optional.of(low(item, counted, !isWhole(measured, counted)));
-  }
-
-  private static boolean isWhole(Strength.Requirement measured, Strength.Requirement counted) {
-    return measured.components().size() == 1 && counted.faults() == measured.faults();
+        : Optional.of(low(item, measured, counted));
   }
 
   private static Diagnostic none(WrittenRequirement item, Strength.Requirement measured) {
@@ -139,12 +135,12 @@ public final class RequirementStrength {
   /**
    * Returns the finding that too few faults are noticed.
    *
-   * @param measured the strength on the components that count
-   * @param some true if the requirement has further components, or they have further outputs
+   * @param counted the strength on the faults that count
    */
-  private Diagnostic low(WrittenRequirement item, Strength.Requirement measured, boolean some) {
-    if (measured.faults() == 0) {
-      return uncounted(item, measured);
+  private Diagnostic low(
+      WrittenRequirement item, Strength.Requirement measured, Strength.Requirement counted) {
+    if (counted.faults() == 0) {
+      return uncounted(item, counted);
     }
     return finding(
         item,
@@ -153,12 +149,12 @@ public final class RequirementStrength {
             Locale.ROOT,
             "The criteria of %s notice %d of %d standard faults%s: %.1f %% and not %.1f %%. Not: %s.",
             item.id(),
-            measured.noticed(),
-            measured.faults(),
-            some ? counting(measured) : "",
-            measured.percent(),
+            counted.noticed(),
+            counted.faults(),
+            counting(measured, counted),
+            counted.percent(),
             settings.minimumOf(item.id()),
-            named(measured)),
+            named(counted)),
         "Add criteria that notice them");
   }
 
@@ -175,9 +171,20 @@ public final class RequirementStrength {
         "Let a scenario that names it need what the component does");
   }
 
-  private static String counting(Strength.Requirement counted) {
-    return " of %s, which %s for the bound"
-        .formatted(components(counted), counted.components().size() == 1 ? "counts" : "count");
+  /** Returns which faults count, in words; empty if all faults of its only component do. */
+  private static String counting(Strength.Requirement measured, Strength.Requirement counted) {
+    long others =
+        measured.reactions().stream()
+            .filter(each -> counted.components().contains(each.component()))
+            .filter(Strength.Reaction::elsewhere)
+            .count();
+    if (others == 0 && measured.components().size() == 1) {
+      return "";
+    }
+    String these = " of %s that count for the bound".formatted(components(counted));
+    return others == 0
+        ? these
+        : these + ", without %d of outputs that other requirements judge".formatted(others);
   }
 
   private static Diagnostic finding(

@@ -62,7 +62,7 @@ class RequirementStrengthTest {
     RequirementStrength strength = strength(true, true, false, false);
     Diagnostic found = only(strength);
     assertEquals("simulation.strength.low", found.id());
-    assertTrue(found.message().contains("1 of 3"), found.message());
+    assertTrue(found.message().contains("notice 1 of 3 standard faults: 33.3 %"), found.message());
     assertTrue(!strength.isUntested("BRK-1"));
   }
 
@@ -77,7 +77,7 @@ class RequirementStrengthTest {
     Diagnostic found = only(strength(upstream, Set.of(), less));
     assertEquals("simulation.strength.low", found.id());
     assertTrue(
-        found.message().contains("3 of 8 standard faults of 'Brake', which counts for the bound:"),
+        found.message().contains("3 of 8 standard faults of 'Brake' that count for the bound:"),
         found.message());
     List<Reaction> sharp = reactions("Brake", 3, 8);
     sharp.addAll(reactions("Radar", 5, 9));
@@ -103,7 +103,7 @@ class RequirementStrengthTest {
     assertTrue(
         found
             .message()
-            .contains("9 of 21 standard faults of 'Warner' and 'Brake', which count for the bound"),
+            .contains("9 of 21 standard faults of 'Warner' and 'Brake' that count for the bound:"),
         found.message());
     reactions.addAll(reactions("Brake", 5, 5));
     assertTrue(strength(both, Set.of("/warning", "/brake"), reactions).findings().isEmpty());
@@ -120,7 +120,12 @@ class RequirementStrengthTest {
     assertEquals(17, enough.of("BRK-1").orElseThrow().faults());
     reactions.remove(0);
     Diagnostic found = only(strength(alone, Set.of(), reactions));
-    assertTrue(found.message().contains("3 of 7 standard faults of 'Brake', which counts"));
+    assertTrue(
+        found
+            .message()
+            .contains(
+                "3 of 7 standard faults of 'Brake' that count for the bound, without 9 of outputs that other requirements judge: 42.9 %"),
+        found.message());
   }
 
   /** The components that count for a bound are in the results, and so is that no fault counts. */
