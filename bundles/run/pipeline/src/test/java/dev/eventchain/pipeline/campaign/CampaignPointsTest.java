@@ -140,6 +140,26 @@ class CampaignPointsTest {
     assertTrue(json.at("/cases/0/most").isMissingNode(), json::toString);
   }
 
+  /** A case to which a named criterion is not given would keep its points, whatever it fails. */
+  @Test
+  void aCaseWithoutANamedCriterionDependsOnAllThatItHas() throws IOException {
+    CampaignPlan plan =
+        plan(
+            "{source: Protocol 1, most: 2, at_impact: if impact < half then 0.5 else 0,"
+                + " criteria: [another one]}");
+    List<CampaignRow> rows =
+        List.of(
+            judged(10, Label.FAILED, 0, Label.FAILED),
+            judged(20, Label.PASSED, 0, Label.PASSED),
+            judged(30, Label.FAILED, 9, Label.PASSED));
+    assertEquals(
+        List.of(
+            "points: 0 of 2 (Protocol 1)",
+            "points: 2 of 2 (Protocol 1)",
+            "points: 1 of 2 (Protocol 1)"),
+        new CampaignSummary(plan, rows).trials().stream().map(Trial::text).toList());
+  }
+
   private static CampaignRow judged(double value, Label label, double kmh, Label named) {
     CampaignRow row = row(value, label, kmh);
     CriterionMargin criterion =

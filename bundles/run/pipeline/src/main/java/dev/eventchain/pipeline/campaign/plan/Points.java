@@ -23,7 +23,7 @@ import java.util.TreeSet;
  * @param most the points of a case that passed without an impact
  * @param share the part of them for an impact, from 0 to 1; empty if there are none
  * @param criteria beginnings of the texts of the criteria on which points depend besides impacts;
- *     empty if they depend on all, as long as there is no impact
+ *     those of a case that has none of them depend on all, as long as there is no impact
  * @param counted true of the cases that the protocol has
  */
 public record Points(
@@ -98,18 +98,19 @@ public record Points(
 
   /**
    * Returns the points that the criteria leave of those for an impact or for none: 0 if one of
-   * those on which they depend failed, and empty if none did and one was not tested.
+   * those on which they depend failed, and empty if none did and one was not tested. Those of a
+   * case that has none of these depend on all that it has.
    */
   private OptionalDouble kept(CaseResult result, double points) {
-    if (criteria.isEmpty()) {
-      boolean isKept = result.label() == Label.PASSED || result.impactSpeed().isPresent();
-      return OptionalDouble.of(isKept ? points : 0.0);
-    }
     List<Label> labels =
         result.criteria().stream()
             .filter(each -> criteria.stream().anyMatch(each.name()::startsWith))
             .map(CriterionMargin::label)
             .toList();
+    if (labels.isEmpty()) {
+      boolean isKept = result.label() == Label.PASSED || result.impactSpeed().isPresent();
+      return OptionalDouble.of(isKept ? points : 0.0);
+    }
     if (labels.contains(Label.FAILED) || points == 0.0) {
       return OptionalDouble.of(0.0);
     }
