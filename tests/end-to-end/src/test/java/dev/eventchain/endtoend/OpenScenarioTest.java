@@ -241,6 +241,19 @@ class OpenScenarioTest {
   /** As above. */
   @InTurn
   @Test
+  void theSuiteOfEuroNcapHasPedestriansAndBicyclists() {
+    simulate("--suite", "euro-ncap-2023-vru")
+        .expect(1)
+        .says("euro-ncap-2023-vru-cpna: 22 cases: 9 passed, 13 failed")
+        .says("euro-ncap-2023-vru-cpla: 9 cases: 9 passed")
+        .says("euro-ncap-2023-vru-cbna: 11 cases: 0 passed, 11 failed")
+        .says("euro-ncap-2023-vru-cbla: 8 cases: 8 passed")
+        .says("euro-ncap-2023-vru-beside_bicycle: 6 cases: 6 passed");
+  }
+
+  /** As above. */
+  @InTurn
+  @Test
   void theSuiteOfEuroNcapCountsPoints() {
     simulate("--suite", "euro-ncap-2023-c2c")
         .expect(1)

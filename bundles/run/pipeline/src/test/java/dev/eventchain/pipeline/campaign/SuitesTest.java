@@ -30,6 +30,7 @@ class SuitesTest {
     assertEquals(
         List.of(
             "euro-ncap-2023-c2c",
+            "euro-ncap-2023-vru",
             "euro-ncap-2026-ccr",
             "un-r152",
             "un-r152-pedestrian",
@@ -64,7 +65,7 @@ class SuitesTest {
       assertTrue(
           list.text().contains(suite.cases() + " cases  " + suite.source() + "\n"), list::text);
     }
-    Suites.Listing.Part first = list.suites().get(3).campaigns().get(0);
+    Suites.Listing.Part first = list.suites().get(4).campaigns().get(0);
     assertEquals(new Suites.Listing.Part("crossing", "crossing.yaml", 9), first);
     assertTrue(list.json().contains("\"campaigns\": ["), list.json());
   }
@@ -88,7 +89,13 @@ class SuitesTest {
   /** A function that always brakes avoids all impacts, and never has the speed of a test. */
   @ParameterizedTest
   @ValueSource(
-      strings = {"euro-ncap-2023-c2c", "euro-ncap-2026-ccr", "un-r152", "un-r152-pedestrian"})
+      strings = {
+        "euro-ncap-2023-c2c",
+        "euro-ncap-2023-vru",
+        "euro-ncap-2026-ccr",
+        "un-r152",
+        "un-r152-pedestrian"
+      })
   void casesInWhichTheVehicleShallBrakeAreAtTheSpeedOfTheTest(String name) {
     for (CampaignPlan plan : CampaignReader.read(Suites.file(name, folder))) {
       Scenario scenario = Scenario.read(plan.scenarioFile().orElseThrow(), Bench.carla());

@@ -1,0 +1,95 @@
+package dev.eventchain.pipeline.campaign;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import dev.eventchain.pipeline.campaign.plan.CampaignCase;
+import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
+import dev.eventchain.pipeline.campaign.plan.CampaignReader;
+import dev.eventchain.pipeline.campaign.plan.CaseList;
+import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.world.Actor;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.ToDoubleFunction;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests where a car that does not brake would meet the others in cases of Euro NCAP's suites. */
+class ProtocolGeometryTest {
+
+  private static final double WIDTH = 1.8;
+  private static final double CLOSE = 0.01;
+
+  /** The time at which they meet in {@code euro-ncap-2023-vru}, in s. */
+  private static final double VULNERABLE = 6;
+
+  /** The same for cars that stand or are slower, in {@code euro-ncap-2026-ccr}. */
+  private static final double CARS = 5;
+
+  /** The distance of the point that is met from the middle of a pedestrian, backwards, in m. */
+  private static final double HIP = 0.06;
+
+  /** The distance of a bicycle's crank from its middle, forwards, in m. */
+  private static final double CRANK = 0.015;
+
+  @TempDir Path folder;
+
+  /**
+   * Asserts that the car reaches the other one at a time, and where.
+   *
+   * @param point the point to meet, from the middle of the other one to its front, in m
+   * @param across its position left of the car's middle, by the values of a case, in m
+   */
+  private void assertMet(
+      String suite, String part, double time, double point, ToDoubleFunction<CampaignCase> across) {
+    Path file = Suites.file(suite, folder);
+    CampaignPlan plan =
+        CampaignReader.read(file).stream()
+            .filter(each -> each.part().equals(Optional.of(part)))
+            .findFirst()
+            .orElseThrow();
+    Bench bench = Bench.carla();
+    CampaignWorld world =
+        new CampaignWorld(
+            bench, text -> bench, Optional.empty(), List.of(), file.resolveSibling("scenarios"));
+    ScenarioTemplate template =
+        new ScenarioTemplate(world, plan, plan.scenarioFile().orElseThrow());
+    List<CampaignCase> cases = new CaseList(plan).cases();
+    assertFalse(cases.isEmpty());
+    for (CampaignCase each : cases) {
+      Actor other = template.of(each).scenario().situation().actors().get(0);
+      double speed = each.values().get(0).doubleValue() / 3.6;
+      String words = part + " " + each.words(plan);
+      assertEquals(speed * time, other.rear(time), CLOSE, words);
+      double met = other.across(time) + point * Math.sin(other.direction());
+      assertEquals(across.applyAsDouble(each), met, CLOSE, words);
+    }
+  }
+
+  private static double part(CampaignCase each) {
+    return WIDTH * (each.values().get(1).doubleValue() - 50) / 100;
+  }
+
+  @Test
+  void pedestriansAreMetWithThePartOfTheWidthThatTheProtocolSays() {
+    // Seen from the right, from where they come.
+    assertMet("euro-ncap-2023-vru", "cpna", VULNERABLE, -HIP, ProtocolGeometryTest::part);
+    assertMet("euro-ncap-2023-vru", "cpfa", VULNERABLE, -HIP, each -> 0);
+    assertMet("euro-ncap-2023-vru", "cpla", VULNERABLE, 0, each -> 0);
+  }
+
+  @Test
+  void bicyclistsAreMetInTheMiddle() {
+    assertMet("euro-ncap-2023-vru", "cbna", VULNERABLE, CRANK, each -> 0);
+    assertMet("euro-ncap-2023-vru", "cbfa", VULNERABLE, CRANK, each -> 0);
+    assertMet("euro-ncap-2023-vru", "cbla", VULNERABLE, 0, each -> 0);
+  }
+
+  @Test
+  void slowerCarsAreMetWithThePartOfTheWidthThatTheProtocolSays() {
+    assertMet("euro-ncap-2026-ccr", "ccrs", CARS, 0, ProtocolGeometryTest::part);
+    assertMet("euro-ncap-2026-ccr", "ccrm", CARS, 0, ProtocolGeometryTest::part);
+  }
+}
