@@ -25,9 +25,17 @@ class InitWorkspaceTest {
 
   @Test
   void aWorkspaceIsAProjectThatValidatesOnceItsTopicsAreKnown() throws IOException {
+    Path workspace = folder.resolve("ws");
+    Projects.copy(WORKSPACE, workspace);
+    Path nodes = workspace.resolve("src/braking/braking/nodes.py");
+    String parameter = "self.declare_parameter(\"topic\")";
+    Files.writeString(
+        nodes,
+        Files.readString(nodes)
+            .replace("self.declare_parameter(\"topic\", \"/warning\")", parameter));
     Path project = folder.resolve("aeb");
     new Program()
-        .run("init", project, "--from-workspace", WORKSPACE)
+        .run("init", project, "--from-workspace", workspace)
         .expect(0)
         .says("software-base/msg/demo_msgs/msg/Threat.msg")
         .says("src/braking/braking/nodes.py:40: What is the topic of this publisher");
@@ -36,13 +44,8 @@ class InitWorkspaceTest {
         .expect(1)
         .says("SoftwareNode 'Warning' violates 'HasInputAndOutputData'")
         .says("[project.question]");
-    Path workspace = folder.resolve("ws");
-    Projects.copy(WORKSPACE, workspace);
-    Path nodes = workspace.resolve("src/braking/braking/nodes.py");
-    String parameter = "self.declare_parameter(\"topic\", \"/warning\").value";
-    Files.writeString(nodes, Files.readString(nodes).replace(parameter, "\"/warning\""));
     Path known = folder.resolve("known");
-    new Program().run("init", known, "--from-workspace", workspace).expect(0);
+    new Program().run("init", known, "--from-workspace", WORKSPACE).expect(0);
     new Program().run("validate", known).expect(0).says("How often does Warning act?");
     new Program().run("run", known, "--no-strength").expect(1).says("passed  stopped-vehicle");
     argumentsDecide(known);

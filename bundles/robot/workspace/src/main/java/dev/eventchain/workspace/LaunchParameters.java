@@ -7,18 +7,22 @@ import com.fasterxml.jackson.databind.node.BooleanNode;
 import com.fasterxml.jackson.databind.node.DoubleNode;
 import com.fasterxml.jackson.databind.node.LongNode;
 import com.fasterxml.jackson.databind.node.TextNode;
-import java.util.LinkedHashMap;
-import java.util.Map;
+import dev.eventchain.diagnostics.SourceText;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
-import java.util.function.Consumer;
+import java.util.Set;
 import java.util.function.Function;
 import java.util.regex.Pattern;
 
-/** Parameters that a launch file gives a node: those with a name and a value. */
+/** Parameters that launch files give nodes: values, and files of them. */
 final class LaunchParameters {
 
   /** The parameter by which a node is told to use simulated time, as a host does anyway. */
   static final String SIMULATED = "use_sim_time";
+
+  /** The end of a question about parameters. */
+  static final String SAY = "'parameters' of its node in components.json say them.";
 
   private static final ObjectMapper JSON = new ObjectMapper();
 
@@ -29,43 +33,129 @@ final class LaunchParameters {
               + "|[-+]?0[0-9xob_].*|[-+]?[0-9][0-9_:]*[_:][0-9_:.]*",
           Pattern.DOTALL);
 
-  private static final String SAY = "'parameters' of its node in components.json say them.";
+  private static final Set<String> KNOWN =
+      Set.of("name", "value", "json", "type", "from", "filename", "allow_substs", "text");
 
-  private LaunchParameters() {}
+  private final Function<String, Optional<String>> substituted;
+  private final Function<LaunchElement, Optional<SourceText>> files;
+  private final List<OpenQuestion> questions;
 
   /**
-   * Returns the values of the parameters of a node, by their names.
+   * Creates a reader.
    *
-   * @param value the text of a value with its variables; empty if it is not known
-   * @param ask receives questions
+   * @param substituted returns a text with its variables; empty if one is not known
+   * @param files returns the file that an element names; empty if it is not in the workspace
+   * @param questions receives what is not known
    */
-  static Map<String, JsonNode> of(
-      LaunchElement node, Function<LaunchElement, Optional<String>> value, Consumer<String> ask) {
-    Map<String, JsonNode> found = new LinkedHashMap<>();
+  LaunchParameters(
+      Function<String, Optional<String>> substituted,
+      Function<LaunchElement, Optional<SourceText>> files,
+      List<OpenQuestion> questions) {
+    this.substituted = substituted;
+    this.files = files;
+    this.questions = questions;
+  }
+
+  /**
+   * Returns what the children of the element of a node assign, in their order.
+   *
+   * @param nodes the name of the node for values that are not in files
+   */
+  List<ParameterAssignment> of(LaunchElement node, String nodes) {
+    List<ParameterAssignment> found = new ArrayList<>();
     for (LaunchElement each : node.children("param")) {
-      Optional<String> name = attribute(each, "name");
-      Optional<JsonNode> known =
-          attribute(each, "json")
-              .map(LaunchParameters::json)
-              .or(() -> value.apply(each).flatMap(LaunchParameters::inferred));
-      if (name.isPresent() && known.isPresent()) {
-        if (!name.get().equals(SIMULATED)) {
-          found.put(name.get(), known.get());
-        }
-      } else if (each.attributes().containsKey("from")) {
-        String file = attribute(each, "from").map(it -> " '" + it + "'").orElse("");
-        ask.accept("Which parameters does the file" + file + " give this node? " + SAY);
+      if (each.attributes().containsKey("from")) {
+        found.addAll(file(each, node));
       } else {
-        String which =
-            name.map(it -> "What is the parameter '" + it + "' of").orElse("Which parameters has");
-        ask.accept(which + " this node? " + SAY);
+        value(each, "", nodes, node, found);
       }
     }
     return found;
   }
 
+  /** Returns what an element that sets a parameter of all later nodes assigns. */
+  List<ParameterAssignment> ofAll(LaunchElement element) {
+    if (element.kind().equals("set_parameters_from_file")) {
+      return file(element, element);
+    }
+    List<ParameterAssignment> found = new ArrayList<>();
+    value(element, "", ParameterAssignment.ALL, element, found);
+    return found;
+  }
+
+  private List<ParameterAssignment> file(LaunchElement element, LaunchElement place) {
+    Optional<SourceText> file = files.apply(element);
+    Optional<String> substitutes =
+        element.attributes().getOrDefault("allow_substs", Optional.of("false"));
+    if (substitutes.filter(it -> !it.equalsIgnoreCase("false")).isPresent()) {
+      file =
+          file.flatMap(
+              it -> substituted.apply(it.text()).map(text -> SourceText.of(it.name(), text)));
+    }
+    if (file.isPresent() && substitutes.isPresent()) {
+      return ParameterFile.read(file.get(), questions);
+    }
+    String named = attribute(element, "from").or(() -> attribute(element, "filename")).orElse("");
+    String which = named.isEmpty() ? "" : " '" + named + "'";
+    ask(place, "Which parameters does the file" + which + " give this node? " + SAY);
+    return List.of(ParameterAssignment.unknown());
+  }
+
+  private void value(
+      LaunchElement element,
+      String above,
+      String nodes,
+      LaunchElement place,
+      List<ParameterAssignment> found) {
+    Optional<String> name = attribute(element, "name").flatMap(substituted).map(above::concat);
+    List<LaunchElement> inner = element.children("param");
+    if (name.isEmpty()) {
+      ask(place, "Which parameters has this node? " + SAY);
+      found.add(ParameterAssignment.unknown());
+    } else if (!inner.isEmpty()) {
+      inner.forEach(each -> value(each, name.get() + ".", nodes, place, found));
+    } else {
+      Optional<JsonNode> value = value(element);
+      if (value.isEmpty() && !name.get().equals(SIMULATED)) {
+        ask(place, "What is the parameter '" + name.get() + "' of this node? " + SAY);
+      }
+      found.add(new ParameterAssignment(nodes, name.get(), value));
+    }
+  }
+
+  private Optional<JsonNode> value(LaunchElement element) {
+    if (!KNOWN.containsAll(element.attributes().keySet())) {
+      return Optional.empty();
+    }
+    Optional<JsonNode> stated = attribute(element, "json").map(LaunchParameters::json);
+    Optional<String> text = attribute(element, "value").flatMap(substituted);
+    if (stated.isPresent() || !element.attributes().containsKey("type")) {
+      return stated.or(() -> text.flatMap(LaunchParameters::inferred));
+    }
+    return text.flatMap(it -> typed(it, attribute(element, "type").orElse("")));
+  }
+
+  /** Returns a value of a stated type; empty if that is not known, or the text is of another. */
+  private static Optional<JsonNode> typed(String text, String type) {
+    if (type.equals("str")) {
+      return Optional.of(TextNode.valueOf(text));
+    }
+    Optional<JsonNode> value = inferred(text);
+    return switch (type) {
+      case "float" ->
+          value.filter(JsonNode::isNumber).map(it -> DoubleNode.valueOf(it.doubleValue()));
+      case "int" -> value.filter(JsonNode::isIntegralNumber);
+      case "bool" -> value.filter(JsonNode::isBoolean);
+      default -> Optional.empty();
+    };
+  }
+
   private static Optional<String> attribute(LaunchElement element, String name) {
     return element.attributes().getOrDefault(name, Optional.empty());
+  }
+
+  private void ask(LaunchElement element, String text) {
+    questions.add(new OpenQuestion(text, element.file(), element.line()));
   }
 
   private static JsonNode json(String text) {

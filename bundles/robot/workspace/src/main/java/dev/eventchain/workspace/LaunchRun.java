@@ -1,6 +1,6 @@
 package dev.eventchain.workspace;
 
-import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.SourceText;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -20,6 +21,14 @@ final class LaunchRun {
   private static final Pattern SHARE =
       Pattern.compile("\\$\\(find-pkg-share '?([^)' ]+)'?\\)/+(.+)");
   private static final Pattern HERE = Pattern.compile("\\$\\(dirname\\)/+(.+)");
+
+  /** Attributes with the arguments of a node. */
+  private static final List<String> ARGUMENTS = List.of("args", "ros_args");
+
+  private static final Pattern ASSIGNS = Pattern.compile("(^|\\s)(-p|--param\\S*)(\\s|$)");
+  private static final Pattern WITHOUT_EFFECT =
+      Pattern.compile("\\s*(--ros-args\\s*)?(--log-level\\s+\\S+\\s*)*(--\\s*)?");
+
   private static final Set<String> WITHOUT_NODES =
       Set.of("log", "set_env", "unset_env", "ignored", "param", "remap");
 
@@ -29,7 +38,7 @@ final class LaunchRun {
    * @param owner the package that has the executable
    * @param name that it is given; empty for its own
    * @param isNameUnknown whether it is given one that is not known
-   * @param parameters values of its parameters, by their names, as far as they are known
+   * @param parameters what is assigned to its parameters, in the order in which launch gives it
    */
   record Started(
       String owner,
@@ -38,14 +47,21 @@ final class LaunchRun {
       boolean isNameUnknown,
       Optional<String> namespace,
       List<TopicNames.Remap> remaps,
-      Map<String, JsonNode> parameters,
+      List<ParameterAssignment> parameters,
       String file,
       int line) {}
 
   /**
-   * Elements of all launch files by their names, and folders of packages, both in the workspace.
+   * What launch files refer to.
+   *
+   * @param files elements of all launch files by their names in the workspace
+   * @param packages the folders of packages in the workspace, by the names of packages
+   * @param texts returns the text of a file by its name in the workspace
    */
-  record Sources(Map<String, List<LaunchElement>> files, Map<String, String> packages) {}
+  record Sources(
+      Map<String, List<LaunchElement>> files,
+      Map<String, String> packages,
+      Function<String, Optional<SourceText>> texts) {}
 
   private static final class Scope {
     final Map<String, String> variables;
@@ -56,14 +72,36 @@ final class LaunchRun {
     final List<TopicNames.Remap> remaps;
     Optional<String> namespace;
 
-    Scope(Map<String, String> variables, List<TopicNames.Remap> remaps, Optional<String> space) {
+    /** What is assigned to the parameters of all later nodes. */
+    final List<ParameterAssignment> parameters;
+
+    Scope() {
+      this(Map.of(), List.of(), Optional.of("/"), new ArrayList<>());
+    }
+
+    private Scope(
+        Map<String, String> variables,
+        List<TopicNames.Remap> remaps,
+        Optional<String> space,
+        List<ParameterAssignment> parameters) {
       this.variables = new HashMap<>(variables);
       this.remaps = new ArrayList<>(remaps);
       this.namespace = space;
+      this.parameters = parameters;
     }
 
+    /** Returns the scope of a group, which keeps what it changes. */
     Scope inner() {
-      Scope inner = new Scope(variables, remaps, namespace);
+      return inner(new ArrayList<>(parameters));
+    }
+
+    /** Returns the scope of an included file; the parameters that it sets stay set behind it. */
+    Scope included() {
+      return inner(parameters);
+    }
+
+    private Scope inner(List<ParameterAssignment> set) {
+      Scope inner = new Scope(variables, remaps, namespace, set);
       inner.fallbacks.putAll(fallbacks);
       return inner;
     }
@@ -86,7 +124,7 @@ final class LaunchRun {
    */
   static List<Started> of(String file, Sources sources, List<OpenQuestion> questions) {
     LaunchRun run = new LaunchRun(sources, questions);
-    run.file(file, new Scope(Map.of(), List.of(), Optional.of("/")), 0);
+    run.file(file, new Scope(), 0);
     return run.started;
   }
 
@@ -94,7 +132,7 @@ final class LaunchRun {
   static List<String> roots(Sources sources) {
     LaunchRun run = new LaunchRun(sources, new ArrayList<>());
     for (String file : sources.files().keySet()) {
-      run.file(file, new Scope(Map.of(), List.of(), Optional.of("/")), 0);
+      run.file(file, new Scope(), 0);
     }
     return sources.files().keySet().stream().filter(it -> !run.included.contains(it)).toList();
   }
@@ -112,18 +150,24 @@ final class LaunchRun {
     switch (element.kind()) {
       case "arg" -> argument(element, "default", scope);
       case "fallback" ->
-          text(element, "default", scope)
+          path(element, "default", scope)
               .ifPresent(value -> scope.fallbacks.put(known(element, "name").orElse(""), value));
       case "let" -> variable(element, "value", scope);
       case "push_ros_namespace" -> scope.namespace = namespace(element, scope);
       case "set_remap" -> scope.remaps.addAll(0, remaps(element, List.of(element), scope));
       case "group" -> {
-        Scope inner = scope.inner();
+        if (!text(element, "forwarding", scope).orElse("true").equalsIgnoreCase("true")) {
+          ask(
+              element,
+              "What does this group get of what is set around it? It is taken to get all.");
+        }
+        Scope inner = isScoped(element, scope) ? scope.inner() : scope;
         element.children().forEach(child -> element(child, inner, depth));
       }
       case "include" -> include(element, scope, depth);
       case "node" -> node(element, scope);
-      case "set_parameter" -> parameter(element);
+      case "set_parameter", "set_parameters_from_file" ->
+          scope.parameters.addAll(parameters(scope).ofAll(element));
       default -> {
         if (!WITHOUT_NODES.contains(element.kind())) {
           String reason = known(element, "text").orElse("'" + element.kind() + "' is not read");
@@ -140,7 +184,7 @@ final class LaunchRun {
   }
 
   private void variable(LaunchElement element, String attribute, Scope scope) {
-    Optional<String> value = text(element, attribute, scope);
+    Optional<String> value = path(element, attribute, scope);
     known(element, "name")
         .ifPresent(name -> value.ifPresent(known -> scope.variables.put(name, known)));
   }
@@ -162,19 +206,22 @@ final class LaunchRun {
   }
 
   private void include(LaunchElement element, Scope scope, int depth) {
-    Optional<String> file = text(element, "file", scope).flatMap(it -> located(it, element.file()));
+    Optional<String> file =
+        path(element, "file", scope)
+            .flatMap(it -> located(it, element.file()))
+            .filter(sources.files()::containsKey);
     if (file.isEmpty() || depth > DEEPEST) {
       ask(element, "Which nodes does the included launch file start? It is not in the workspace.");
       return;
     }
     included.add(file.get());
-    Scope inner = scope.inner();
+    Scope inner = scope.included();
     element.children("arg").forEach(child -> variable(child, "value", inner));
     element.children("let").forEach(child -> variable(child, "value", inner));
     file(file.get(), inner, depth + 1);
   }
 
-  /** Returns the name in the workspace of a launch file. */
+  /** Returns the name in the workspace of a file that launch names. */
   private Optional<String> located(String path, String from) {
     Matcher share = SHARE.matcher(path);
     Matcher here = HERE.matcher(path);
@@ -187,7 +234,19 @@ final class LaunchRun {
     } else if (here.matches()) {
       found = Optional.of(Path.of(from).resolveSibling(here.group(1)).normalize().toString());
     }
-    return found.filter(sources.files()::containsKey);
+    return found;
+  }
+
+  private LaunchParameters parameters(Scope scope) {
+    return new LaunchParameters(
+        text -> text(text, scope).filter(LaunchRun::isComplete),
+        element -> {
+          String attribute = element.attributes().containsKey("from") ? "from" : "filename";
+          return path(element, attribute, scope)
+              .flatMap(it -> located(it, element.file()))
+              .flatMap(sources.texts());
+        },
+        questions);
   }
 
   private void node(LaunchElement element, Scope scope) {
@@ -205,28 +264,72 @@ final class LaunchRun {
     List<TopicNames.Remap> remaps =
         new ArrayList<>(remaps(element, element.children("remap"), scope));
     remaps.addAll(scope.remaps);
+    Optional<String> namespace = namespace(element, scope);
     started.add(
         new Started(
             owner.get(),
             executable.get(),
             name,
             unknown,
-            namespace(element, scope),
+            namespace,
             remaps,
-            LaunchParameters.of(
-                element, child -> text(child, "value", scope), question -> ask(element, question)),
+            parameters(element, scope, name, namespace),
             element.file(),
             element.line()));
+    arguments(element, owner.get(), scope);
   }
 
-  private void parameter(LaunchElement element) {
-    String name = known(element, "name").orElse("");
-    if (!name.equals(LaunchParameters.SIMULATED)) {
-      ask(
-          element,
-          "Which nodes get the parameter '%s'? 'parameters' of each in components.json say it."
-              .formatted(name));
+  /** Returns what is assigned to the parameters of a node: to all nodes, then to itself. */
+  private List<ParameterAssignment> parameters(
+      LaunchElement element, Scope scope, Optional<String> name, Optional<String> namespace) {
+    boolean isNamed =
+        name.isPresent()
+            && (element.attributes().containsKey("namespace")
+                || !namespace.equals(Optional.of("/")));
+    String nodes =
+        isNamed
+            ? namespace.map(it -> TopicNames.join(it, name.get())).orElse(ParameterAssignment.ALL)
+            : ParameterAssignment.ALL;
+    List<ParameterAssignment> all = new ArrayList<>(scope.parameters);
+    all.addAll(parameters(scope).of(element, nodes));
+    if (mayAssign(element, scope)) {
+      all.add(ParameterAssignment.unknown());
     }
+    return all;
+  }
+
+  /** Returns whether the arguments of a node may give it parameters. */
+  private static boolean mayAssign(LaunchElement element, Scope scope) {
+    return ARGUMENTS.stream()
+        .filter(element.attributes()::containsKey)
+        .map(attribute -> text(element, attribute, scope))
+        .anyMatch(it -> it.isEmpty() || ASSIGNS.matcher(it.get()).find());
+  }
+
+  /** Asks about arguments of a node of the workspace, which a host does not give it. */
+  private void arguments(LaunchElement element, String owner, Scope scope) {
+    for (String attribute : ARGUMENTS) {
+      Optional<String> given = text(element, attribute, scope);
+      boolean isPlain = given.filter(it -> WITHOUT_EFFECT.matcher(it).matches()).isPresent();
+      if (element.attributes().containsKey(attribute)
+          && !isPlain
+          && sources.packages().containsKey(owner)) {
+        String which = given.map(it -> " '" + it.strip() + "'").orElse("");
+        ask(element, "What do the arguments" + which + " change of this node? It gets none.");
+      }
+    }
+  }
+
+  /** Returns whether a group keeps what it changes, which it does unless it says otherwise. */
+  private boolean isScoped(LaunchElement element, Scope scope) {
+    if (!element.attributes().containsKey("scoped")) {
+      return true;
+    }
+    Optional<String> scoped = text(element, "scoped", scope);
+    if (scoped.filter(it -> it.matches("(?i:true|false)")).isEmpty()) {
+      ask(element, "Does this group keep its namespace, remappings and parameters to itself?");
+    }
+    return scoped.filter(it -> it.equalsIgnoreCase("false")).isEmpty();
   }
 
   private List<TopicNames.Remap> remaps(
@@ -251,23 +354,30 @@ final class LaunchRun {
 
   /** Returns the value of an attribute with its variables; empty if it is not known. */
   private static Optional<String> text(LaunchElement element, String attribute, Scope scope) {
-    return known(element, attribute)
-        .flatMap(
-            written -> {
-              StringBuilder text = new StringBuilder();
-              Matcher found = VARIABLE.matcher(written);
-              while (found.find()) {
-                String name = found.group(1);
-                String value = scope.variables.getOrDefault(name, scope.fallbacks.get(name));
-                if (value == null) {
-                  return Optional.empty();
-                }
-                found.appendReplacement(text, Matcher.quoteReplacement(value));
-              }
-              String value = found.appendTail(text).toString();
-              boolean open = value.contains("$(") && !attribute.equals("file");
-              return open ? Optional.empty() : Optional.of(value);
-            });
+    return path(element, attribute, scope).filter(LaunchRun::isComplete);
+  }
+
+  private static boolean isComplete(String text) {
+    return !text.contains("$(");
+  }
+
+  /** Returns the value of an attribute likewise, which may begin with the folder of a package. */
+  private static Optional<String> path(LaunchElement element, String attribute, Scope scope) {
+    return known(element, attribute).flatMap(written -> text(written, scope));
+  }
+
+  private static Optional<String> text(String written, Scope scope) {
+    StringBuilder text = new StringBuilder();
+    Matcher found = VARIABLE.matcher(written);
+    while (found.find()) {
+      String name = found.group(1);
+      String value = scope.variables.getOrDefault(name, scope.fallbacks.get(name));
+      if (value == null) {
+        return Optional.empty();
+      }
+      found.appendReplacement(text, Matcher.quoteReplacement(value));
+    }
+    return Optional.of(found.appendTail(text).toString());
   }
 
   private void ask(LaunchElement element, String text) {

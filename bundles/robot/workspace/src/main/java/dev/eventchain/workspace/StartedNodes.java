@@ -1,14 +1,18 @@
 package dev.eventchain.workspace;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.messages.QosSettings;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.StreamSupport;
@@ -18,6 +22,7 @@ final class StartedNodes {
 
   private final JsonNode facts;
   private final Set<String> packages;
+  private final Function<ArrayNode, JsonNode> reader;
   private final List<OpenQuestion> questions;
   private final Set<Integer> asked = new LinkedHashSet<>();
 
@@ -26,13 +31,27 @@ final class StartedNodes {
    *
    * @param facts what the reader of sources says
    * @param packages the names of the packages of the workspace
+   * @param reader reads the sources again, with parameters of some nodes
    * @param questions receives what is not known
    */
-  StartedNodes(JsonNode facts, Set<String> packages, List<OpenQuestion> questions) {
+  StartedNodes(
+      JsonNode facts,
+      Set<String> packages,
+      Function<ArrayNode, JsonNode> reader,
+      List<OpenQuestion> questions) {
     this.facts = facts;
     this.packages = packages;
+    this.reader = reader;
     this.questions = questions;
   }
+
+  /**
+   * A node of a launch file.
+   *
+   * @param number that of its class, as it is made
+   */
+  private record Launched(
+      int number, LaunchRun.Started started, Optional<String> name, GivenParameters parameters) {}
 
   /** Returns the numbers of the nodes of all executables. */
   private Set<Integer> executable() {
@@ -66,14 +85,16 @@ final class StartedNodes {
     List<FoundNode> found = new ArrayList<>();
     for (int number : executable()) {
       JsonNode node = facts.path("nodes").path(number);
-      found.add(node(number, text(node, "name"), Optional.of("/"), List.of(), Map.of()));
+      asked.add(number);
+      TopicNames names = names(node, text(node, "name"), Optional.of("/"), List.of());
+      found.add(node(node, names, GivenParameters.NONE));
     }
     return found;
   }
 
   /** Returns the nodes that a launch file starts. */
   List<FoundNode> launched(List<LaunchRun.Started> all) {
-    List<FoundNode> found = new ArrayList<>();
+    List<Launched> launched = new ArrayList<>();
     for (LaunchRun.Started started : all) {
       List<Integer> numbers = nodesOf(started);
       if (numbers.isEmpty()) {
@@ -87,13 +108,61 @@ final class StartedNodes {
             started.line());
       }
       for (int number : numbers) {
-        Optional<String> own = text(facts.path("nodes").path(number), "name");
-        Optional<String> name =
-            started.isNameUnknown() ? Optional.empty() : started.name().or(() -> own);
-        found.add(node(number, name, started.namespace(), started.remaps(), started.parameters()));
+        asked.add(number);
+        launched.add(launched(number, started));
       }
     }
+    List<JsonNode> read = withParameters(launched);
+    List<FoundNode> found = new ArrayList<>();
+    for (int i = 0; i < launched.size(); i++) {
+      LaunchRun.Started started = launched.get(i).started();
+      TopicNames names =
+          names(read.get(i), launched.get(i).name(), started.namespace(), started.remaps());
+      found.add(node(read.get(i), names, launched.get(i).parameters()));
+    }
     return found;
+  }
+
+  private Launched launched(int number, LaunchRun.Started started) {
+    JsonNode node = facts.path("nodes").path(number);
+    Optional<String> name =
+        started.isNameUnknown() ? Optional.empty() : started.name().or(() -> text(node, "name"));
+    Optional<String> space = names(node, name, started.namespace(), List.of()).namespace();
+    Optional<String> full = space.flatMap(it -> name.map(simple -> TopicNames.join(it, simple)));
+    GivenParameters parameters =
+        GivenParameters.of(
+            started.parameters(), full, text -> ask(text, started.file(), started.line()));
+    return new Launched(number, started, name, parameters);
+  }
+
+  /** Returns what is known of nodes, with the parameters on which it depends. */
+  private List<JsonNode> withParameters(List<Launched> launched) {
+    ArrayNode again = JsonNodeFactory.instance.arrayNode();
+    List<JsonNode> found = new ArrayList<>();
+    List<Integer> places = new ArrayList<>();
+    for (Launched each : launched) {
+      JsonNode node = facts.path("nodes").path(each.number());
+      Set<String> read = new TreeSet<>();
+      node.path("reads").forEach(name -> read.add(name.asText()));
+      if (each.parameters().concerns(read)) {
+        places.add(found.size());
+        again.add(request(each));
+      }
+      found.add(node);
+    }
+    JsonNode nodes = again.isEmpty() ? again : reader.apply(again).path("again");
+    for (int i = 0; i < places.size(); i++) {
+      found.set(places.get(i), nodes.path(i));
+    }
+    return found;
+  }
+
+  private static ObjectNode request(Launched launched) {
+    GivenParameters given = launched.parameters();
+    ObjectNode request = JsonNodeFactory.instance.objectNode().put("node", launched.number());
+    request.putObject("values").setAll(given.values());
+    given.unknown().forEach(request.putArray("unknown")::add);
+    return request.put("open", given.isOpen());
   }
 
   private List<Integer> nodesOf(LaunchRun.Started started) {
@@ -107,31 +176,31 @@ final class StartedNodes {
     return found;
   }
 
-  private FoundNode node(
-      int number,
+  /** Returns the names of a node; a namespace of launch takes the place of its own. */
+  private static TopicNames names(
+      JsonNode node,
       Optional<String> name,
       Optional<String> launched,
-      List<TopicNames.Remap> remaps,
-      Map<String, JsonNode> parameters) {
-    JsonNode node = facts.path("nodes").path(number);
-    if (asked.add(number)) {
-      node.path("questions").forEach(each -> ask(OpenQuestion.of(each)));
-    }
+      List<TopicNames.Remap> remaps) {
     String own = node.path("namespace").asText();
     Optional<String> namespace =
         launched
             .filter(space -> own.isEmpty() || !space.equals("/"))
             .or(() -> launched.map(space -> TopicNames.join(space, own)));
-    TopicNames names = new TopicNames(namespace, name, remaps);
+    return new TopicNames(namespace, name, remaps);
+  }
+
+  private FoundNode node(JsonNode node, TopicNames names, GivenParameters parameters) {
+    node.path("questions").forEach(each -> ask(OpenQuestion.of(each)));
     List<FoundEndpoint> endpoints = new ArrayList<>();
     for (JsonNode endpoint : node.path("endpoints")) {
       endpoint(endpoint, names).ifPresent(endpoints::add);
     }
     String file = node.path("file").asText();
     int line = node.path("line").asInt();
-    String simple = name.orElse(node.path("class").asText());
+    String simple = names.name().orElse(node.path("class").asText());
     return new FoundNode(
-        TopicNames.join(namespace.orElse("/"), simple),
+        TopicNames.join(names.namespace().orElse("/"), simple),
         node.path("description").asText(),
         frequency(node, simple),
         List.copyOf(endpoints),
@@ -143,7 +212,7 @@ final class StartedNodes {
 
   /** Returns the class; only what differs from its own name and namespace is given to it. */
   private static Optional<PythonNode> python(
-      JsonNode node, TopicNames names, Map<String, JsonNode> parameters) {
+      JsonNode node, TopicNames names, GivenParameters parameters) {
     String module = node.path("module").asText();
     String name = names.name().filter(it -> !it.equals(node.path("name").asText())).orElse("");
     String namespace = names.namespace().filter(it -> !it.equals("/")).orElse("");
@@ -157,7 +226,7 @@ final class StartedNodes {
                 namespace,
                 names.remappings(),
                 Optional.of(node.path("arguments")).filter(JsonNode::isObject),
-                parameters));
+                parameters.values()));
   }
 
   private Optional<FoundEndpoint> endpoint(JsonNode json, TopicNames names) {

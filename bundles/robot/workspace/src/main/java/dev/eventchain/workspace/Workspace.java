@@ -1,6 +1,7 @@
 package dev.eventchain.workspace;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.FileRules;
@@ -57,12 +58,18 @@ public final class Workspace {
           "Name the folder of a colcon workspace, or one of packages.");
     }
     WorkspaceFiles files = WorkspaceFiles.read(root, folder, questions);
-    JsonNode facts = SourceReader.read(environment, root, files.request());
+    ObjectNode request = files.request();
+    JsonNode facts = SourceReader.read(environment, root, request);
     facts.path("questions").forEach(each -> questions.add(OpenQuestion.of(each)));
     LaunchRun.Sources sources =
-        new LaunchRun.Sources(launchFiles(files, facts), folders(files, folder));
+        new LaunchRun.Sources(launchFiles(files, facts), folders(files, folder), files::named);
     Optional<String> start = launch.map(file -> named(file, sources)).or(() -> only(sources));
-    StartedNodes nodes = new StartedNodes(facts, sources.packages().keySet(), questions);
+    StartedNodes nodes =
+        new StartedNodes(
+            facts,
+            sources.packages().keySet(),
+            again -> SourceReader.read(environment, root, request.set("again", again)),
+            questions);
     List<FoundNode> found =
         start.map(file -> started(file, nodes, sources)).orElseGet(nodes::alone);
     return new FoundSoftware(found, files.modules(found), List.copyOf(questions));

@@ -33,6 +33,7 @@ final class WorkspaceFiles {
   private final RosFolder folder;
   private final List<OpenQuestion> questions;
   private final Map<String, SourceText> declared = new TreeMap<>();
+  private final Map<String, Optional<SourceText>> named = new TreeMap<>();
   private final ArrayNode packages = JSON.createArrayNode();
   private long read;
 
@@ -102,6 +103,13 @@ final class WorkspaceFiles {
   /** Returns the launch files in XML and YAML, by their names. */
   Map<String, SourceText> declared() {
     return declared;
+  }
+
+  /** Returns the text of a file of a package by its name; empty if there is none that is read. */
+  Optional<SourceText> named(String name) {
+    Path file = root.resolve(name).normalize();
+    return named.computeIfAbsent(
+        name, it -> folder.files().contains(file) ? text(file) : Optional.empty());
   }
 
   /** Returns a file's name relative to the workspace. */

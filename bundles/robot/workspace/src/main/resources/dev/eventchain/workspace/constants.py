@@ -8,6 +8,7 @@ import operator
 from collections.abc import Callable
 from typing import NamedTuple
 
+from ros_parameters import Declaration, Given, declarations, parameter_of, sets_parameters, value_of
 from source_modules import Binding, Function, Module, Modules, bindings, fields, is_self_attribute, parameters
 
 _DEEPEST = 40
@@ -49,17 +50,21 @@ class Constants:
     """Folds expressions in the modules of a workspace.
 
     Args:
-        passed: what is known of parameters.
+        passed: what is known of parameters of functions.
+        given: what launch gives the parameters of the node; nothing by default.
 
     """
 
-    def __init__(self, modules: Modules, passed: Passed | None = None) -> None:
+    def __init__(self, modules: Modules, passed: Passed | None = None, given: Given | None = None) -> None:
         self._modules = modules
         self._passed = passed or {}
+        self._given = given or Given({}, frozenset(), False)
+        self.reads: set[str] = set()
+        """The parameters of ROS 2 that were asked for."""
 
-    def with_parameters(self, passed: Passed) -> Constants:
+    def of_node(self, passed: Passed, given: Given | None) -> Constants:
         """Return these constants with what is known of parameters."""
-        return Constants(self._modules, passed)
+        return Constants(self._modules, passed, given)
 
     def data(self, node: ast.expr, place: Place) -> Data:
         """Return the value of an expression, which may be a list or a dictionary of such values, too."""
@@ -139,11 +144,7 @@ class Constants:
     def _call(self, node: ast.Call, place: Place, depth: int) -> Value:
         parameter = parameter_of(node)
         if parameter is not None:
-            try:
-                name = self.text(parameter, place)
-            except UnknownValueError:
-                name = _text(parameter)
-            raise UnknownValueError(f"it is the parameter '{name}'{self._default(name, node, place)}")
+            return self._parameter(parameter, node, place, depth)
         if isinstance(node.func, ast.Name) and len(node.args) == 1 and not node.keywords:
             value = self.value(node.args[0], place, depth + 1)
             if node.func.id == "str":
@@ -152,14 +153,58 @@ class Constants:
                 return float(_number(value))
         raise UnknownValueError(f"it is '{_text(node)}'")
 
-    def _default(self, name: str, read: ast.Call, place: Place) -> str:
-        """Return what is said about the default of a parameter: a clause, or nothing."""
-        trees = [read, *(cls for _, cls in place.classes)]
-        for call in (each for tree in trees for each in ast.walk(tree) if isinstance(each, ast.Call)):
-            declares = isinstance(call.func, ast.Attribute) and call.func.attr == "declare_parameter"
-            if declares and len(call.args) > 1 and ast.unparse(call.args[0]) == repr(name):
-                return f", by default {ast.unparse(call.args[1])}"
-        return ""
+    def _parameter(self, written: ast.expr, read: ast.Call, place: Place, depth: int) -> Value:
+        """Return the value of a parameter of ROS 2: that which launch gives it, or else that of its declaration."""
+        try:
+            name = self.text(written, place)
+        except UnknownValueError:
+            raise UnknownValueError(f"it is the parameter '{_text(written)}'") from None
+        self.reads.add(name)
+        unknown = f"it is the parameter '{name}'"
+        found = [each for each in declarations(place.classes) if self._is_named(each, name, place)]
+        if (isinstance(read.func, ast.Attribute) and read.func.attr == "get_parameter_or") or len(found) != 1:
+            raise UnknownValueError(unknown)
+        if sets_parameters(place.classes):
+            raise UnknownValueError(f"{unknown}, and the node sets parameters itself")
+        if name in self._given.unknown or (self._given.is_open and name not in self._given.values):
+            raise UnknownValueError(f"{unknown}, and what launch gives it is not known")
+        declared = found[0]
+        own = Place(declared.module, place.classes, declared.method)
+        if name not in self._given.values:
+            return self._default(unknown, declared, own, depth)
+        given = self._given.values[name]
+        if not declared.overrides or not isinstance(given, (str, int, float, bool)):
+            raise UnknownValueError(f"{unknown}, and launch gives it {given!r}")
+        self._refuse_other_type(unknown, declared, own, given, depth)
+        return given
+
+    def _default(self, unknown: str, declared: Declaration, own: Place, depth: int) -> Value:
+        if declared.default is None:
+            raise UnknownValueError(f"{unknown}, which nothing sets")
+        try:
+            value = self.value(declared.default, own, depth + 1)
+        except UnknownValueError as problem:
+            raise UnknownValueError(f"{unknown}, and nothing but '{_text(declared.default)}' sets it") from problem
+        if value is None:
+            raise UnknownValueError(f"{unknown}, which nothing sets")
+        return value
+
+    def _refuse_other_type(self, unknown: str, declared: Declaration, own: Place, given: object, depth: int) -> None:
+        """Refuse a value of another type than the default, with which a node does not start."""
+        try:
+            default = self._default(unknown, declared, own, depth)
+        except UnknownValueError:
+            return
+        if type(default) is not type(given):
+            raise UnknownValueError(f"{unknown}, which is {default!r} by default, and launch gives it {given!r}")
+
+    def _is_named(self, declared: Declaration, name: str, place: Place) -> bool:
+        own = Place(declared.module, place.classes, declared.method)
+        try:
+            prefix = self.text(declared.prefix, own) if declared.prefix is not None else ""
+            return name == (f"{prefix}." if prefix else "") + self.text(declared.name, own)
+        except UnknownValueError:
+            return False
 
     def _only(self, found: list[tuple[Binding, Module]], name: str, place: Place) -> tuple[ast.expr, Place]:
         if len(found) != 1:
@@ -203,8 +248,12 @@ class Constants:
         owner = self._modules.owner(place.module.full_name(node) or "")
         if owner is not None and owner[1] in owner[0].names:
             return self._global(owner[0], owner[1], Place(owner[0]))
-        inner = node.value
-        if node.attr in ("value", "string_value", "double_value", "integer_value") and isinstance(inner, ast.Call):
+        inner = value_of(node)
+        for _ in range(_DEEPEST):
+            if inner is None or isinstance(inner, ast.Call):
+                break
+            inner, place = self.definition(inner, place)
+        if inner is not None and parameter_of(inner) is not None:
             return inner, place
         raise UnknownValueError(f"it is '{_text(node)}'")
 
@@ -232,16 +281,6 @@ def passed(function: Function, call: ast.Call | None, place: Place, own: Place) 
         found[name] = (value, place)
     found.update({each.arg: (each.value, place) for each in call.keywords if each.arg is not None})
     return found
-
-
-def parameter_of(node: ast.expr) -> ast.expr | None:
-    """Return the name of the parameter that a call reads: ``self.get_parameter(NAME).get_parameter_value()``."""
-    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
-        if node.func.attr in ("get_parameter", "declare_parameter", "get_parameter_or") and node.args:
-            return node.args[0]
-        if node.func.attr == "get_parameter_value":
-            return parameter_of(node.func.value)
-    return None
 
 
 def _number(value: Value) -> float:

@@ -60,7 +60,6 @@ def read(file: str, source: str, questions: list[Question]) -> Json | None:
         "description": "",
         "endpoints": endpoints,
         "timers": [],
-        "parameters": [],
         "questions": [each.json for each in own],
     }
 

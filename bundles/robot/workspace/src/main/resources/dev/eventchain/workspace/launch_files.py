@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 
 from constants import Constants, Place, UnknownValueError
 from launch_parameters import LaunchParameters
-from source_modules import FUNCTIONS, Module
+from source_modules import FUNCTIONS, Module, last_name
 
 Json = dict[str, object]
 
@@ -19,6 +19,7 @@ _IGNORED = frozenset({"LogInfo", "SetEnvironmentVariable", "SetLaunchConfigurati
 _DECISIONS = (ast.If, ast.For, ast.While, ast.With, ast.Try)
 _NODES = frozenset({"Node", "LifecycleNode"})
 _NAMED = {"package": "pkg", "executable": "exec", "name": "name", "namespace": "namespace"}
+_ARGUMENTS = {"arguments": "args", "ros_arguments": "ros_args"}
 _SHARES = frozenset({"get_package_share_directory", "FindPackageShare", "get_package_share_path"})
 
 
@@ -39,7 +40,7 @@ class LaunchFile:
         self._place = Place(self._module, (), function)
         found: list[Json] = []
         for node in ast.walk(function):
-            if isinstance(node, ast.Call) and _last(node.func) == "LaunchDescription":
+            if isinstance(node, ast.Call) and last_name(node.func) == "LaunchDescription":
                 found += self._list(node.args[0], node) if node.args else []
         for statement in function.body:
             found += self._statement(statement)
@@ -48,7 +49,7 @@ class LaunchFile:
     def _statement(self, node: ast.stmt) -> Iterator[Json]:
         """Return what a statement adds to the description: ``description.add_action(node)``."""
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
-            if _last(node.value.func) in ("add_action", "add_entity") and len(node.value.args) == 1:
+            if last_name(node.value.func) in ("add_action", "add_entity") and len(node.value.args) == 1:
                 yield self._element(node.value.args[0])
         elif isinstance(node, _DECISIONS) and any(isinstance(each, ast.Call) for each in ast.walk(node)):
             yield _unknown(node.lineno, "what it launches is decided when it runs")
@@ -73,7 +74,7 @@ class LaunchFile:
                 return _unknown(node, str(problem))
         if not isinstance(node, ast.Call):
             return _unknown(node, f"it launches '{ast.unparse(node)[:60]}'")
-        name = _last(node.func)
+        name = last_name(node.func)
         keywords = {each.arg or "": each.value for each in node.keywords}
         found = self._call(name, node, keywords)
         if "condition" in keywords and found["kind"] != "ignored":
@@ -83,8 +84,11 @@ class LaunchFile:
     def _call(self, name: str, node: ast.Call, keywords: dict[str, ast.expr]) -> Json:
         if name in _NODES:
             attributes = {ours: self._text(keywords[theirs]) for theirs, ours in _NAMED.items() if theirs in keywords}
+            for theirs, ours in _ARGUMENTS.items():
+                if theirs in keywords:
+                    attributes[ours] = self._words(keywords[theirs])
             remaps = self._remaps(keywords.get("remappings"), node)
-            values = LaunchParameters(self._constants, self._place, self._text).read(keywords.get("parameters"))
+            values = self._parameters().read(keywords.get("parameters"))
             element: Json = {"kind": "node", "line": node.lineno, "attributes": attributes, "remaps": remaps}
             return {**element, "parameters": values}
         if name == "IncludeLaunchDescription" and (node.args or keywords):
@@ -95,7 +99,8 @@ class LaunchFile:
             return {"kind": "include", "line": node.lineno, "attributes": attributes, "arguments": arguments}
         if name in ("GroupAction", "TimerAction"):
             actions = keywords.get("actions") or (node.args[0] if node.args else ast.List([]))
-            return {"kind": "group", "line": node.lineno, "children": self._list(actions, node)}
+            children = self._list(actions, node)
+            return {"kind": "group", "line": node.lineno, "attributes": self._scoped(keywords), "children": children}
         if name == "PushRosNamespace":
             given = keywords.get("namespace") or (node.args[0] if node.args else ast.Constant(None))
             attributes = {"namespace": self._text(given)}
@@ -104,8 +109,14 @@ class LaunchFile:
             parts = [*node.args, *(keywords[key] for key in ("src", "dst") if key in keywords)]
             return {"kind": "set_remap", "line": node.lineno, "remaps": [[self._text(each) for each in parts[:2]]]}
         if name == "SetParameter":
-            given = keywords.get("name") or (node.args[0] if node.args else ast.Constant(None))
-            return {"kind": "set_parameter", "line": node.lineno, "attributes": {"name": self._text(given)}}
+            parts = [*node.args, *(keywords[key] for key in ("name", "value") if key in keywords)]
+            attributes = {"name": self._text(parts[0]) if parts else None}
+            value = self._parameters().value(parts[1]) if len(parts) == 2 else {}
+            return {"kind": "set_parameter", "line": node.lineno, "attributes": {**attributes, **value}}
+        if name == "SetParametersFromFile":
+            named = keywords.get("filename") or (node.args[0] if node.args else ast.Constant(None))
+            attributes = {"filename": self._text(named)}
+            return {"kind": "set_parameters_from_file", "line": node.lineno, "attributes": attributes}
         if name == "DeclareLaunchArgument":
             argument = keywords.get("name") or (node.args[0] if node.args else ast.Constant(None))
             default = keywords.get("default_value")
@@ -114,6 +125,24 @@ class LaunchFile:
         if name in _IGNORED:
             return {"kind": "ignored", "line": node.lineno}
         return _unknown(node, f"what '{name}' launches is not read")
+
+    def _parameters(self) -> LaunchParameters:
+        return LaunchParameters(self._constants, self._place, self._text)
+
+    def _scoped(self, keywords: dict[str, ast.expr]) -> dict[str, str | None]:
+        """Return whether a group keeps what it changes, and gets what is changed around it."""
+        found: dict[str, str | None] = {}
+        for name in ("scoped", "forwarding"):
+            given = keywords.get(name)
+            if given is not None:
+                found[name] = str(given.value).lower() if isinstance(given, ast.Constant) else None
+        return found
+
+    def _words(self, node: ast.expr) -> str | None:
+        """Return a list of texts as one, with spaces."""
+        if isinstance(node, (ast.List, ast.Tuple)):
+            return _joined((self._text(each) for each in node.elts), " ")
+        return self._text(node)
 
     def _remaps(self, node: ast.expr | None, owner: ast.AST) -> list[list[str | None]]:
         if node is None:
@@ -124,7 +153,7 @@ class LaunchFile:
         """Return pairs of texts: a list of tuples, or the items of a dict; an unknown list is one unknown pair."""
         if node is None:
             return []
-        if isinstance(node, ast.Call) and _last(node.func) == "items" and isinstance(node.func, ast.Attribute):
+        if isinstance(node, ast.Call) and last_name(node.func) == "items" and isinstance(node.func, ast.Attribute):
             node = node.func.value
         if isinstance(node, ast.Name):
             try:
@@ -162,7 +191,7 @@ class LaunchFile:
         return None
 
     def _substitution(self, node: ast.Call, depth: int) -> str | None:
-        name = _last(node.func)
+        name = last_name(node.func)
         arguments = [*node.args, *(each.value for each in node.keywords if each.arg in ("text", "package"))]
         if name == "join" or name == "PathJoinSubstitution":
             parts = arguments
@@ -192,10 +221,6 @@ def _joined(parts: Iterable[str | None], separator: str) -> str | None:
     texts = list(parts)
     known = [text for text in texts if text is not None]
     return separator.join(known) if len(known) == len(texts) else None
-
-
-def _last(node: ast.expr) -> str:
-    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
 
 
 def _unknown(place: ast.AST | int, reason: str) -> Json:

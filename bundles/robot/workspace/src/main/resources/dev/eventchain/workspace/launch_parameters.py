@@ -7,6 +7,7 @@ import json
 from collections.abc import Callable, Iterator
 
 from constants import Constants, Place, UnknownValueError
+from source_modules import last_name
 
 _CHANGES = (ast.Store, ast.Del)
 
@@ -57,9 +58,18 @@ class LaunchParameters:
     def _entry(self, node: ast.expr) -> Iterator[Json]:
         if isinstance(node, ast.Dict):
             yield from self._values(node, "")
-        else:
-            file = self._text(node)
-            yield _element(node, {"name": None} if file is None else {"from": file})
+            return
+        attributes: Json = {}
+        file: ast.expr | None = node
+        if isinstance(node, ast.Call) and last_name(node.func) == "ParameterFile":
+            keywords = {each.arg or "": each.value for each in node.keywords}
+            file = node.args[0] if node.args else keywords.get("param_file")
+            if len(node.args) > 1 or "allow_substs" in keywords:
+                substitutes = keywords.get("allow_substs", node.args[-1] if node.args else None)
+                known = isinstance(substitutes, ast.Constant) and isinstance(substitutes.value, bool)
+                attributes["allow_substs"] = ast.unparse(substitutes) if known and substitutes else None
+        name = self._text(file) if file is not None else None
+        yield _element(node, {"name": None} if name is None else {**attributes, "from": name})
 
     def _values(self, node: ast.Dict, above: str) -> Iterator[Json]:
         for key, value in zip(node.keys, node.values, strict=True):
@@ -69,12 +79,21 @@ class LaunchParameters:
             if isinstance(inner, ast.Dict) and full is not None:
                 yield from self._values(inner, f"{full}.")
             else:
-                yield _element(value, {"name": full, **self._value(value)})
+                yield _element(value, {"name": full, **self.value(value)})
 
-    def _value(self, node: ast.expr) -> Json:
-        """Return a value: a known one in JSON, or a text with substitutions, whose type is inferred."""
+    def value(self, node: ast.expr) -> Json:
+        """Return a value: a known one in JSON, or a text with substitutions, whose type is inferred or stated."""
+        node = self._definition(node)
+        if isinstance(node, ast.Call) and last_name(node.func) == "ParameterValue":
+            keywords = {each.arg or "": each.value for each in node.keywords}
+            parts = [*node.args, *(keywords[key] for key in ("value", "value_type") if key in keywords)]
+            found: Json = self.value(parts[0]) if parts else {}
+            if len(parts) > 1:
+                text = parts[0].value if isinstance(parts[0], ast.Constant) else found.get("value")
+                found = {"value": None if text is None else str(text), "type": ast.unparse(parts[1])}
+            return found
         try:
-            known = self._constants.data(self._definition(node), self._place)
+            known = self._constants.data(node, self._place)
             return {"json": json.dumps(known)} if known is not None else {}
         except UnknownValueError:
             return {"value": self._text(node)}

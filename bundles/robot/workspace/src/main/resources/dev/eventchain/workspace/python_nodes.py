@@ -10,6 +10,7 @@ from constants import Constants, Place, UnknownValueError
 from made_nodes import Arguments, Made, NodeClass, argument, constructor_calls, constructors, parameters
 from message_fields import MessageUse
 from quality_of_service import QualityOfService
+from ros_parameters import Given
 from source_modules import FUNCTIONS, Function, Module, Modules, Question
 
 _NODES = frozenset({"rclpy.node.Node", "rclpy.Node", "rclpy.lifecycle.Node", "rclpy.lifecycle.LifecycleNode"})
@@ -64,9 +65,15 @@ class PythonNodes:
                     text = f"Whose is what '{ast.unparse(call.func)}' makes? {owner.name} is no class of a node."
                     self.questions.append(module.question(call, text))
 
-    def read(self, made: Made) -> Json:
-        """Return what is known of a node, and questions about what is not."""
-        return _ClassReader(self._constants.with_parameters(parameters(made)), made).read()
+    def read(self, made: Made, given: Given | None = None) -> Json:
+        """Return what is known of a node, and questions about what is not.
+
+        Args:
+            made: the node.
+            given: what launch gives its parameters; nothing by default.
+
+        """
+        return _ClassReader(self._constants.of_node(parameters(made), given), made).read()
 
     def _line(self, module: Module, cls: ast.ClassDef) -> tuple[tuple[tuple[Module, ast.ClassDef], ...], set[str]]:
         """Return a class and its bases in the workspace, and the names of its other bases."""
@@ -124,7 +131,6 @@ class _ClassReader:
         self._use = MessageUse(methods)
         self._endpoints: list[Json] = []
         self._timers: list[Json] = []
-        self._parameters: list[Json] = []
 
     def read(self) -> Json:
         for module, cls in self._node.line:
@@ -132,18 +138,19 @@ class _ClassReader:
                 if isinstance(method, FUNCTIONS):
                     self._method(Place(module, self._node.line, method), method)
         arguments = Arguments(self._constants, self._made, self._ask).read()
+        name, namespace = self._name("node_name", 0), self._name("namespace", None) or ""
         return {
             "file": self._node.module.file,
             "module": self._node.module.name,
             "class": self._node.definition.name,
             "line": self._node.definition.lineno,
-            "name": self._name("node_name", 0),
-            "namespace": self._name("namespace", None) or "",
+            "name": name,
+            "namespace": namespace,
             "arguments": arguments,
             "description": (ast.get_docstring(self._node.definition) or "").partition("\n")[0],
             "endpoints": self._endpoints,
             "timers": self._timers,
-            "parameters": self._parameters,
+            "reads": sorted(self._constants.reads),
             "questions": [each.json for each in self._questions],
         }
 
@@ -190,8 +197,6 @@ class _ClassReader:
                     f"{self._node.definition.name} has {_LEFT_OUT[name]}, which a chain does not have. Does it matter?"
                 )
                 self._ask(place.module, call, text)
-            elif name == "declare_parameter" and own:
-                self._parameter(call, place)
 
     def _endpoint(self, call: ast.Call, place: Place, maker: str, is_conditional: bool, target: ast.AST | None) -> None:
         publishes = maker == "create_publisher"
@@ -260,18 +265,6 @@ class _ClassReader:
             self._timers.append({"period": period, "file": place.module.file, "line": call.lineno})
         except UnknownValueError as problem:
             self._ask(place.module, call, f"What is the period of this timer: {problem}?")
-
-    def _parameter(self, call: ast.Call, place: Place) -> None:
-        try:
-            name = self._constants.text(_given(argument(call, "name", 0)), place)
-        except UnknownValueError as problem:
-            self._ask(place.module, call, f"What is the name of this parameter: {problem}?")
-            return
-        try:
-            value = self._constants.value(_given(argument(call, "value", 1)), place)
-        except UnknownValueError:
-            value = None
-        self._parameters.append({"name": name, "value": value, "file": place.module.file, "line": call.lineno})
 
     def _ask(self, module: Module, node: ast.AST, text: str) -> None:
         question = module.question(node, text)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 
 from constants import Constants, Place, UnknownValueError
+from ros_parameters import parameter_of
 from source_modules import Module
 
 QoS = dict[str, object]
@@ -49,7 +50,7 @@ class QualityOfService:
         preset = _preset(node, place.module)
         if preset is not None:
             return {"profile": preset}
-        if isinstance(node, ast.Call):
+        if isinstance(node, ast.Call) and parameter_of(node) is None:
             return self._profile(node, place)
         if isinstance(node, (ast.Name, ast.Attribute)):
             _refuse_changed(node, place)

@@ -167,6 +167,11 @@ def fields(cls: ast.ClassDef) -> dict[str, list[Binding]]:
     return found
 
 
+def last_name(node: ast.expr) -> str:
+    """Return the last part of a dotted name; empty if an expression is none."""
+    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
+
+
 def is_self_attribute(node: ast.AST) -> bool:
     """Return whether a node is ``self.NAME``."""
     return isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == "self"

@@ -2,8 +2,10 @@
 
 As a program: standard input is a JSON object with ``packages``, a list with ``name``, and by their paths the texts of
 ``python`` modules, ``setup`` (setup.py and setup.cfg), ``cpp``, ``cmake`` and ``launch``; each path is that of
-questions, and a Python module has its dotted ``module`` name, too. Standard output is a JSON object with the ``nodes``,
-the ``executables`` with the numbers of their nodes, the ``launch`` files with their elements, and the ``questions``.
+questions, and a Python module has its dotted ``module`` name, too. ``again`` is a list of nodes that are also read with
+parameters: the number of a ``node``, the ``values`` that it is given, the names of those that are ``unknown``, and
+whether there may be others (``open``). Standard output is a JSON object with the ``nodes``, the ``executables`` with
+the numbers of their nodes, the ``launch`` files with their elements, the ``questions``, and the nodes read ``again``.
 """
 
 from __future__ import annotations
@@ -20,6 +22,7 @@ from constants import Constants, Place
 from launch_files import LaunchFile
 from made_nodes import Made, NodeClass
 from python_nodes import PythonNodes
+from ros_parameters import Given
 from source_modules import Module, Modules, Question
 
 Json = dict[str, Any]
@@ -28,8 +31,9 @@ Json = dict[str, Any]
 class Workspace:
     """Content of the sources."""
 
-    def __init__(self, packages: list[Json]) -> None:
+    def __init__(self, packages: list[Json], again: list[Json]) -> None:
         self._packages = packages
+        self._again = again
         self._questions: list[Question] = []
         self._nodes: list[Json] = []
         self._executables: list[Json] = []
@@ -41,11 +45,13 @@ class Workspace:
         classes = nodes.classes()
         started = self._python(modules, classes)
         ways: list[tuple[object, ...]] = []
+        read: list[Made] = []
         for found in classes:
             made = [each for _, all_made in started for each in all_made if each.node == found]
             for each in made or [Made(found, None, Place(found.module), {})]:
                 if each.way not in ways:
                     ways.append(each.way)
+                    read.append(each)
                     self._nodes.append(nodes.read(each))
             if not made and not _is_base(found, classes):
                 text = f"What starts the node {found.definition.name}? No executable of this workspace does."
@@ -62,6 +68,7 @@ class Workspace:
             "executables": self._executables,
             "launch": launch,
             "questions": [each.json for each in [*self._questions, *nodes.questions]],
+            "again": [nodes.read(read[each["node"]], _given(each)) for each in self._again],
         }
 
     def _modules(self, key: str) -> Iterator[Module]:
@@ -112,6 +119,10 @@ class Workspace:
                     self._executables.append({**_executable(package["name"], name, file, 1), "nodes": numbers})
 
 
+def _given(json: Json) -> Given:
+    return Given(json["values"], frozenset(json["unknown"]), json["open"])
+
+
 def _executable(package: str, name: str, file: str, line: int) -> Json:
     return {"package": package, "name": name, "file": file, "line": line}
 
@@ -124,7 +135,7 @@ def main() -> None:
     """Read the request from standard input; write the facts to standard output."""
     sys.setrecursionlimit(3000)
     request = json.load(sys.stdin)
-    json.dump(Workspace(request["packages"]).read(), sys.stdout)
+    json.dump(Workspace(request["packages"], request.get("again", [])).read(), sys.stdout)
 
 
 if __name__ == "__main__":

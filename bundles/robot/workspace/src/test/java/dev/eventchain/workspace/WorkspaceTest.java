@@ -50,6 +50,16 @@ class WorkspaceTest {
     checkFiles(files(workspace, Optional.empty()), workspace);
   }
 
+  /**
+   * Values and files of parameters, and topics, rates and quality of service that depend on them.
+   */
+  @Test
+  void parametersAreThoseOfLaunch() throws IOException {
+    Path workspace = RESOURCES.resolve("configured");
+    checkFiles(
+        files(workspace, Optional.of(Path.of("src/guard/launch/all.launch.xml"))), workspace);
+  }
+
   /** Without a launch file that is the only one, executables are taken, and it is asked for. */
   @Test
   void severalLaunchFilesAreAskedFor(@TempDir Path folder) throws IOException {
